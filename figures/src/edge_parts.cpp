@@ -147,7 +147,7 @@ void add_samples(const Panel& panel, std::vector<Shape>& shapes) {
     constexpr double radius = 1.4;
     Dots dots{.role = Role::sample, .radius = radius};
     panel.for_each_pixel(
-        [&](Pixel pixel, std::size_t) { dots.centers.push_back(panel.lattice.middle_of(pixel)); });
+        [&](Pixel pixel, std::size_t) { dots.centers.push_back(panel.lattice.sample_of(pixel)); });
     shapes.push_back(std::move(dots));
 }
 

@@ -8,6 +8,7 @@
 #include "words.h"
 
 #include <rastertrace/figures/corners.h>
+#include <rastertrace/trace/record/told_samples.h>
 #include <rastertrace/trace/record/traced_steps.h>
 #include <rastertrace/trace/tell/describe.h>
 #include <rastertrace/trace/tell/working.h>
@@ -36,9 +37,12 @@ Lattice lattice_of(const Trace& trace, const std::optional<Region>& region) {
                      .y0 = std::min(canvas.top(), canvas.bottom()),
                      .x1 = canvas.right(),
                      .y1 = std::max(canvas.top(), canvas.bottom())};
+    const auto offset = told_samples(trace).triangles;
     return {.canvas = canvas,
             .region = region.value_or(all),
-            .has_center_samples = trace.samples_at_centers(),
+            .begins_at_integers = pixels_begin_at_integers(trace),
+            .sample_x = offset.x().get_d(),
+            .sample_y = offset.y().get_d(),
             .cell = 1,
             .corner = {}};
 }

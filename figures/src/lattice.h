@@ -15,8 +15,10 @@ namespace rastertrace {
 
 struct Lattice {
     Canvas canvas;
-    Region region; ///< the pixels that are shown
-    bool has_center_samples = false;
+    Region region;                   ///< the pixels that are shown
+    bool begins_at_integers = false; ///< pixels do; else the integer points are in their middles
+    double sample_x = 0;             ///< from the integer point of a pixel
+    double sample_y = 0;
     double cell = 1; ///< side of a pixel, in units
     Place corner;    ///< of the first one, at the upper left
 
@@ -42,7 +44,7 @@ struct Lattice {
     }
     Rectangle square_of(Pixel pixel) const { return {corner_of(pixel), cell, cell}; }
 
-    /// The middle of a pixel: its sample.
+    /// The middle of a pixel.
     Place middle_of(Pixel pixel) const {
         const Place at = corner_of(pixel);
         return {at.x + cell / 2, at.y + cell / 2};
@@ -50,10 +52,11 @@ struct Lattice {
 
     /// A place of the scene, in its coordinates.
     Place place_of(double x, double y) const {
-        const double sample = has_center_samples ? 0.5 : 0.0; // from the integer point
-        return {corner.x + (x - region.x0 - sample + 0.5) * cell,
-                corner.y + ((y - sample - top()) * canvas.down() + 0.5) * cell};
+        const double middle = begins_at_integers ? 0.5 : 0.0; // from the integer point
+        return {corner.x + (x - region.x0 - middle + 0.5) * cell,
+                corner.y + ((y - middle - top()) * canvas.down() + 0.5) * cell};
     }
+    Place sample_of(Pixel pixel) const { return place_of(pixel.x + sample_x, pixel.y + sample_y); }
 
     Rectangle frame() const { return {corner, width(), height()}; }
 };

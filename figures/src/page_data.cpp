@@ -32,6 +32,7 @@
 #include <rastertrace/figures/face_groups.h>
 #include <rastertrace/figures/shown_steps.h>
 #include <rastertrace/trace/explain/explain_pixels.h>
+#include <rastertrace/trace/record/told_samples.h>
 #include <rastertrace/trace/record/traced_steps.h>
 #include <rastertrace/trace/tell/describe.h>
 #include <rastertrace/trace/tell/step_text.h>
@@ -231,8 +232,9 @@ private:
             "\"background\":{}}},\n\"conventions\":{},\n\"view\":\"{}\",\n\"views\":{},\n\"kinds\":"
             "{}",
             json_quoted(printable(trace_.title)), notes.text(), canvas.left(), canvas.top(),
-            canvas.width, canvas.height, canvas.down(), trace_.samples_at_centers() ? "0.5" : "0",
-            tests_samples(), trace_.background ? json_quoted(to_text(*trace_.background)) : "null",
+            canvas.width, canvas.height, canvas.down(),
+            pixels_begin_at_integers(trace_) ? "0.5" : "0", tests_samples(),
+            trace_.background ? json_quoted(to_text(*trace_.background)) : "null",
             conventions_text(), name_of(first_view()), views.text(), kinds_text());
     }
 

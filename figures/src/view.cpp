@@ -2,6 +2,7 @@
 #include <rastertrace/figures/view.h>
 
 #include <rastertrace/figures/corners.h>
+#include <rastertrace/trace/record/told_samples.h>
 #include <rastertrace/trace/record/traced_steps.h>
 #include <rastertrace/trace/tell/describe.h>
 #include <rastertrace/trace/tell/formula.h>
@@ -299,9 +300,9 @@ void FrameCells::set_up_coverage() {
         corners = corners_of(trace.step(replay_.primitive()).as<PrimitiveStep>());
     legend_ = {corners.size() == 3 ? "0..9: tenths of a pixel from the sample to the nearest edge"
                                    : "coverage is that of a triangle"};
-    const double offset = trace.samples_at_centers() ? 0.5 : 0.0;
-    cell_ = [corners, offset](std::size_t, Pixel pixel) {
-        const Point sample{pixel.x + offset, pixel.y + offset};
+    const auto offset = told_samples(trace).triangles;
+    cell_ = [corners, x = offset.x().get_d(), y = offset.y().get_d()](std::size_t, Pixel pixel) {
+        const Point sample{pixel.x + x, pixel.y + y};
         if (corners.size() != 3)
             return Cell{"-"};
         const auto &a = corners[0], b = corners[1], c = corners[2];

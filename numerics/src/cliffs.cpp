@@ -3,6 +3,7 @@
 
 #include <rastertrace/core/draw/list/geometry.h>
 #include <rastertrace/core/draw/list/pieces.h>
+#include <rastertrace/core/draw/paint/piece_in.h>
 #include <rastertrace/core/draw/plan/plan.h>
 #include <rastertrace/core/raster/rounding.h>
 #include <rastertrace/numerics/drawing.h>
@@ -405,25 +406,29 @@ private:
             return rounding == Rounding::nearest ? Rational(1, 2) : Rational(0);
         };
         const PixelRule rule = traits_of(method.fill).rule;
-        const bool is_on_grid = traits_of(method.line).is_on_grid;
+        const bool is_on_grid = traits_of(method.line).rule == LineRule::grid;
         if (is_filled && rule == PixelRule::lines)
             return;
+        const bool along_x = dx >= dy;
+        const auto offset = sample_offset<Rational>(
+            scene_, is_filled ? sample_of(method) : sample_of_lines(method), 1);
+        const Rational& along = along_x ? offset.x() : offset.y();
+        const Rational& across = along_x ? offset.y() : offset.x();
         if (is_filled && rule == PixelRule::row_ends) {
-            look_along(edge, {false, 0, tie_of(span_rounding(method).rounding)}, "row end");
+            const Rational tie = tie_of(span_rounding(method).rounding);
+            look_along(edge, {false, offset.y(), Rational(tie + offset.x())}, "row end");
         } else if (is_filled) {
-            const Rational offset = sample_offset_of(method).exact();
-            look_along(edge, {dx >= dy, offset, offset}, "sample");
+            look_along(edge, {along_x, along, across}, "sample");
         } else {
             ScreenEdge line = edge;
             if (is_on_grid)
                 for (auto* const end : {&line.from, &line.to}) {
-                    const GridPoint pixel = nearest_pixel(end->x, end->y);
-                    *end = {Rational(static_cast<long>(pixel.x)),
-                            Rational(static_cast<long>(pixel.y))};
+                    const GridPoint pixel = nearest_pixel(*end, offset);
+                    *end = {offset.x_of(pixel.x), offset.y_of(pixel.y)};
                 }
             const Rational tie =
                 is_on_grid ? Rational(1, 2) : tie_of(line_rounding(method).rounding);
-            look_along(line, {dx >= dy, 0, tie}, "tie");
+            look_along(line, {along_x, along, Rational(tie + across)}, "tie");
         }
     }
 

@@ -80,16 +80,16 @@ std::vector<EdgeFunction> inward_functions(const std::vector<ExactPoint>& polygo
 
 /// Calls `visit(place, sample)` with every pixel of a canvas.
 template <typename Visit>
-void for_each_sample(const Canvas& canvas, const Rational& offset, Visit&& visit) {
+void for_each_sample(const Canvas& canvas, const ExactPoint& offset, Visit&& visit) {
     std::size_t place = 0;
     for (int row = 0; row < canvas.height; ++row)
         for (int column = 0; column < canvas.width; ++column)
-            visit(place++, ExactPoint{Rational(canvas.left() + column + offset),
-                                      Rational(canvas.y_of(row) + offset)});
+            visit(place++, ExactPoint{Rational(canvas.left() + column + offset.x),
+                                      Rational(canvas.y_of(row) + offset.y)});
 }
 
 CoveredPixels covered_samples(const std::vector<ExactPoint>& polygon, bool is_closed,
-                              const Rational& offset, const Canvas& canvas, int down) {
+                              const ExactPoint& offset, const Canvas& canvas, int down) {
     CoveredPixels covered(static_cast<std::size_t>(canvas.width) *
                           static_cast<std::size_t>(canvas.height));
     const auto functions = inward_functions(polygon);
@@ -105,6 +105,18 @@ CoveredPixels covered_samples(const std::vector<ExactPoint>& polygon, bool is_cl
                                      [&](const EdgeFunction& f) { return admits(f, sample); });
     });
     return covered;
+}
+
+ExactPoint exact_offset(Sample sample, const Method& method, const Canvas& canvas) {
+    const auto [x, y] = offset_of(sample, method, canvas.down());
+    return {x.exact(), y.exact()};
+}
+
+/// A triangle as seen from the samples.
+std::array<ExactPoint, 3> moved(std::array<ExactPoint, 3> triangle, const ExactPoint& offset) {
+    for (ExactPoint& p : triangle)
+        p = {Rational(p.x - offset.x), Rational(p.y - offset.y)};
+    return triangle;
 }
 
 /// Row by row: the part of the row's line that lies in the closed triangle, its ends rounded.
@@ -188,7 +200,7 @@ std::vector<std::size_t> drawing_order(const Scene& scene) {
 }
 
 void draw_triangles(const Scene& scene, Colors& picture) {
-    const Rational offset = sample_offset_of(scene.method).exact();
+    const ExactPoint offset = exact_offset(sample_of(scene.method), scene.method, scene.canvas);
     const Depth depth = scene.depth();
     const bool has_buffer = scene.has_depth_buffer();
     std::vector<std::optional<Rational>> nearest(picture.size());
@@ -231,9 +243,12 @@ void plot(const Scene& scene, const mpz_class& x, const mpz_class& y, Color colo
 
 /// A pixel for each whole number along the major axis, the other coordinate exact and rounded.
 void draw_line(const Scene& scene, const ScenePrimitive& line, Colors& picture) {
-    const auto whole = [&scene, &line](std::size_t i) {
+    const ExactPoint offset =
+        exact_offset(sample_of_lines(scene.method), scene.method, scene.canvas);
+    const auto whole = [&](std::size_t i) {
         const SceneVertex& vertex = scene.vertices[line.vertices[i]];
-        return std::pair(floor_of(vertex.x.exact()), floor_of(vertex.y.exact()));
+        return std::pair(nearest_of(vertex.x.exact() - offset.x, Ties::up),
+                         nearest_of(vertex.y.exact() - offset.y, Ties::up));
     };
     auto [from_x, from_y] = whole(0);
     auto [to_x, to_y] = whole(1);
@@ -252,7 +267,7 @@ void draw_line(const Scene& scene, const ScenePrimitive& line, Colors& picture) 
     const mpz_class first = std::max<mpz_class>(std::min(from_x, to_x), low);
     const mpz_class last = std::min<mpz_class>(std::max(from_x, to_x), high);
     const bool falls = to_y < from_y;
-    const bool is_on_grid = traits_of(scene.method.line).is_on_grid;
+    const bool is_on_grid = traits_of(scene.method.line).rule == LineRule::grid;
     const SpanRounding rule = line_rounding(scene.method);
     for (mpz_class along = first; along <= last; ++along) {
         const Rational across = from_x == to_x
@@ -289,18 +304,18 @@ Rational exact_area2(const std::array<ExactPoint, 3>& t) {
 CoveredPixels covered_by(const std::array<ExactPoint, 3>& triangle, const Method& method,
                          const Canvas& canvas) {
     const FillTraits fill = traits_of(method.fill);
+    const ExactPoint offset = exact_offset(sample_of(method), method, canvas);
     if (fill.rule == PixelRule::row_ends)
-        return covered_rows(triangle, span_rounding(method), canvas);
+        return covered_rows(moved(triangle, offset), span_rounding(method), canvas);
     if (exact_area2(triangle) == 0)
         return CoveredPixels(static_cast<std::size_t>(canvas.width) *
                              static_cast<std::size_t>(canvas.height));
-    return covered_samples({triangle.begin(), triangle.end()}, fill.is_closed,
-                           sample_offset_of(method).exact(), canvas,
+    return covered_samples({triangle.begin(), triangle.end()}, fill.is_closed, offset, canvas,
                            canvas_of_samples(method, canvas).down());
 }
 
 CoveredPixels covered_by_polygon(const std::vector<ExactPoint>& polygon, const Canvas& canvas) {
-    return covered_samples(polygon, false, Rational(1, 2), canvas, canvas.down());
+    return covered_samples(polygon, false, {Rational(1, 2), Rational(1, 2)}, canvas, canvas.down());
 }
 
 Colors reference_picture(const Scene& scene) {
@@ -313,8 +328,10 @@ Colors reference_picture(const Scene& scene) {
             draw_line(scene, primitive, picture);
         if (primitive.kind == PrimitiveKind::point) {
             const SceneVertex& at = scene.vertices[primitive.vertices[0]];
-            plot(scene, nearest_of(at.x.exact(), Ties::up), nearest_of(at.y.exact(), Ties::up),
-                 primitive.color, picture);
+            const ExactPoint offset =
+                exact_offset(sample_of_others(scene.method), scene.method, scene.canvas);
+            plot(scene, nearest_of(at.x.exact() - offset.x, Ties::up),
+                 nearest_of(at.y.exact() - offset.y, Ties::up), primitive.color, picture);
         }
     }
     return picture;

@@ -32,13 +32,13 @@ template <typename Scalar> struct ColorPiece {
 };
 template <typename Scalar> struct ColorInput {
     std::vector<ColorPiece<Scalar>> pieces;
-    Scalar sample_offset{};
+    SampleOffset<Scalar> offset;
 };
 
 template <typename Scalar>
 ColorInput<CountedOf<Scalar>> counting_copy_of(const ColorInput<Scalar>& input) {
     ColorInput<CountedOf<Scalar>> result;
-    result.sample_offset = as_counted(input.sample_offset);
+    result.offset = {as_counted(input.offset.x()), as_counted(input.offset.y())};
     for (const ColorPiece<Scalar>& piece : input.pieces) {
         auto& copy = result.pieces.emplace_back();
         copy.colors = piece.colors;
@@ -130,8 +130,7 @@ private:
     template <typename Scalar>
     std::shared_ptr<ColorInput<Scalar>> input_of(const Scene& scene, const Plan& plan) const {
         auto input = std::make_shared<ColorInput<Scalar>>();
-        input->sample_offset =
-            scalar_from<Scalar>(sample_offset_of(scene.method), plan.denominator);
+        input->offset = sample_offset<Scalar>(scene, sample_of(scene.method), plan.denominator);
         std::vector<std::size_t> primitives;
         for_each_placed_triangle<Scalar>(scene, plan, [&](const Piece<Scalar>& triangle) {
             input->pieces.push_back({triangle.positions, triangle.colors, triangle.inverse_w});
@@ -152,7 +151,7 @@ private:
             const ColorPiece<Scalar>& piece = input.pieces[i];
             const Barycentric<Scalar> barycentric(Triangle<Scalar>{piece.positions});
             const bool has_area = barycentric.area2() != scalar_from<Scalar>(0);
-            const MixedColors<Scalar> paint{piece.colors, barycentric, input.sample_offset,
+            const MixedColors<Scalar> paint{piece.colors, barycentric, input.offset,
                                             piece.inverse_w, rounding};
             for (const PieceSpan& span : pieces[i].spans)
                 for (int x = span.from; x <= span.to; ++x)
@@ -187,8 +186,8 @@ private:
             const ScreenPlane<D> inverse_w(piece.positions, piece.inverse_w, area2);
             for (const PieceSpan& span : pieces[i].spans) {
                 const PerspectiveRow<D, 3> row(planes, inverse_w,
-                                               scalar_from<D>(span.y) + input.sample_offset,
-                                               input.sample_offset, interval);
+                                               scalar_from<D>(span.y) + input.offset.y(),
+                                               input.offset.x(), interval);
                 row.walk(span.from, span.to, [&colors](int, const std::array<D, 3>& values) {
                     const auto level = [](const D& value) {
                         return level_of(value, ColorRounding::nearest);

@@ -249,7 +249,9 @@ private:
     template <typename Scalar>
     static PixelSets count(const PlacedTriangles<Scalar>& placed, const Scene& scene, Work& work) {
         using Number = CountedOf<Scalar>;
-        const SampleGrid<Number> grid(as_counted(placed.grid.sample_offset()), scene.canvas);
+        const SampleOffset<Scalar>& offset = placed.grid.offset();
+        const SampleGrid<Number> grid({as_counted(offset.x()), as_counted(offset.y())},
+                                      scene.canvas);
         PixelSets sets(scene.primitives.size());
         for (const auto& triangle : placed.triangles) {
             auto& pixels = sets[triangle.primitive];

@@ -163,8 +163,8 @@ private:
                              DepthTests<D>& buffer, Visit&& visit) {
         for (std::size_t i = 0; i < input.pieces.size(); ++i) {
             const auto& [triangle, depths] = input.pieces[i];
-            const auto plane =
-                TriangleDepth<D>(triangle.vertices, depths, buffer.larger_passes()).plane(D(0.5));
+            const auto plane = TriangleDepth<D>(triangle.vertices, depths, buffer.larger_passes())
+                                   .plane({D(0.5), D(0.5)});
             for (const PieceSpan& span : shared.pieces[i].spans)
                 visit(plane.on_row(span.y), span, i);
         }
@@ -395,7 +395,7 @@ private:
                 using D = DepthOf<Scalar>;
                 return TriangleDepth<D>(depth_positions(Triangle<Scalar>{piece.positions}),
                                         piece.depths, buffer.larger_passes())
-                    .plane(D(0.5));
+                    .plane({D(0.5), D(0.5)});
             };
             std::optional<DepthPlane<Adaptive>> plane;
             if (one.filtered)

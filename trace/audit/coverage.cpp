@@ -139,7 +139,7 @@ std::string cause_of(const Trace& trace, std::size_t step, int x, const CanvasSa
     const auto row = trace.step(step).as<ScanlineStep>();
     const auto left = stored_number_in(row.left.json(), has_floats(trace));
     const auto right = stored_number_in(row.right.json(), has_floats(trace));
-    const mpq_class sample(x + grid.offset);
+    const mpq_class sample = grid.offset.x_of(x);
     const std::string all = trace.method_value("rounding");
     const std::string rounding = all.empty() ? "rounding" : all.substr(0, all.find('+'));
     if (left && sample < *left)
@@ -635,22 +635,23 @@ void compare_with_corners(const Trace& trace, std::span<const DrawnPrimitive> dr
     });
     std::move(flat, fills.end(), std::back_inserter(not_drawn));
     fills.erase(flat, fills.end());
-    const auto judge = [&](bool is_center) {
-        judge_by_samples({trace.canvas, is_center ? 0.5 : 0.0}, trace, fills, not_drawn, stats);
+    const auto judge = [&](const SampleOffset<mpq_class>& offset) {
+        judge_by_samples({trace.canvas, offset}, trace, fills, not_drawn, stats);
         return explains_all(stats);
     };
     if (tells_sample(trace)) {
-        judge(trace.samples_at_centers());
+        judge(told_samples(trace).triangles);
         return;
     }
-    const bool center_explains = judge(true);
-    const bool integer_explains = judge(false);
+    const SampleOffset<mpq_class> center(mpq_class(1, 2), mpq_class(1, 2));
+    const bool center_explains = judge(center);
+    const bool integer_explains = judge({});
     if (center_explains && integer_explains)
         return;
     stats.sample = {.is_center = center_explains,
                     .explains_all = center_explains || integer_explains};
     if (center_explains)
-        judge(true);
+        judge(center);
 }
 
 } // namespace rastertrace

@@ -14,24 +14,15 @@
 
 namespace rastertrace {
 
-RulesTold::RulesTold(const Trace& header) : has_view_plane(header.projection == "view-plane") {
-    for (const auto& [name, value] : header.method) {
-        const MethodKey* const key = find_method_key(name);
-        if (key == nullptr)
-            continue;
-        // `floor+nearest`: that of triangles, and that of lines.
-        const std::size_t plus = value.find('+');
-        const std::string of_lines = plus == std::string::npos ? value : value.substr(plus + 1);
-        if (key->set(spans, value.substr(0, plus)) && key->set(lines, of_lines))
-            keys.insert(name);
-    }
-}
+RulesTold::RulesTold(const Trace& header)
+    : ToldMethod(told_method(header.method)), samples(told_samples(header)),
+      has_view_plane(header.projection == "view-plane") {}
 
 Redone redo(const Trace& trace) {
     const RulesTold rules(trace);
     if (!rules.says("scalar"))
         return redo_in_rationals(trace, false);
-    switch (rules.spans.scalar) {
+    switch (rules.triangles.scalar) {
     case ScalarKind::single_precision:
         return redo_steps::Redo<float, float, true>(trace).run();
     case ScalarKind::double_precision:

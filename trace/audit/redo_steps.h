@@ -11,8 +11,10 @@
 #include <rastertrace/core/draw/scene/method.h>
 #include <rastertrace/core/numbers/conversion.h>
 #include <rastertrace/core/raster/rounding.h>
+#include <rastertrace/trace/record/told_samples.h>
 #include <rastertrace/trace/record/trace.h>
 #include <rastertrace/trace/record/traced_steps.h>
+#include <rastertrace/trace/text/method_names.h>
 #include <rastertrace/trace/text/primitive_name.h>
 
 #include <fmt/core.h>
@@ -36,14 +38,12 @@
 namespace rastertrace {
 
 /// What a header says of the rules. What hangs on a rule that it does not say is not decided again.
-struct RulesTold {
+struct RulesTold : ToldMethod {
     explicit RulesTold(const Trace& header);
 
     bool says(std::string_view key) const { return keys.contains(key); }
 
-    std::set<std::string, std::less<>> keys;
-    Method spans = {}; ///< what holds for triangles
-    Method lines = {}; ///< what holds for lines
+    ToldSamples samples;
     bool has_view_plane = false;
 };
 
@@ -54,8 +54,7 @@ namespace redo_steps {
 template <typename Real, typename Depth, bool knows_all> class Redo {
 public:
     explicit Redo(const Trace& trace)
-        : rules_(trace), method_(rules_.spans), trace_(trace),
-          offset_(sample_of(method_) == Sample::center ? 0.5 : 0), canvas_(trace.canvas) {}
+        : rules_(trace), method_(rules_.triangles), trace_(trace), canvas_(trace.canvas) {}
 
     Redone run() {
         for (number_ = 1; number_ <= trace_.size(); ++number_)
@@ -214,13 +213,13 @@ private:
         const bool is_straight = step.move.text().size() == 1;
         const Rational d = exactly(step.d);
         const bool is_circle = kind_ == "circle";
-        expect(in_words(is_circle || rules_.lines.ties == Ties::step ? d < 0 : d <= 0),
+        expect(in_words(is_circle || rules_.others.ties == Ties::step ? d < 0 : d <= 0),
                in_words(is_straight), "decide: move");
         if (!is_circle || has_long_numbers_ || !radius_)
             return;
         const At& center = told_at(at_, 0);
-        const Rational x = step.x - nearest_of(exactly(center[0]), Ties::up);
-        const Rational y = step.y - nearest_of(exactly(center[1]), Ties::up);
+        const Rational x = step.x - nearest_of(exactly(offset_.in_columns(center[0])), Ties::up);
+        const Rational y = step.y - nearest_of(exactly(offset_.in_rows(center[1])), Ties::up);
         const Rational r = *radius_;
         expect(Rational((x + 1) * (x + 1) + y * y - y - r * r), d, "decide: d");
     }
@@ -285,8 +284,13 @@ private:
             expect(std::string("0"), step.intensity.text(), "light: intensity");
     }
 
+    /// A number of the header.
+    static Real in_real(const Rational& exact) { return nearest_scalar<Real>(exact); }
+
     void begin(const PrimitiveStep& step) {
         kind_ = step.kind.text();
+        const SampleOffset<Rational>& offset = rules_.samples.of(step.kind);
+        offset_ = {in_real(offset.x()), in_real(offset.y())};
         has_long_numbers_ = static_cast<bool>(step.within);
         names_ = step.vertices.texts();
         if (const auto ear = corners_of_ears_.find(step.name.text()); ear != corners_of_ears_.end())
@@ -415,7 +419,7 @@ private:
         // A polygon may lead along an edge more than once.
         if (before != walks_.end() && before->second.first == y)
             return before->second.second;
-        Real x = at_[ends.from][0] + *slope->second * (whole<Real>(y) - at_[ends.from][1]);
+        Real x = at_[ends.from][0] + *slope->second * (offset_.y_of(y) - at_[ends.from][1]);
         if (method_.lerp == LerpForm::incremental && before != walks_.end())
             x = y > before->second.first ? Real(before->second.second + *slope->second)
                                          : Real(before->second.second - *slope->second);
@@ -493,8 +497,10 @@ private:
                 return;
             expect(pixel, told, what);
         };
-        expect_end(Real(row.left - tolerance), false, row.from, "scanline: from");
-        expect_end(Real(row.right + tolerance), true, row.to, "scanline: to");
+        const Real left = offset_.in_columns(row.left);
+        const Real right = offset_.in_columns(row.right);
+        expect_end(Real(left - tolerance), false, row.from, "scanline: from");
+        expect_end(Real(right + tolerance), true, row.to, "scanline: to");
     }
 
     /// A span of a polygon is one of those between its row's crossings.
@@ -552,10 +558,10 @@ private:
                        const std::string& right_edge) {
         const Function& left = function_of(left_edge);
         const Function& right = function_of(right_edge);
-        const Real y = whole<Real>(row.y) + offset_;
+        const Real y = whole<Real>(row.y) + offset_.y();
         for (int column = canvas_.left(); column <= canvas_.right() && !has_long_numbers_;
              ++column) {
-            const Real x = Real(column) + offset_;
+            const Real x = Real(column) + offset_.x();
             expect(left.admits(x, y), row.from <= column, "scanline: left admits",
                    fmt::format(" x = {}", column));
             expect(right.admits(x, y), column <= row.to, "scanline: right admits",
@@ -563,8 +569,8 @@ private:
         }
         if (std::floating_point<Real>)
             return;
-        expect(ceil_of(exactly(row.left) - exactly(offset_)), row.from, "scanline: from");
-        expect(ceil_of(exactly(row.right) - exactly(offset_)) - 1, row.to, "scanline: to");
+        expect(ceil_of(exactly(row.left) - exactly(offset_.x())), row.from, "scanline: from");
+        expect(ceil_of(exactly(row.right) - exactly(offset_.x())) - 1, row.to, "scanline: to");
     }
 
     static Depth depth_number(const Real& x) {
@@ -574,6 +580,10 @@ private:
             return nearest_double(x);
     }
 
+    SampleOffset<Depth> depth_offset() const {
+        return {depth_number(offset_.x()), depth_number(offset_.y())};
+    }
+
     Depth depth_on(const std::string& edge, Index y) {
         const auto [from, to] = ends_of(edge);
         const Depth y1 = depth_number(at_[from][1]);
@@ -581,7 +591,7 @@ private:
         if (height == Depth(0))
             return told_at(depths_, from);
         const Depth rise = told_at(depths_, to) - told_at(depths_, from);
-        return Depth(told_at(depths_, from) + rise * (whole<Depth>(y) - y1) / height);
+        return Depth(told_at(depths_, from) + rise * (depth_offset().y_of(y) - y1) / height);
     }
 
     static Depth finite_or_zero(const Depth& slope) {
@@ -598,8 +608,12 @@ private:
             return point_of_line(column, y).depth;
         if (row_ && row_->left_depth) {
             const bool is_rounded = method_.depth_at == DepthAt::rounded_ends;
-            const Depth left = is_rounded ? whole<Depth>(row_->from) : depth_number(row_->left);
-            const Depth right = is_rounded ? whole<Depth>(row_->to) : depth_number(row_->right);
+            const auto end_at = [&](Index pixel, const Real& end) {
+                return is_rounded ? whole<Depth>(pixel)
+                                  : depth_offset().in_columns(depth_number(end));
+            };
+            const Depth left = end_at(row_->from, row_->left);
+            const Depth right = end_at(row_->to, row_->right);
             const Depth width = right - left;
             if (!(Depth(0) < width))
                 return *row_->left_depth;
@@ -625,9 +639,8 @@ private:
             return depths_[0];
         const Depth along_x = finite_or_zero(Depth((ab * acy - ac * aby) / area2));
         const Depth along_y = finite_or_zero(Depth((ac * abx - ab * acx) / area2));
-        const Depth offset = depth_number(offset_);
-        const Depth x0 = p[0][0] - offset;
-        const Depth y0 = p[0][1] - offset;
+        const Depth x0 = p[0][0] - depth_number(offset_.x());
+        const Depth y0 = p[0][1] - depth_number(offset_.y());
         const Depth on_row = depths_[0] + along_y * (whole<Depth>(y) - y0);
         return Depth(on_row + along_x * (x - x0));
     }
@@ -710,9 +723,9 @@ private:
         const Depth run = to[along] - from[along];
         if (run == Depth(0))
             return {from, larger_passes() == (first < last) ? last : first};
-        const Depth offset =
-            rules_.lines.line == LineMethod::diamond_exit ? depth_number(offset_) : Depth(0);
-        const Depth way = whole<Depth>(along == 0 ? column : y) + offset - from[along];
+        const SampleOffset<Depth> offset = depth_offset();
+        const Depth sample = along == 0 ? offset.x_of(column) : offset.y_of(y);
+        const Depth way = sample - from[along];
         const Depth part = std::clamp(Depth(way / run), Depth(0), Depth(1));
         LinePoint point;
         for (std::size_t i = 0; i < 2; ++i)
@@ -757,22 +770,23 @@ private:
         const std::size_t across = 1 - along;
         At from = told_at(at_, side_.from);
         At to = told_at(at_, side_.to);
-        if (rules_.lines.from == LineStart::low && to[along] < from[along])
+        if (rules_.others.from == LineStart::low && to[along] < from[along])
             std::swap(from, to);
 
         if (!is_x_major && !step.y)
             throw NotTold();
         const Index at = is_x_major ? *step.x : *step.y;
         const auto value = number_of<Real>(step.value);
-        if (rules_.lines.line == LineMethod::diamond_exit)
+        if (rules_.others.line == LineMethod::diamond_exit)
             return redo_in_diamond(from, to, is_x_major, at, value, step.pixel);
         if (knows_all) {
             const Real run = to[along] - from[along];
+            const Real sample = is_x_major ? offset_.x_of(at) : offset_.y_of(at);
             const Real m = run == Real(0) ? Real(0) : Real((to[across] - from[across]) / run);
-            Real redone = rules_.lines.line == LineMethod::naive
-                              ? Real(m * whole<Real>(at) + (from[across] - m * from[along]))
-                              : Real(from[across] + m * (whole<Real>(at) - from[along]));
-            if (rules_.lines.line == LineMethod::dda && along_before_)
+            Real redone = rules_.others.line == LineMethod::naive
+                              ? Real(m * sample + (from[across] - m * from[along]))
+                              : Real(from[across] + m * (sample - from[along]));
+            if (rules_.others.line == LineMethod::dda && along_before_)
                 redone = at > along_before_->first ? Real(along_before_->second + m)
                                                    : Real(along_before_->second - m);
             expect(redone, value, "along: value");
@@ -782,13 +796,14 @@ private:
             return; // whether it rises or falls is in digits that are not told
         if (!rules_.says("rounding"))
             return;
-        SpanRounding rule = line_rounding(rules_.lines);
+        SpanRounding rule = line_rounding(rules_.others);
         const bool falls = to[across] < from[across];
         if (rule.rounding == Rounding::nearest && rule.ties == Ties::start && falls)
             rule.ties = Ties::up;
         else if (rule.rounding == Rounding::nearest && rule.ties == Ties::step && falls)
             rule.ties = Ties::start;
-        expect(pixel_of(exactly(value), rule, false), step.pixel, "along: pixel");
+        const Real in_pixels = is_x_major ? offset_.in_rows(value) : offset_.in_columns(value);
+        expect(pixel_of(exactly(in_pixels), rule, false), step.pixel, "along: pixel");
     }
 
     /// The pixel of a line in a column, or row, whose diamond it goes through. Ties are those of a line with y up.
@@ -800,13 +815,16 @@ private:
         const Real rise = to[across] - from[across];
         const Real m = run == Real(0) ? Real(0) : Real(rise / run);
         if (knows_all)
-            expect(Real(from[across] + m * (whole<Real>(at) + offset_ - from[along])), value,
-                   "along: value");
+            expect(
+                Real(from[across] + m * (whole<Real>(at) +
+                                         (is_x_major ? offset_.x() : offset_.y()) - from[along])),
+                value, "along: value");
         if (!rules_.says("line") || (has_long_numbers_ && run == Real(0)))
             return;
         const bool turns = is_x_major && canvas_.down() > 0;
         const bool rises = is_x_major && (turns ? m < Real(0) : Real(0) < m);
-        const Rational among_samples = exactly(Real(value - offset_));
+        const Rational among_samples =
+            exactly(Real(value - (is_x_major ? offset_.y() : offset_.x())));
         const Index nearest = nearest_of(turns ? Rational(-among_samples) : among_samples,
                                          rises ? Ties::up : Ties::start);
         expect(turns ? -nearest : nearest, pixel, "along: pixel");
@@ -834,8 +852,8 @@ private:
         const Real acx = at_[2][0] - at_[0][0];
         const Real acy = at_[2][1] - at_[0][1];
         const Real all = area2();
-        const Real pax = at_[0][0] - (whole<Real>(column) + offset_);
-        const Real pay = at_[0][1] - (whole<Real>(row) + offset_);
+        const Real pax = at_[0][0] - (whole<Real>(column) + offset_.x());
+        const Real pay = at_[0][1] - (whole<Real>(row) + offset_.y());
         const Real b = acx * pay - pax * acy;
         const Real c = pax * aby - abx * pay;
         const Real a = all - b - c;
@@ -953,7 +971,7 @@ private:
     RulesTold rules_;
     const Method& method_; ///< what holds for triangles
     const Trace& trace_;
-    Real offset_;
+    SampleOffset<Real> offset_; ///< of the samples of the current primitive
     Canvas canvas_;
     Redone redone_;
     std::size_t number_ = 0; ///< of the step

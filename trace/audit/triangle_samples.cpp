@@ -54,7 +54,7 @@ template <typename... Points> double spread_of(const Points&... points) {
 HalfPlane half_plane(const mpq_class& a, const mpq_class& b, const mpq_class& c,
                      const CanvasSamples& grid) {
     // From the sample point to the pixel that it belongs to.
-    const mpq_class at_pixel = c + (a + b) * mpq_class(grid.offset);
+    const mpq_class at_pixel = c + a * grid.offset.x() + b * grid.offset.y();
 
     // The same over a common denominator, and without it.
     mpz_class denominator = a.get_den();
@@ -159,15 +159,16 @@ Span span_on_row(const ConvexRegion& region, int y, const Span& within) {
 Span rows_between(const Coordinate& low, const Coordinate& high, const CanvasSamples& grid) {
     const auto [lowest, highest] = std::minmax<Index>({grid.canvas.top(), grid.canvas.bottom()});
     const auto sample_at = [&grid](Index y) {
-        return Coordinate(static_cast<double>(y) + grid.offset);
+        return grid.error() == 0 ? Coordinate(static_cast<double>(y) + grid.y)
+                                 : Coordinate(grid.offset.y_of(y));
     };
     // In doubles up to one off.
-    Index from = clamped(std::ceil(low.nearest() - grid.offset), lowest, highest + 1);
+    Index from = clamped(std::ceil(low.nearest() - grid.y), lowest, highest + 1);
     while (from > lowest && sample_at(from - 1) >= low)
         --from;
     while (from <= highest && sample_at(from) < low)
         ++from;
-    Index to = clamped(std::floor(high.nearest() - grid.offset), lowest - 1, highest);
+    Index to = clamped(std::floor(high.nearest() - grid.y), lowest - 1, highest);
     while (to < highest && sample_at(to + 1) <= high)
         ++to;
     while (to >= lowest && sample_at(to) > high)
@@ -193,7 +194,8 @@ int orientation(const ScreenPoint& a, const ScreenPoint& b, const ScreenPoint& c
 TriangleSamples::TriangleSamples(const std::array<ScreenPoint, 3>& at, const CanvasSamples& grid,
                                  double one_rounding)
     : at_(&at), grid_(grid), one_rounding_(one_rounding),
-      orientation_(orientation(at[0], at[1], at[2])), spread_(spread_of(at[0], at[1], at[2])) {
+      orientation_(orientation(at[0], at[1], at[2])),
+      spread_(spread_of(at[0], at[1], at[2]) + 4 * grid.error()) {
     for (std::size_t i = 0; i < 3; ++i) {
         const auto& [from, to] =
             orientation_ > 0 ? std::tie(at[i], at[(i + 1) % 3]) : std::tie(at[(i + 1) % 3], at[i]);
@@ -226,16 +228,16 @@ int TriangleSamples::side_of(const NearEdge& edge, double x, double y) const {
 std::optional<Span> TriangleSamples::clear_span(int y) const {
     const Span all = whole_row(grid_.canvas);
     const Span none{all.last + 1, all.last};
-    const double sample_y = y + grid_.offset;
+    const double sample_y = y + grid_.y;
     Span span = all;
     for (const NearEdge& edge : edges_) {
         // An edge function is linear: of one sign between two samples, if it has that sign at both.
         const auto all_are_on = [&](int side, Index first, Index last) {
             return first > last ||
-                   (side_of(edge, static_cast<double>(first) + grid_.offset, sample_y) == side &&
-                    side_of(edge, static_cast<double>(last) + grid_.offset, sample_y) == side);
+                   (side_of(edge, static_cast<double>(first) + grid_.x, sample_y) == side &&
+                    side_of(edge, static_cast<double>(last) + grid_.x, sample_y) == side);
         };
-        const double crossing = edge.x - edge.b * (sample_y - edge.y) / edge.a - grid_.offset;
+        const double crossing = edge.x - edge.b * (sample_y - edge.y) / edge.a - grid_.x;
         if (std::isnan(crossing))
             return std::nullopt;
         const Index behind = clamped(std::ceil(crossing), all.first, all.last + 1);

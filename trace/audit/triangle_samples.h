@@ -13,6 +13,9 @@
 
 #include <rastertrace/core/raster/canvas.h>
 
+#include <rastertrace/core/numbers/rational.h>
+#include <rastertrace/core/raster/sample_offset.h>
+
 #include <array>
 #include <memory>
 #include <optional>
@@ -23,7 +26,12 @@ namespace rastertrace {
 /// Where sample points are.
 struct CanvasSamples {
     Canvas canvas;
-    double offset; ///< from a pixel's integer point to its sample point, in x and in y: 0 or 1/2
+    SampleOffset<mpq_class> offset;
+    double x = offset.x().get_d(); ///< the nearest doubles
+    double y = offset.y().get_d();
+
+    /// How far these may be off.
+    double error() const { return x == offset.x() && y == offset.y() ? 0 : 0x1p-53; }
 };
 
 /// The pixels of one row from x = first to x = last, or the rows from first to last; none if last

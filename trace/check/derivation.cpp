@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "derivation.h"
 
+#include <rastertrace/trace/record/told_samples.h>
 #include <rastertrace/trace/record/traced_steps.h>
 #include <rastertrace/trace/tell/describe.h>
 #include <rastertrace/trace/tell/step_text.h>
@@ -15,17 +16,19 @@
 namespace rastertrace {
 
 Method method_of(const Trace& trace) {
-    Method method;
-    for (const auto& [name, value] : trace.method)
-        // Of two values, the first is that of spans.
-        if (const MethodKey* key = find_method_key(name))
-            key->set(method, value.substr(0, value.find('+')));
-    return method;
+    return told_method(trace.method).triangles;
 }
 
 namespace {
 
 using Formulas = std::vector<Formula>;
+
+/// From the integer points of a primitive's pixels to their samples.
+SampleOffset<Rational> offset_of(const Trace& trace, std::size_t primitive) {
+    const ToldSamples samples = told_samples(trace);
+    return primitive == 0 ? samples.triangles
+                          : samples.of(trace.step(primitive).as<PrimitiveStep>().kind);
+}
 
 /// The formulas of one step's fields.
 class Deriver {
@@ -85,7 +88,8 @@ private:
         return 0;
     }
 
-    Rational sample_y(Index row) const { return row + sample_offset(numbers_.trace()); }
+    /// Of a row of the step's primitive.
+    Rational sample_y(Index row) const { return offset_of(numbers_.trace(), primitive_).y_of(row); }
 
     std::optional<std::vector<Vec3>> world_corners(std::size_t primitive) const;
     std::optional<Vec3> vector_in(std::string_view field) const {
@@ -176,7 +180,8 @@ RoundedEnd rounded_end(const Numbers& numbers, std::size_t row, const std::strin
     const Method method = method_of(trace);
     const auto x = numbers.one(row, side);
     const bool is_by_samples = traits_of(method.fill).rule == PixelRule::samples;
-    return {.x = x.value_or(0) - (is_by_samples ? sample_offset(trace) : Rational(0)),
+    const auto offset = offset_of(trace, numbers.index().primitive_of(row));
+    return {.x = offset.in_columns(x.value_or(0)),
             .rule = is_by_samples ? SpanRounding{.rounding = Rounding::half_open}
                                   : span_rounding(method),
             .is_last = side == "right"};
@@ -312,7 +317,7 @@ Formulas Deriver::of_along() const {
     if (!from || !to || !at ||
         numbers_.step(primitive_).as<PrimitiveStep>().kind != PrimitiveKind::line)
         return {};
-    const Rational i = *at + line_offset(numbers_.trace());
+    const Rational i = sample_of_lines(numbers_.trace(), along.x.has_value(), *at);
     Lerp lerp{.d1 = from->y, .i1 = from->x, .d2 = to->y, .i2 = to->x, .i = i};
     if (!along.x)
         lerp = {.d1 = from->x, .i1 = from->y, .d2 = to->x, .i2 = to->y, .i = i};

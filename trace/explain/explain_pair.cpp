@@ -98,14 +98,14 @@ Pair pair_named(const Trace& trace, const std::string& text) {
 class NearEdge {
 public:
     NearEdge(const Pair& pair, const Trace& trace)
-        : pair_(pair), canvas_(trace.canvas), offset_(sample_offset(trace)),
+        : pair_(pair), canvas_(trace.canvas), offset_(told_samples(trace).triangles),
           is_flat_(abs(pair.to.x - pair.from.x) >= abs(pair.to.y - pair.from.y)),
           begin_(is_flat_ ? canvas_.left() : std::min(canvas_.top(), canvas_.bottom())) {
         const int size = is_flat_ ? canvas_.width : canvas_.height;
         for (int along = begin_; along < begin_ + size; ++along) {
             const auto across = across_at(along);
-            near_.push_back(across ? Range{ceil_index(Rational(*across - offset_ - 1)),
-                                           floor_index(Rational(*across - offset_ + 1))}
+            near_.push_back(across ? Range{ceil_index(Rational(*across - 1)),
+                                           floor_index(Rational(*across + 1))}
                                    : Range{});
         }
     }
@@ -138,9 +138,11 @@ public:
     }
 
 private:
-    Rational sample(Index coordinate) const { return Rational(coordinate) + offset_; }
+    Rational sample(Index along) const {
+        return is_flat_ ? offset_.x_of(along) : offset_.y_of(along);
+    }
 
-    /// Where the edge is, up or down, at the samples of a column (of a row: to the left or right), if it gets there.
+    /// Where the edge is, in rows, at the samples of a column (of a row: in columns), if it gets there.
     std::optional<Rational> across_at(Index column_or_row) const {
         const Vec2& a = pair_.from;
         const Vec2& b = pair_.to;
@@ -149,7 +151,7 @@ private:
         if (!across.slope() || along < std::min(across.i1, across.i2) ||
             along > std::max(across.i1, across.i2))
             return std::nullopt;
-        return across.value();
+        return is_flat_ ? offset_.in_rows(across.value()) : offset_.in_columns(across.value());
     }
 
     /// Those of a column, or row, that are near: rows from `first` to `last`, or columns.
@@ -160,7 +162,7 @@ private:
 
     const Pair& pair_;
     Canvas canvas_;
-    Rational offset_;
+    SampleOffset<Rational> offset_;
     bool is_flat_;
     int begin_;               ///< the first column of the canvas, or row
     std::vector<Range> near_; ///< of each column, or row, from there

@@ -73,9 +73,9 @@ std::vector<LineSteps> lines_of(const Trace& trace, const PrimitiveSteps& steps)
     return lines;
 }
 
-/// The nearest pixel to a point, a half up, as the ends of lines are rounded.
-Pixel pixel_at(const Vec2& point) {
-    const auto [x, y] = nearest_pixel(point.x, point.y);
+/// The pixel with the nearest sample, a half up, as the ends of lines are rounded.
+Pixel pixel_at(const Vec2& point, const SampleOffset<Rational>& offset) {
+    const auto [x, y] = nearest_pixel<Rational>({point.x, point.y}, offset);
     return {static_cast<int>(x), static_cast<int>(y)};
 }
 
@@ -84,7 +84,8 @@ PlaceOnLine beyond_ends(const Trace& trace, const LineSteps& line, Pixel pixel) 
     if (!line.ends)
         return {.text = fmt::format("no step says where {} is", line.name), .is_known = false};
     const auto& [from, to] = *line.ends;
-    const Rational at = (line.is_x_major ? pixel.x : pixel.y) + line_offset(trace);
+    const auto offset = told_samples(trace).lines;
+    const Rational at = line.is_x_major ? offset.x_of(pixel.x) : offset.y_of(pixel.y);
     const auto [low, high] =
         std::minmax(line.is_x_major ? from.x : from.y, line.is_x_major ? to.x : to.y);
     const std::string_view axis = line.is_x_major ? "x" : "y";
@@ -99,7 +100,7 @@ PlaceOnLine beyond_ends(const Trace& trace, const LineSteps& line, Pixel pixel) 
                             axis, text(at), by_convention(trace)),
                 Rational(0)};
     if (trace.method_value("ends") == "first")
-        for (const Pixel& end : {pixel_at(to), pixel_at(from)})
+        for (const Pixel& end : {pixel_at(to, offset), pixel_at(from, offset)})
             if ((line.is_x_major ? end.x : end.y) == (line.is_x_major ? pixel.x : pixel.y))
                 return {fmt::format("the last pixel of {}, ({}, {}), is left out (ends: first)",
                                     line.name, end.x, end.y),
@@ -156,8 +157,7 @@ WhyNot of_point(const Trace& trace, const PrimitiveSteps& steps, Pixel pixel) {
     const PrimitiveText primitive = primitive_in(trace.step(steps.first));
     const auto place =
         primitive.positions.empty() ? std::nullopt : vec2_in(primitive.positions.front());
-    const bool is_in_pixel =
-        place && nearest_pixel(place->x, place->y) == GridPoint{pixel.x, pixel.y};
+    const bool is_in_pixel = place && pixel_at(*place, told_samples(trace).others) == pixel;
     if (!place || is_in_pixel)
         return {.reason = "unknown", .sentence = "no step of the trace says what became of it"};
     const auto drawn = find_step(trace, steps, StepKind::pixel);
@@ -173,7 +173,7 @@ WhyNot of_point(const Trace& trace, const PrimitiveSteps& steps, Pixel pixel) {
 /// distances a <= b from the center, (b - 1/2)^2 + a^2 < r^2 < (b + 1/2)^2 + a^2.
 WhyNot of_circle(const Trace& trace, const PrimitiveSteps& steps, Pixel pixel) {
     const PrimitiveText primitive = primitive_in(trace.step(steps.first));
-    const auto center = center_of(primitive);
+    const auto center = center_of(primitive, trace);
     if (!center || !primitive.radius)
         return {.reason = "unknown", .sentence = "no step of the trace says where it is"};
     const auto [a, b] =

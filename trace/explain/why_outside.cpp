@@ -111,8 +111,9 @@ WhyNot beyond_end(const Case& c, std::size_t n, bool is_left) {
     WhyNot why = outside(fmt::format("{}{} {} row y={} at x = {}{} -> {}; x = {} {}",
                                      edge.empty() ? is_left ? "left end" : "right end" : edge,
                                      made_by_clipping(edge), is_left ? "begins" : "ends", told.y,
-                                     in_sentence(told.x.text()), rule_of_end(c.trace, told),
-                                     told.pixel, text(c.sample.x), where) +
+                                     in_sentence(told.x.text()),
+                                     rule_of_end(c.trace, told, c.primitive.kind), told.pixel,
+                                     text(c.sample.x), where) +
                              what_numbers_give(c.trace, n),
                          gap);
     for (const std::string& line : c.steps.working)
@@ -336,8 +337,9 @@ WhyNot unknown(const Case& c) {
 
 WhyNot why_outside(const Trace& trace, const PrimitiveSteps& steps, Pixel pixel) {
     const StepView step = trace.step(steps.first);
-    const Rational offset = sample_offset(trace);
-    const Case c{trace, steps, pixel, primitive_in(step), {pixel.x + offset, pixel.y + offset}};
+    const PrimitiveText primitive = primitive_in(step);
+    const auto offset = told_samples(trace).of(step.as<PrimitiveStep>().kind);
+    const Case c{trace, steps, pixel, primitive, {offset.x_of(pixel.x), offset.y_of(pixel.y)}};
     if (step.as<PrimitiveStep>().painted.is_false())
         return {.reason = "unpainted", .sentence = "it only hides what lies behind it"};
     for (const auto rule : {by_edge_function, by_row, by_weight, by_rows, by_box})

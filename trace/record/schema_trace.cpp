@@ -106,9 +106,7 @@ Json method() {
     Json schema{{"type", "object"}, {"properties", Json::object()}};
     for (const MethodKey& key : method_keys()) {
         Json value = word;
-        value["description"] =
-            fmt::format("{}: {}", key.meaning,
-                        key.values.empty() ? std::string(key.number) : joined(key.values, ", "));
+        value["description"] = fmt::format("{}: {}", key.meaning, key.listed());
         schema["properties"][std::string(key.name)] = std::move(value);
     }
     schema["additionalProperties"] = word;

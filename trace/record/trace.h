@@ -178,9 +178,6 @@ public:
     /// The value of a method's key, or "".
     std::string method_value(std::string_view key) const;
 
-    /// True if a pixel is tested half a pixel beyond its coordinates, in x and in y.
-    bool samples_at_centers() const { return method_value("sample") == "center"; }
-
 private:
     friend class TraceReader;
     friend class GrowingTrace;

@@ -206,10 +206,21 @@ private:
 
     void read_choice(const MethodKey& key, const JsonValue& value) {
         const bool is_word = value.kind == JsonValue::Kind::string ||
-                             (value.kind == JsonValue::Kind::number && key.takes_number());
-        if (!is_word || !key.set(scene_.method, value.text))
+                             (value.kind == JsonValue::Kind::number && key.takes_number()) ||
+                             (value.kind == JsonValue::Kind::array && !key.more.empty());
+        if (!is_word || !key.set(scene_.method, words_of(value)))
             json_.fail_expecting(value, key.expected(), did_you_mean(value.text, key.values, "\""));
         said_.insert(key.name);
+    }
+
+    /// A word, or the elements of an array with spaces between.
+    static std::string words_of(const JsonValue& value) {
+        if (value.kind != JsonValue::Kind::array)
+            return value.text;
+        std::vector<std::string> words;
+        for (const JsonValue& element : value.elements())
+            words.push_back(element.text);
+        return joined(words, " ");
     }
 
     /// The stages that run although the scene does not need them.
@@ -605,7 +616,8 @@ private:
         const bool has_lines =
             scene_.has(PrimitiveKind::line) || scene_.has(PrimitiveKind::outline);
         const JsonValue blamed = root.find("method").value_or(root);
-        if (method.rounding == Rounding::half_open && has_lines && traits_of(method.line).rounds)
+        if (method.rounding == Rounding::half_open && has_lines &&
+            traits_of(method.line).rule == LineRule::rounding)
             json_.fail(
                 blamed,
                 "expected a rounding that lines can have, found \"half-open\": a line has no "
@@ -618,7 +630,7 @@ private:
         const bool fills_rows = scene_.has(PrimitiveKind::polygon) ||
                                 (scene_.has(PrimitiveKind::triangle) &&
                                  traits_of(method.fill).rule == PixelRule::row_ends);
-        if (method.ends == EndPixels::first && traits_of(method.line).is_by_samples)
+        if (method.ends == EndPixels::first && traits_of(method.line).rule == LineRule::diamonds)
             json_.fail(blamed, "expected no \"ends\" beside \"line\": \"diamond-exit\", found "
                                "\"first\": a diamond that the line ends in is not left");
         check_rows_and_tolerance(blamed, fills_rows);

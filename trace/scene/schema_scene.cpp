@@ -102,6 +102,18 @@ Json projection() {
     return schema;
 }
 
+/// A point of a pixel: two numbers, or both in one text.
+Json sample_point() {
+    Json coordinate = number_schema();
+    coordinate.update({{"minimum", -1}, {"maximum", 1}});
+    const std::string_view number = number_pattern();
+    const std::string both =
+        fmt::format("{} {}", number.substr(0, number.size() - 1), number.substr(1));
+    const Json point{
+        {"type", "array"}, {"items", std::move(coordinate)}, {"minItems", 2}, {"maxItems", 2}};
+    return Json::array({point, {{"type", "string"}, {"pattern", both}}});
+}
+
 Json method() {
     Json schema{{"type", "object"}, {"properties", Json::object()}};
     for (const MethodKey& key : method_keys()) {
@@ -115,6 +127,12 @@ Json method() {
             for (const std::string_view number : key.values)
                 value["enum"].push_back(std::stoi(std::string(number)));
         value["description"] = key.meaning;
+        if (key.name == "sample") {
+            Json forms = sample_point();
+            value.erase("description");
+            forms.insert(forms.begin(), std::move(value));
+            value = {{"description", key.meaning}, {"anyOf", std::move(forms)}};
+        }
         schema["properties"][std::string(key.name)] = std::move(value);
     }
     schema["additionalProperties"] = false;

@@ -305,39 +305,52 @@ std::string rule_of_lines(const Trace& trace, std::string_view key) {
     return rules.substr(rules.find('+') + 1);
 }
 
-/// ` -> floor`; of a number halfway between two pixels, ` -> nearest, ties up`.
-std::string rounded_by(const std::string& rule, const std::string& ties,
+/// ` -> floor`; of a number halfway between two samples, ` -> nearest, ties up`; with an argument, ` -> floor(x - 1/2)`.
+std::string rounded_by(const std::string& rule, const std::string& ties, std::string_view argument,
                        const std::optional<Rational>& number) {
     if (rule.empty())
         return {};
+    const std::string text = fmt::format(" -> {}{}", rule, argument);
     const bool is_tie = number && rule == "nearest" && number->get_den() == 2;
-    return is_tie
-               ? said({" -> {}, ties {}", " -> {}, empates {}"}, rule, ties.empty() ? "up" : ties)
-               : " -> " + rule;
+    return is_tie ? text + said({", ties {}", ", empates {}"}, ties.empty() ? "up" : ties) : text;
+}
+
+/// What is rounded instead of x, or y: `x - 1/2`; "" if samples lie at integers.
+std::string among_samples(std::string_view axis, const Rational& offset) {
+    return sgn(offset) == 0 ? std::string() : fmt::format("{} {}", axis, minus(text(offset)));
+}
+
+std::string as_argument(const std::string& among_samples) {
+    return among_samples.empty() ? among_samples : "(" + among_samples + ")";
 }
 
 } // namespace
 
-std::string rule_of_end(const Trace& trace, const EndOfRow& end) {
+std::string rule_of_end(const Trace& trace, const EndOfRow& end,
+                        const TracedWord<PrimitiveKind>& kind) {
+    const auto offset = told_samples(trace).of(kind);
+    const std::string moved = among_samples("x", offset.x());
+    const std::string argument = as_argument(moved);
     const std::string rounding = rule_of_rows(trace, "rounding");
     const auto x = end.x.exact();
     const std::string tolerance = trace.method_value("inside_tolerance");
     if (rounding == "inside" && !tolerance.empty())
-        return (end.is_left ? " -> ceil(x - " : " -> floor(x + ") + tolerance + ")";
+        return fmt::format(" -> {}({} {} {})", end.is_left ? "ceil" : "floor",
+                           moved.empty() ? "x" : moved, end.is_left ? '-' : '+', tolerance);
     if (rounding == "inside")
-        return end.is_left ? " -> ceil" : " -> floor";
+        return (end.is_left ? " -> ceil" : " -> floor") + argument;
     if (rounding == "half-open")
-        return end.is_left ? " -> ceil" : " -> ceil - 1";
+        return " -> ceil" + argument + (end.is_left ? "" : " - 1");
     if (!rounding.empty())
-        return rounded_by(rounding, rule_of_rows(trace, "ties"), x);
+        return rounded_by(rounding, rule_of_rows(trace, "ties"), argument,
+                          x ? std::optional(offset.in_columns(*x)) : std::nullopt);
     if (!x || trace.method_value("fill") != "top-left")
         return {};
-    const Rational offset = sample_offset(trace);
-    const Rational sample = end.pixel + offset;
+    const Rational sample = offset.x_of(end.pixel);
     if (end.is_left ? *x > sample : *x <= sample)
         return {};
     return said({" {} sample {}{}", " {} amostra {}{}"}, end.is_left ? "<=" : ">", end.pixel,
-                sgn(offset) != 0 ? " + 1/2" : "");
+                sgn(offset.x()) != 0 ? " " + plus(text(offset.x())) : std::string());
 }
 
 namespace {
@@ -369,7 +382,7 @@ template <std::size_t which> std::string end_of_row(const Context& context) {
         text += fmt::format("{} {} ({} {}) = ", in_formula(ends->from[0]), plus(in_formula(*slope)),
                             end.y, minus(in_formula(ends->from[1])));
     return text + fmt::format("{}{} -> {}", with_fraction(end.x.text()),
-                              rule_of_end(replay.trace(), end), end.pixel);
+                              rule_of_end(replay.trace(), end, primitive.kind), end.pixel);
 }
 
 /// The edges that a row of a polygon meets: `   AB at 1/2, winding number 1`.
@@ -418,12 +431,12 @@ std::string slope_form(const Context& context) {
                    ? fmt::format("{} {} = ", in_formula(last.value.text()), plus(text(moved)))
                    : std::string();
     }
-    const Rational offset = line_offset(replay.trace());
-    return agrees(form->m * (*at + offset) + form->b, *value, replay.trace())
+    const Rational sample = sample_of_lines(replay.trace(), is_x_major, *at);
+    return agrees(form->m * sample + form->b, *value, replay.trace())
                ? fmt::format("{} {} {} = ", text(form->m),
-                             sgn(offset) != 0 ? text(*at + offset)
-                             : is_x_major     ? "x"
-                                              : "y",
+                             sample != *at ? text(sample)
+                             : is_x_major  ? "x"
+                                           : "y",
                              plus(text(form->b)))
                : std::string();
 }
@@ -432,7 +445,8 @@ std::string slope_form(const Context& context) {
 std::string next_d(const Context& context) {
     const auto d = context.as<DecideStep>().d.exact();
     const auto ends = ends_of_line(context.replay, context.primitive);
-    if (const auto circle = circle_decision(context.primitive, context.as<DecideStep>()))
+    if (const auto circle =
+            circle_decision(context.primitive, context.as<DecideStep>(), context.replay.trace()))
         return fmt::format("; d {} = {}", plus(text(circle->increment)),
                            text(*d + circle->increment));
     const auto line = ends ? decisions_between(context.replay.trace(), *ends) : std::nullopt;
@@ -630,10 +644,10 @@ constexpr Part parts[] = {
      }},
     {"samples",
      [](const Context& context) {
-         return sgn(sample_offset(context.replay.trace())) != 0
-                    ? said({", samples at y = {} + 1/2", ", amostras em y = {} + 1/2"},
-                           context.as<ScanlineStep>().y)
-                    : std::string();
+         const auto offset = told_samples(context.replay.trace()).of(context.primitive.kind);
+         return sgn(offset.y()) != 0 ? said({", samples at y = {} {}", ", amostras em y = {} {}"},
+                                            context.as<ScanlineStep>().y, plus(text(offset.y())))
+                                     : std::string();
      }},
     {"crossings", crossings},
     {"fill_rule",
@@ -663,8 +677,14 @@ constexpr Part parts[] = {
          const Trace& trace = context.replay.trace();
          if (trace.method_value("line") == "diamond-exit")
              return said({" -> diamond", " -> losango"});
+         const auto along = context.as<AlongStep>();
+         const auto offset = told_samples(trace).lines;
+         const Rational& across = along.x ? offset.y() : offset.x();
+         auto value = along.value.exact();
+         if (value)
+             *value -= across;
          return rounded_by(rule_of_lines(trace, "rounding"), rule_of_lines(trace, "ties"),
-                           context.as<AlongStep>().value.exact());
+                           as_argument(among_samples(along.x ? "y" : "x", across)), value);
      }},
     {"sign_of_d",
      [](const Context& context) { return sign_of_d(context, context.as<DecideStep>()); }},

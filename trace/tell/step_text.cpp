@@ -235,13 +235,15 @@ std::optional<LineEnds> line_between(const std::optional<Vec2>& from,
     return from && to ? std::optional(LineEnds{*from, *to}) : std::nullopt;
 }
 
-/// A line as it is drawn between pixels: each end is rounded, a half up.
-LineEnds between_nearest_pixels(const LineEnds& ends) {
-    const auto nearest = [](const Vec2& end) {
-        const GridPoint pixel = nearest_pixel(end.x, end.y);
-        return Vec2{pixel.x, pixel.y};
-    };
-    return {nearest(ends.from), nearest(ends.to)};
+/// The pixel whose sample is nearest to a point, a half up.
+Vec2 pixel_near(const Vec2& point, const SampleOffset<Rational>& offset) {
+    const GridPoint pixel = nearest_pixel<Rational>({point.x, point.y}, offset);
+    return {pixel.x, pixel.y};
+}
+
+/// A line as it is drawn between pixels: each end goes to the nearest sample, a half up.
+LineEnds between_nearest_pixels(const LineEnds& ends, const SampleOffset<Rational>& offset) {
+    return {pixel_near(ends.from, offset), pixel_near(ends.to, offset)};
 }
 
 /// The edge, or the side, that was set up last.
@@ -257,22 +259,31 @@ std::optional<EdgeEnds> current_edge(const Replay& replay, const PrimitiveText& 
 std::optional<LineEnds> ends_of_line(const Replay& replay, const PrimitiveText& primitive) {
     const auto& positions = primitive.positions;
     const bool is_bresenham = replay.trace().method_value("line") == "bresenham";
-    const auto as_drawn = [](const std::optional<LineEnds>& ends, bool between_pixels) {
-        return ends && between_pixels ? between_nearest_pixels(*ends) : ends;
+    const ToldSamples samples = told_samples(replay.trace());
+    const auto as_drawn = [](const std::optional<LineEnds>& ends, bool between_pixels,
+                             const SampleOffset<Rational>& offset) {
+        return ends && between_pixels ? between_nearest_pixels(*ends, offset) : ends;
     };
     if (primitive.kind == PrimitiveKind::line && positions.size() == 2)
-        return as_drawn(line_between(vec2_in(positions[0]), vec2_in(positions[1])), is_bresenham);
+        return as_drawn(line_between(vec2_in(positions[0]), vec2_in(positions[1])), is_bresenham,
+                        samples.lines);
     const auto ends = current_edge(replay, primitive);
     if (!ends)
         return std::nullopt;
     if (primitive.kind == PrimitiveKind::outline)
-        return as_drawn(line_between(vec2_in(ends->from), vec2_in(ends->to)), is_bresenham);
+        return as_drawn(line_between(vec2_in(ends->from), vec2_in(ends->to)), is_bresenham,
+                        samples.lines);
     if (replay.ray() == 0)
         return std::nullopt;
     const auto ray = replay.trace().step(replay.ray()).as<RayStep>();
+    const auto line_to_apex = [&](const std::optional<Vec2>& apex) {
+        return apex ? std::optional(
+                          LineEnds{Vec2{ray.x, ray.y}, pixel_near(*apex, samples.triangles)})
+                    : std::nullopt;
+    };
     for (const auto& apex : positions)
         if (apex != ends->from && apex != ends->to)
-            return as_drawn(line_between(Vec2{ray.x, ray.y}, vec2_in(apex)), true);
+            return line_to_apex(vec2_in(apex));
     return std::nullopt;
 }
 
@@ -291,9 +302,10 @@ struct ColoredLine {
     bool is_along_x;
 };
 
-/// Between two of a primitive's vertices, from the first one.
+/// Between two of a primitive's vertices, from the first one. Ends that are pixels have no offset.
 std::optional<ColoredLine> colored_line(const LineEnds& ends, const PrimitiveText& primitive,
-                                        const std::array<std::size_t, 2>& vertices) {
+                                        const std::array<std::size_t, 2>& vertices,
+                                        const SampleOffset<Rational>& offset = {}) {
     const auto colors = primitive.colors.values();
     const auto color_of = [&colors](std::size_t i) {
         return i < colors.size() ? colors[i].color() : std::nullopt;
@@ -303,10 +315,10 @@ std::optional<ColoredLine> colored_line(const LineEnds& ends, const PrimitiveTex
     const auto to = color_of(second);
     if (!from || !to || primitive.vertices.size() != colors.size())
         return std::nullopt;
-    return ColoredLine{
-        {nearest_pixel(ends.from.x, ends.from.y), nearest_pixel(ends.to.x, ends.to.y), *from, *to},
-        primitive.vertices[first],
-        abs(ends.to.x - ends.from.x) >= abs(ends.to.y - ends.from.y)};
+    return ColoredLine{{nearest_pixel<Rational>({ends.from.x, ends.from.y}, offset),
+                        nearest_pixel<Rational>({ends.to.x, ends.to.y}, offset), *from, *to},
+                       primitive.vertices[first],
+                       abs(ends.to.x - ends.from.x) >= abs(ends.to.y - ends.from.y)};
 }
 
 void reverse(ColoredLine& line, const std::string& end_name) {
@@ -354,10 +366,12 @@ ColorOnLine color_at(const ColoredLine& line, GridPoint at, const Trace& trace) 
 }
 
 /// The edge that the current lines of a fan begin in.
-std::optional<ColoredLine> edge_of_fan(const PrimitiveText& primitive, const EdgeEnds& edge) {
+std::optional<ColoredLine> edge_of_fan(const PrimitiveText& primitive, const EdgeEnds& edge,
+                                       const Trace& trace) {
     const auto ends = line_between(vec2_in(edge.from), vec2_in(edge.to));
-    auto line =
-        ends ? colored_line(between_nearest_pixels(*ends), primitive, edge.vertices) : std::nullopt;
+    auto line = ends ? colored_line(between_nearest_pixels(*ends, told_samples(trace).triangles),
+                                    primitive, edge.vertices)
+                     : std::nullopt;
     if (line)
         begin_left(*line, primitive.vertices[edge.vertices[1]]);
     return line;
@@ -386,7 +400,7 @@ std::optional<ColorOnLine> color_on_edge_of_fan(const Replay& replay,
                                                 const PrimitiveText& primitive) {
     const auto edge = current_edge(replay, primitive);
     const bool is_fan = primitive.kind == PrimitiveKind::triangle && replay.ray() != 0;
-    const auto line = edge && is_fan ? edge_of_fan(primitive, *edge) : std::nullopt;
+    const auto line = edge && is_fan ? edge_of_fan(primitive, *edge, replay.trace()) : std::nullopt;
     if (!line)
         return std::nullopt;
     const auto ray = replay.trace().step(replay.ray()).as<RayStep>();
@@ -403,7 +417,10 @@ std::optional<ColorOnLine> color_on_line(const Replay& replay, const PrimitiveTe
     } else {
         const auto side = current_edge(replay, primitive);
         const auto [first, second] = side ? side->vertices : std::array<std::size_t, 2>{0, 1};
-        line = colored_line(*ends, primitive, {first, second});
+        const bool are_pixels = replay.trace().method_value("line") == "bresenham";
+        line = colored_line(*ends, primitive, {first, second},
+                            are_pixels ? SampleOffset<Rational>()
+                                       : told_samples(replay.trace()).lines);
         // Which direction is the longer one, the step that led to the pixel says: doubles may not tell.
         const std::size_t reason = reason_of_pixel(replay);
         if (line && reason != 0 && replay.trace().kind_of(reason) == StepKind::along)
@@ -469,15 +486,15 @@ std::optional<BresenhamDecisions> decisions_between(const Trace& trace, const Li
                               .steps_at_ties = steps_at_ties(trace)};
 }
 
-std::optional<Vec2> center_of(const PrimitiveText& primitive) {
+std::optional<Vec2> center_of(const PrimitiveText& primitive, const Trace& trace) {
     const auto at =
         primitive.positions.empty() ? std::nullopt : vec2_in(primitive.positions.front());
-    return at ? std::optional(between_nearest_pixels({*at, *at}).from) : std::nullopt;
+    return at ? std::optional(pixel_near(*at, told_samples(trace).others)) : std::nullopt;
 }
 
 std::optional<CircleDecision> circle_decision(const PrimitiveText& primitive,
-                                              const DecideStep& step) {
-    const auto center = center_of(primitive);
+                                              const DecideStep& step, const Trace& trace) {
+    const auto center = center_of(primitive, trace);
     const auto d = step.d.exact();
     if (primitive.kind != PrimitiveKind::circle || !center || !d)
         return std::nullopt;
@@ -495,12 +512,9 @@ std::string_view matrix_into(std::string_view space) {
                                : "";
 }
 
-Rational sample_offset(const Trace& trace) {
-    return trace.samples_at_centers() ? Rational(1, 2) : Rational(0);
-}
-
-Rational line_offset(const Trace& trace) {
-    return trace.method_value("line") == "diamond-exit" ? sample_offset(trace) : Rational(0);
+Rational sample_of_lines(const Trace& trace, bool is_column, Index at) {
+    const auto offset = told_samples(trace).lines;
+    return is_column ? offset.x_of(at) : offset.y_of(at);
 }
 
 bool has_bottom_rule(const Trace& trace) {
@@ -517,8 +531,10 @@ std::string by_convention(const Trace& trace) {
 std::optional<Vec2> sample_of(const Trace& trace, const StepView& step) {
     const auto x = x_in(step);
     const auto y = y_in(step);
-    const Rational offset = sample_offset(trace);
-    return x && y ? std::optional(Vec2{*x + offset, *y + offset}) : std::nullopt;
+    if (!x || !y)
+        return std::nullopt;
+    const auto offset = told_samples(trace).triangles;
+    return Vec2{offset.x_of(*x), offset.y_of(*y)};
 }
 
 std::optional<Weights> weights_of_sample(const Trace& trace, const StepView& step,

@@ -10,6 +10,7 @@
 #include <rastertrace/core/numbers/vec.h>
 #include <rastertrace/core/raster/image.h>
 #include <rastertrace/trace/record/frame.h>
+#include <rastertrace/trace/record/told_samples.h>
 #include <rastertrace/trace/record/traced_steps.h>
 #include <rastertrace/trace/text/language.h>
 
@@ -193,19 +194,16 @@ struct CircleDecision {
     Rational increment; ///< what is added to d
 };
 std::optional<CircleDecision> circle_decision(const PrimitiveText& primitive,
-                                              const DecideStep& step);
+                                              const DecideStep& step, const Trace& trace);
 
 /// The pixel of a circle's center: the nearest one, a half up.
-std::optional<Vec2> center_of(const PrimitiveText& primitive);
+std::optional<Vec2> center_of(const PrimitiveText& primitive, const Trace& trace);
 
 /// The name of the matrix that leads into a space; "" if none does.
 std::string_view matrix_into(std::string_view space);
 
-/// How far a pixel's sample lies from its coordinates, in x and in y.
-Rational sample_offset(const Trace& trace);
-
-/// The same where a line is held against the samples of its pixels, else 0.
-Rational line_offset(const Trace& trace);
+/// The x of the samples of lines in a column, or the y of those in a row.
+Rational sample_of_lines(const Trace& trace, bool is_column, Index at);
 
 /// True if bottom and left edges have the samples on them, not top and left ones.
 bool has_bottom_rule(const Trace& trace);
@@ -237,7 +235,8 @@ struct EndOfRow {
 std::array<EndOfRow, 2> ends_of(const ScanlineStep& row);
 
 /// How an end of a row becomes its pixel: ` -> floor`; or how it lies to the pixel's sample.
-std::string rule_of_end(const Trace& trace, const EndOfRow& end);
+std::string rule_of_end(const Trace& trace, const EndOfRow& end,
+                        const TracedWord<PrimitiveKind>& kind);
 
 /// The `along` step before step n of the current primitive on the same line; 0 if there is none.
 std::size_t along_before(const Replay& replay, std::size_t n);

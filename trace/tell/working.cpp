@@ -40,11 +40,12 @@ void order(Sheet& sheet) {
 }
 
 /// Why a line is of its octant (T2): between the pixels of its ends, from the one where it starts.
-void put_octant(Sheet& sheet, const std::optional<LineEnds>& ends, std::optional<Index> told) {
+void put_octant(Sheet& sheet, const std::optional<LineEnds>& ends,
+                const SampleOffset<Rational>& offset, std::optional<Index> told) {
     if (!ends || !told)
         return;
-    const GridPoint a = nearest_pixel(ends->from.x, ends->from.y);
-    const GridPoint b = nearest_pixel(ends->to.x, ends->to.y);
+    const GridPoint a = nearest_pixel<Rational>({ends->from.x, ends->from.y}, offset);
+    const GridPoint b = nearest_pixel<Rational>({ends->to.x, ends->to.y}, offset);
     for (const auto& [from, to] : {std::pair(a, b), std::pair(b, a)}) {
         if (octant_of(from, to) != *told)
             continue;
@@ -63,7 +64,11 @@ void put_octant(Sheet& sheet, const std::optional<LineEnds>& ends, std::optional
 void primitive(Sheet& sheet) {
     const auto octant = sheet.step.as<PrimitiveStep>().octant;
     if (sheet.primitive.kind == PrimitiveKind::line)
-        return put_octant(sheet, ends_of_line(sheet.replay, sheet.primitive), octant);
+        return put_octant(sheet, ends_of_line(sheet.replay, sheet.primitive),
+                          sheet.trace().method_value("line") == "bresenham"
+                              ? SampleOffset<Rational>() // they are pixels
+                              : told_samples(sheet.trace()).lines,
+                          octant);
     const auto corners = corners_of(sheet.primitive);
     if (!corners)
         return;
@@ -140,7 +145,8 @@ void edge(Sheet& sheet) {
     }
     if (const auto y = slope_form_of({*from, *to}, true))
         sheet.put(fmt::format("y = {} x {}", text(y->m), plus(text(y->b))));
-    put_octant(sheet, LineEnds{*from, *to}, step.octant);
+    put_octant(sheet, LineEnds{*from, *to}, told_samples(sheet.trace()).of(sheet.primitive.kind),
+               step.octant);
     const auto corners = corners_of(sheet.primitive);
     const auto function = edge_function_in(sheet.trace(), step, sheet.primitive);
     if (!corners || !function)
@@ -163,13 +169,15 @@ void put_crossing(Sheet& sheet, const EndOfRow& end) {
     const auto told = end.x.exact();
     if (!from || !to || sgn(to->y - from->y) == 0)
         return;
-    const Rational y = end.y + sample_offset(sheet.trace());
+    const auto offset = told_samples(sheet.trace()).of(sheet.primitive.kind);
+    const Rational y = offset.y_of(end.y);
     const Lerp x{.d1 = from->x, .i1 = from->y, .d2 = to->x, .i2 = to->y, .i = y};
     // A row that adds to the one before says so in its sentence.
     const bool adds = sheet.trace().method_value("lerp") == "incremental";
     if (told && !adds && sheet.agrees(x.value(), *told))
         sheet.put(fmt::format("{} {}: {}{}{} -> {}", end.name(), end.edge.text(), x_of_edge,
-                              x.written_out(*told), rule_of_end(sheet.trace(), end), end.pixel));
+                              x.written_out(*told),
+                              rule_of_end(sheet.trace(), end, sheet.primitive.kind), end.pixel));
 
     // The same LERP for the depth there.
     const auto depths = sheet.primitive.depths.values();
@@ -222,8 +230,8 @@ void put_boundaries(Sheet& sheet, const ScanlineStep& row) {
 
 /// What the edge function of an end of a row says of the sample of its pixel, where there are such functions.
 void put_edge_function(Sheet& sheet, const EndOfRow& end) {
-    const Rational offset = sample_offset(sheet.trace());
-    const Vec2 sample{end.pixel + offset, end.y + offset};
+    const auto offset = told_samples(sheet.trace()).of(sheet.primitive.kind);
+    const Vec2 sample{offset.x_of(end.pixel), offset.y_of(end.y)};
     for (const std::size_t n : sheet.replay.edges()) {
         const auto edge = sheet.trace().step(n).as<EdgeStep>();
         const auto function = edge_function_in(sheet.trace(), edge, sheet.primitive);
@@ -334,7 +342,7 @@ void put_depth_on_line(Sheet& sheet) {
     const Rational& from = is_x_major ? ends->from.x : ends->from.y;
     const Rational& to = is_x_major ? ends->to.x : ends->to.y;
     const Rational at =
-        std::clamp(Rational((is_x_major ? test.x : test.y) + line_offset(sheet.trace())),
+        std::clamp(sample_of_lines(sheet.trace(), is_x_major, is_x_major ? test.x : test.y),
                    std::min(from, to), std::max(from, to));
     if (from == to)
         return;
@@ -399,7 +407,8 @@ void put_circle_decision(Sheet& sheet, const CircleDecision& circle) {
 
 /// Bresenham's increments, if the ends are pixels.
 void decide(Sheet& sheet) {
-    if (const auto circle = circle_decision(sheet.primitive, sheet.step.as<DecideStep>()))
+    if (const auto circle =
+            circle_decision(sheet.primitive, sheet.step.as<DecideStep>(), sheet.trace()))
         return put_circle_decision(sheet, *circle);
     const auto ends = ends_of_line(sheet.replay, sheet.primitive);
     const auto d = sheet.step.as<DecideStep>().d.exact();
@@ -430,7 +439,7 @@ void along(Sheet& sheet) {
     const Rational dx = ends->to.x - ends->from.x;
     const Rational dy = ends->to.y - ends->from.y;
     const auto form = slope_form_of(*ends, is_x_major);
-    const Rational sample = *at + line_offset(sheet.trace());
+    const Rational sample = sample_of_lines(sheet.trace(), is_x_major, *at);
     if (!form || !sheet.agrees(form->m * sample + form->b, *value))
         return;
     const auto& [m, b] = *form;

@@ -47,7 +47,10 @@ constexpr std::array roundings{Word{Rounding::floor, "floor"}, Word{Rounding::ne
 constexpr std::array tie_rules{Word{Ties::start, "start"}, Word{Ties::up, "up"},
                                Word{Ties::away, "away"}, Word{Ties::even, "even"},
                                Word{Ties::step, "step"}};
-constexpr std::array samples{Word{Sample::integer, "integer"}, Word{Sample::center, "center"}};
+constexpr std::array samples{
+    Word{Sample::integer, "integer"},       Word{Sample::center, "center"},
+    Word{Sample::lower_left, "lower-left"}, Word{Sample::lower_right, "lower-right"},
+    Word{Sample::upper_left, "upper-left"}, Word{Sample::upper_right, "upper-right"}};
 constexpr std::array horizontal_edges{Word{HorizontalEdge::top, "top"},
                                       Word{HorizontalEdge::bottom, "bottom"}};
 constexpr std::array row_rules{Word{RowRule::closed, "closed"},
@@ -104,7 +107,7 @@ bool fills_spans(const Scene& scene) {
     return fills_by(scene, PixelRule::row_ends) || has_polygons(scene);
 }
 bool rounds_lines(const Scene& scene) {
-    return traits_of(scene.method.line).rounds && has_lines(scene);
+    return traits_of(scene.method.line).rule == LineRule::rounding && has_lines(scene);
 }
 bool rounds(const Scene& scene) {
     return fills_spans(scene) || rounds_lines(scene);
@@ -122,8 +125,9 @@ std::string default_of_two(const Scene& scene, std::string_view for_spans,
 /// Bresenham's line has a rule of its own for ties. `up`, `away` and `even`, which are for others, leave it as
 /// it is.
 bool has_ties_of_bresenham(const Scene& scene) {
-    const bool draws_lines = (has_lines(scene) && traits_of(scene.method.line).is_on_grid) ||
-                             fills_by(scene, PixelRule::lines);
+    const bool draws_lines =
+        (has_lines(scene) && traits_of(scene.method.line).rule == LineRule::grid) ||
+        fills_by(scene, PixelRule::lines);
     return draws_lines && (scene.method.ties == Ties::start || scene.method.ties == Ties::step);
 }
 
@@ -200,6 +204,74 @@ bool set_tolerance(Method& method, std::string_view text) {
     return true;
 }
 
+/// The places of samples that have no name go as far, and are fractions of so many parts.
+constexpr std::int64_t most_parts_of_sample = 1'000'000;
+
+/// A point between the pixels around: `1/4 3/4`.
+bool set_sample_point(Method& method, std::string_view text) {
+    const auto words = split_at(std::string(text), ' ');
+    if (words.size() != 2)
+        return false;
+    std::array<Number, 2> point;
+    for (std::size_t i = 0; i < 2; ++i) {
+        const auto number = parse_number(words[i]);
+        const auto* given = std::get_if<Number>(&number);
+        if (given == nullptr || abs(given->exact()) > 1 ||
+            given->exact().get_den() > most_parts_of_sample)
+            return false;
+        point[i] = *given;
+    }
+    method.sample = Sample::point;
+    method.sample_point = {point[0], point[1]};
+    return true;
+}
+
+/// True if a scene has what samples that a scene does not choose leave where it is.
+bool has_unsampled(const Scene& scene) {
+    const bool has_diamonds = traits_of(scene.method.line).rule == LineRule::diamonds;
+    return (has_lines(scene) && !has_diamonds) || scene.has(PrimitiveKind::point) ||
+           scene.has(PrimitiveKind::circle) || has_polygons(scene);
+}
+
+/// True if a scene has triangles, or lines, that are drawn by samples.
+bool tests_samples(const Scene& scene) {
+    return fills_by(scene, PixelRule::samples) ||
+           (has_lines(scene) && traits_of(scene.method.line).rule == LineRule::diamonds);
+}
+
+template <const auto& words> std::string word_of(Sample sample, const Method& method) {
+    for (const auto& word : words)
+        if (word.value == sample)
+            return std::string(word.word);
+    const auto [x, y] = method.sample_point;
+    return fmt::format("{} {}", x.exact().get_str(), y.exact().get_str());
+}
+
+/// Samples that a scene has chosen are those of all; else only those of triangles are not at integers.
+MethodKey sample_key() {
+    MethodKey result = key<&Method::sample, samples>(
+        "sample", "where in its pixel a fill, or a line, looks",
+        [](const Scene& scene) {
+            const bool is_moved = sample_of_others(scene.method) != Sample::integer;
+            return tests_samples(scene) || (is_moved && !scene.primitives.empty());
+        },
+        [](const Scene& scene) { return word_of<samples>(sample_of(scene.method), scene.method); });
+    result.get = [](const Method& method) {
+        return method.sample ? word_of<samples>(*method.sample, method) : std::string();
+    };
+    static constexpr auto set_word = +[](Method& method, std::string_view value) {
+        for (const auto& word : samples)
+            if (word.word == value) {
+                method.sample = word.value;
+                return true;
+            }
+        return set_sample_point(method, value);
+    };
+    result.set = set_word;
+    result.more = R"(a point [x, y] from -1 to 1, "x y")";
+    return result;
+}
+
 } // namespace
 
 /// Not of `key`: its words are those of the table.
@@ -229,8 +301,14 @@ static MethodKey convention_key() {
     return key;
 }
 
+std::string MethodKey::listed() const {
+    if (values.empty())
+        return std::string(number);
+    return joined(values, ", ") + (more.empty() ? "" : fmt::format(", or {}", more));
+}
+
 std::string MethodKey::expected() const {
-    return values.empty() ? std::string(number) : fmt::format("one of {}", joined(values, ", "));
+    return values.empty() ? listed() : fmt::format("one of {}", listed());
 }
 
 std::span<const MethodKey> method_keys() {
@@ -242,7 +320,8 @@ std::span<const MethodKey> method_keys() {
         key<&Method::ends, end_pixels>("ends", "which of its end pixels a line draws",
                                        [](const Scene& scene) {
                                            return has_lines(scene) &&
-                                                  !traits_of(scene.method.line).is_by_samples;
+                                                  traits_of(scene.method.line).rule !=
+                                                      LineRule::diamonds;
                                        }),
         key<&Method::fill, fills>("fill", "the algorithm that fills triangles", has_triangles),
         key<&Method::fill_rule, fill_rules>(
@@ -255,16 +334,7 @@ std::span<const MethodKey> method_keys() {
             [](const Scene& scene) { return default_of_two(scene, "floor", "nearest"); }),
         key<&Method::ties, tie_rules>("ties", "where rounding to nearest sends a half", has_ties,
                                       default_of_ties),
-        key<&Method::sample, samples>(
-            "sample", "where a pixel is tested",
-            [](const Scene& scene) {
-                return fills_by(scene, PixelRule::samples) ||
-                       (has_lines(scene) && traits_of(scene.method.line).is_by_samples);
-            },
-            [](const Scene& scene) {
-                return std::string(sample_of(scene.method) == Sample::center ? "center"
-                                                                             : "integer");
-            }),
+        sample_key(),
         key<&Method::horizontal_edge, horizontal_edges>(
             "horizontal_edge", "which horizontal edge of a triangle has the samples on it",
             [](const Scene& scene) {
@@ -342,7 +412,33 @@ std::span<const MethodKey> method_keys() {
 
 std::string value_in_force(const MethodKey& key, const Scene& scene) {
     const std::string said = key.get(scene.method);
+    if (key.name == "sample" && tests_samples(scene) && has_unsampled(scene) &&
+        sample_of_others(scene.method) != Sample::integer)
+        return said + "+" + said;
     return said.empty() ? key.otherwise(scene) : said;
+}
+
+ToldMethod told_method(const std::vector<std::pair<std::string, std::string>>& header) {
+    ToldMethod told;
+    bool has_two_samples = false;
+    for (const auto& [name, value] : header) {
+        const MethodKey* const key = find_method_key(name);
+        if (key == nullptr)
+            continue;
+        // `floor+nearest`: that of triangles, and that of lines.
+        const std::size_t plus = value.find('+');
+        const bool has_two = plus != std::string::npos;
+        if (key->set(told.triangles, value.substr(0, plus)) &&
+            key->set(told.others, has_two ? value.substr(plus + 1) : value))
+            told.keys.insert(name);
+        has_two_samples = has_two_samples || (has_two && name == "sample");
+    }
+    const bool tests_samples =
+        (told.keys.contains("fill") && traits_of(told.triangles.fill).rule == PixelRule::samples) ||
+        (told.keys.contains("line") && traits_of(told.others.line).rule == LineRule::diamonds);
+    if (tests_samples && !has_two_samples)
+        told.others.sample.reset();
+    return told;
 }
 
 const MethodKey* find_method_key(std::string_view name) {
@@ -391,7 +487,7 @@ Result<MethodOverrides> parse_method(const Source& source) {
                 source, offset + equals + 1,
                 key->values.empty() ? fmt::format("expected {}, found \"{}\"", key->number, value)
                                     : fmt::format("expected {} out of {}, found \"{}\"", name,
-                                                  joined(key->values, ", "), value),
+                                                  key->listed(), value),
                 did_you_mean(value, key->values));
         method.emplace_back(name, value);
         offset += choice.size() + 1;

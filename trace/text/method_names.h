@@ -9,6 +9,8 @@
 #include <rastertrace/core/draw/scene/method.h>
 #include <rastertrace/core/draw/scene/scene.h>
 
+#include <functional>
+#include <set>
 #include <span>
 #include <string>
 #include <string_view>
@@ -28,8 +30,12 @@ struct MethodKey {
     std::string (*otherwise)(const Scene&); ///< what holds where nothing was said
     bool (*in_force)(const Scene&);         ///< false if the picture cannot depend on it
     std::string_view number = {};           ///< `a number from 0 to 1/2`
+    std::string_view more = {}; ///< what else it may be, beside its values: `a point [x, y]`
 
-    /// What its values are: `one of up, down`, or a number.
+    /// Its values: `up, down`, or a number.
+    std::string listed() const;
+
+    /// The same as what is expected: `one of up, down`.
     std::string expected() const;
 
     /// True if a scene may give it as a number.
@@ -48,6 +54,17 @@ std::string value_in_force(const MethodKey& key, const Scene& scene);
 
 /// The key of that name, or nullptr.
 const MethodKey* find_method_key(std::string_view name);
+
+/// What a header says of its triangles, and of what else it draws.
+struct ToldMethod {
+    Method triangles;
+    Method others;
+    std::set<std::string, std::less<>> keys; ///< those that say it
+};
+
+/// Reads the method of a header, whose values may be two, as of value_in_force. What it does not say, or in words that
+/// are not ours, is as in Method{}; samples that only triangles have are not those of the others.
+ToldMethod told_method(const std::vector<std::pair<std::string, std::string>>& header);
 
 /// Choices made on the command line instead of in the scene: key and value.
 using MethodOverrides = std::vector<std::pair<std::string, std::string>>;

@@ -2,6 +2,7 @@
 #include "frame_text.h"
 
 #include <rastertrace/figures/shown_steps.h>
+#include <rastertrace/trace/record/told_samples.h>
 #include <rastertrace/trace/record/traced_steps.h>
 #include <rastertrace/trace/text/text.h>
 
@@ -144,7 +145,7 @@ std::optional<Pixel> pixel_at(const Trace& trace, const TracedList<TracedNumber>
     if (!x || !y || !(std::abs(*x) < largest_canvas_side) || !(std::abs(*y) < largest_canvas_side))
         return std::nullopt;
     // Where pixels are sampled at their centers, a pixel reaches from its point to the next one.
-    const double half = trace.samples_at_centers() ? 0 : 0.5;
+    const double half = pixels_begin_at_integers(trace) ? 0 : 0.5;
     const Pixel pixel{static_cast<int>(std::floor(*x + half)),
                       static_cast<int>(std::floor(*y + half))};
     return trace.canvas.contains(pixel.x, pixel.y) ? std::optional(pixel) : std::nullopt;

@@ -45,9 +45,7 @@ void MethodOptions::add_to(OptionList& options) {
     for (const MethodKey& key : method_keys())
         options
             .option(option_named(key.name), values_[std::string(key.name)],
-                    fmt::format("{}: {}", key.meaning,
-                                key.values.empty() ? std::string(key.number)
-                                                   : joined(key.values, ", ")),
+                    fmt::format("{}: {}", key.meaning, key.listed()),
                     key.values.empty() ? "NUMBER" : "NAME")
             .group("Method, instead of what the scene says");
     options.option("--keep", keep_,

@@ -51,7 +51,11 @@ template <typename Scalar, typename OfPixels = Scalar> struct SceneDrawing {
     const Scene& scene;
     const Plan& plan;
     Image& image;
-    SampleGrid<Scalar> grid = sample_grid<Scalar>(scene, plan);
+    SampleGrid<Scalar> grid = sample_grid<Scalar>(scene, plan); ///< of triangles
+    SampleOffset<Scalar> line_offset =
+        sample_offset<Scalar>(scene, sample_of_lines(scene.method), plan.denominator);
+    SampleOffset<Scalar> offset = ///< of polygons, circles and points
+        sample_offset<Scalar>(scene, sample_of_others(scene.method), plan.denominator);
     DepthTests<DepthOf<OfPixels>>* depth = nullptr; ///< if depths are tested
     Exactness* exactness = nullptr;                 ///< of filtered doubles
     Owners<DepthOf<OfPixels>> owners = {};          ///< if lines are tested
@@ -80,12 +84,12 @@ template <typename Scalar> struct DirectedLine {
 /// Bresenham's line compares the pixels of its ends, the other lines the true ends.
 template <typename Scalar>
 DirectedLine<Scalar> directed_line(const Piece<Scalar>& primitive, EdgeName side,
-                                   const Method& method) {
+                                   const SampleOffset<Scalar>& offset, const Method& method) {
     const Vec<Scalar, 2>& from = primitive.positions[side.from];
     const Vec<Scalar, 2>& to = primitive.positions[side.to];
     // `to` first: if filtered doubles leave both ends open, its bound is told.
-    const GridPoint to_pixel = nearest_pixel(to.x, to.y);
-    const GridPoint from_pixel = nearest_pixel(from.x, from.y);
+    const GridPoint to_pixel = nearest_pixel(to, offset);
+    const GridPoint from_pixel = nearest_pixel(from, offset);
     const DirectedLine<Scalar> forward{
         {from, to}, {from_pixel, to_pixel, primitive.colors[side.from], primitive.colors[side.to]}};
     if (method.from == LineStart::first)
@@ -96,7 +100,7 @@ DirectedLine<Scalar> directed_line(const Piece<Scalar>& primitive, EdgeName side
     };
     const Index columns = std::abs(to_pixel.x - from_pixel.x);
     const Index rows = std::abs(to_pixel.y - from_pixel.y);
-    const bool is_reversed = traits_of(method.line).is_on_grid
+    const bool is_reversed = traits_of(method.line).rule == LineRule::grid
                                  ? runs_down(from_pixel, to_pixel, columns >= rows)
                                  : runs_down(from, to, is_longer_in_x(forward.segment));
     return is_reversed ? DirectedLine<Scalar>{{to, from}, reversed(forward.pixels)} : forward;
@@ -104,26 +108,27 @@ DirectedLine<Scalar> directed_line(const Piece<Scalar>& primitive, EdgeName side
 
 /// The octant in which the line is drawn.
 template <typename Scalar>
-int octant_of(const Piece<Scalar>& primitive, EdgeName side, const Method& method) {
-    const GridLine line = directed_line(primitive, side, method).pixels;
+int octant_of(const Piece<Scalar>& primitive, EdgeName side, const SampleOffset<Scalar>& offset,
+              const Method& method) {
+    const GridLine line = directed_line(primitive, side, offset, method).pixels;
     return octant_of(line.from, line.to);
 }
 
 /// Draws the line between two vertices of a primitive. Returns false if the line has no pixel.
 template <typename Scalar, typename Sink>
-bool draw_line(const Piece<Scalar>& primitive, EdgeName side, const Method& method,
-               const SampleGrid<Scalar>& grid, const Canvas& canvas, Sink&& sink) {
-    const auto [segment, pixels] = directed_line(primitive, side, method);
+bool draw_line(const Piece<Scalar>& primitive, EdgeName side, const SampleOffset<Scalar>& offset,
+               const Method& method, const Canvas& canvas, Sink&& sink) {
+    const auto [segment, pixels] = directed_line(primitive, side, offset, method);
     const LineSampling sampling{line_rounding(method), pixels, line_rules(method)};
     switch (method.line) {
     case LineMethod::naive:
-        return draw_naive_line(segment, sampling, canvas, sink);
+        return draw_naive_line(segment, offset, sampling, canvas, sink);
     case LineMethod::dda:
-        return draw_dda_line(segment, sampling, canvas, sink);
+        return draw_dda_line(segment, offset, sampling, canvas, sink);
     case LineMethod::bresenham:
         return draw_bresenham(pixels, line_rules(method), canvas, sink);
     case LineMethod::diamond_exit:
-        return draw_diamond_exit_line(segment, grid.sample_offset(), sampling, canvas, sink);
+        return draw_diamond_exit_line(segment, offset, sampling, canvas, sink);
     }
     not_an_enumerator();
 }
@@ -148,15 +153,17 @@ public:
                 mixed_ = mixed_colors(primitive, stages_.colors, method.color_rounding,
                                       *drawing.exactness);
             else
-                mixed_ = {primitive.colors, barycentric, drawing.grid.sample_offset(),
-                          primitive.inverse_w, method.color_rounding};
+                mixed_ = {primitive.colors, barycentric, drawing.grid.offset(), primitive.inverse_w,
+                          method.color_rounding};
         }
         if (!stages_.tests_depth)
             return;
         depth_.emplace(depth_positions(triangle), primitive.depths, drawing.depth->larger_passes());
+        const SampleOffset<Scalar>& offset = drawing.grid.offset();
+        depth_offset_ = {depth_scalar(offset.x()), depth_scalar(offset.y())};
         const DepthForm form = traits_of(method.fill).depths;
         if (form == DepthForm::plane)
-            plane_ = depth_->plane(depth_scalar(drawing.grid.sample_offset()));
+            plane_ = depth_->plane(depth_offset_);
         if constexpr (is_filtered<Scalar>)
             if (form == DepthForm::along_edges)
                 require_finite_differences(primitive.depths);
@@ -193,6 +200,7 @@ public:
                 .plane = plane_ ? &*plane_ : nullptr,
                 .triangle = depth_ ? &*depth_ : nullptr,
                 .depth_at = drawing.scene.method.depth_at,
+                .offset = depth_offset_,
                 .sink = sink};
     }
 
@@ -202,30 +210,35 @@ private:
     std::optional<MixedColors<OfPixels>> mixed_;
     std::optional<TriangleDepth<DepthOf<Scalar>>> depth_;
     std::optional<DepthPlane<DepthOf<Scalar>>> plane_;
+    SampleOffset<DepthOf<Scalar>> depth_offset_;
 };
 
 /// Draws a point, a line, a circle, or the three lines of an outline. `painter_of(side)` makes the
 /// painter of each. The side of a point, or of a circle, leads from its corner to itself.
-template <typename Scalar, typename PainterOf>
-void draw_lines(const Piece<Scalar>& primitive, const Method& method,
-                const SampleGrid<Scalar>& grid, const Canvas& canvas, PainterOf&& painter_of) {
-    const SkipReason no_pixel = traits_of(method.line).is_by_samples ? SkipReason::leaves_no_diamond
-                                                                     : SkipReason::last_pixel_only;
+template <typename Scalar, typename OfPixels, typename PainterOf>
+void draw_lines(const Piece<Scalar>& primitive, const SceneDrawing<Scalar, OfPixels>& drawing,
+                PainterOf&& painter_of) {
+    const Method& method = drawing.scene.method;
+    const Canvas& canvas = drawing.scene.canvas;
+    const SampleOffset<Scalar>& offset = drawing.line_offset;
+    const SkipReason no_pixel = traits_of(method.line).rule == LineRule::diamonds
+                                    ? SkipReason::leaves_no_diamond
+                                    : SkipReason::last_pixel_only;
     const Vec<Scalar, 2>& first = primitive.positions[0];
     switch (primitive.kind) {
     case PrimitiveKind::point:
-        return draw_point(nearest_pixel(first.x, first.y), primitive.colors[0], canvas,
+        return draw_point(nearest_pixel(first, drawing.offset), primitive.colors[0], canvas,
                           painter_of(EdgeName{0, 0}));
     case PrimitiveKind::circle: {
         auto&& painter = painter_of(EdgeName{0, 0});
-        if (!draw_circle({nearest_pixel(first.x, first.y), primitive.radius}, primitive.colors[0],
-                         canvas, painter))
+        if (!draw_circle({nearest_pixel(first, drawing.offset), primitive.radius},
+                         primitive.colors[0], canvas, painter))
             painter(PrimitiveSkipped{.why = SkipReason::off_canvas});
         return;
     }
     case PrimitiveKind::line: {
         auto&& painter = painter_of(EdgeName{0, 1});
-        if (!draw_line(primitive, {0, 1}, method, grid, canvas, painter))
+        if (!draw_line(primitive, {0, 1}, offset, method, canvas, painter))
             painter(PrimitiveSkipped{.why = no_pixel});
         return;
     }
@@ -233,8 +246,8 @@ void draw_lines(const Piece<Scalar>& primitive, const Method& method,
         bool has_pixels = false;
         for (const EdgeName side : {EdgeName{0, 1}, EdgeName{1, 2}, EdgeName{2, 0}}) {
             auto&& painter = painter_of(side);
-            painter(SideBegan{.edge = side, .octant = octant_of(primitive, side, method)});
-            has_pixels = draw_line(primitive, side, method, grid, canvas, painter) || has_pixels;
+            painter(SideBegan{.edge = side, .octant = octant_of(primitive, side, offset, method)});
+            has_pixels = draw_line(primitive, side, offset, method, canvas, painter) || has_pixels;
             if (side.to == 0 && !has_pixels)
                 painter(PrimitiveSkipped{.why = no_pixel});
         }
@@ -248,18 +261,19 @@ void draw_lines(const Piece<Scalar>& primitive, const Method& method,
 
 /// Fills a polygon. `sink` is its painter.
 template <typename Scalar, typename Sink>
-void fill_polygon(const Piece<Scalar>& polygon, const Method& method, const Canvas& canvas,
-                  Sink&& sink) {
-    fill_edge_table<Scalar>(polygon.corners(),
+void fill_polygon(const Piece<Scalar>& polygon, const SampleOffset<Scalar>& offset,
+                  const Method& method, const Canvas& canvas, Sink&& sink) {
+    fill_edge_table<Scalar>(polygon.corners(), offset,
                             {.fill_rule = method.fill_rule,
                              .rows = {.lerp = method.lerp, .span = span_rounding(method)}},
                             canvas, sink);
 }
 
 /// Emits PrimitiveBegan. `told` has the corners in the numbers that are emitted.
-template <typename Scalar, typename Told, typename Sink>
+template <typename Scalar, typename OfPixels, typename Told, typename Sink>
 void tell_beginning(const Piece<Scalar>& piece, const PieceNames& names, const Piece<Told>& told,
-                    bool has_depths, const Plan& plan, const Method& method, Sink&& sink) {
+                    bool has_depths, const SceneDrawing<Scalar, OfPixels>& drawing, Sink&& sink) {
+    const Plan& plan = drawing.plan;
     sink(PrimitiveBegan<Told>{
         .kind = piece.kind,
         .name = names.piece,
@@ -267,7 +281,9 @@ void tell_beginning(const Piece<Scalar>& piece, const PieceNames& names, const P
         .positions = told.corners(),
         .color = piece.color,
         .colors = std::span(piece.colors).first(plan.mixes_colors ? piece.count : 0),
-        .octant = piece.kind == PrimitiveKind::line ? octant_of(piece, {0, 1}, method) : 0,
+        .octant = piece.kind == PrimitiveKind::line
+                      ? octant_of(piece, {0, 1}, drawing.line_offset, drawing.scene.method)
+                      : 0,
         .is_part = piece.is_part,
         .depths = std::span(told.depths).first(has_depths ? piece.count : 0),
         .is_painted = plan.stages.pixels[piece.primitive].is_painted,
@@ -280,9 +296,9 @@ void draw_thin(const Piece<Scalar>& piece, SceneDrawing<Scalar, OfPixels>& drawi
                const Sink& sink) {
     const Scene& scene = drawing.scene;
     if (!drawing.stages_of(piece.primitive).tests_depth)
-        return draw_lines(piece, scene.method, drawing.grid, scene.canvas,
+        return draw_lines(piece, drawing,
                           [&](EdgeName) { return FlatPainter(drawing.image, piece.color, sink); });
-    draw_lines(piece, scene.method, drawing.grid, scene.canvas, [&](EdgeName side) {
+    draw_lines(piece, drawing, [&](EdgeName side) {
         if (drawing.owners.begin_side)
             drawing.owners.begin_side(side);
         return LinePainter<Scalar, OfPixels, Sink>(piece, side, scene, drawing.image,
@@ -296,7 +312,7 @@ void draw_piece(const Piece<Scalar>& piece, SceneDrawing<Scalar, OfPixels>& draw
                 const Sink& sink) {
     const Scene& scene = drawing.scene;
     if (piece.kind == PrimitiveKind::polygon)
-        return fill_polygon(piece, scene.method, scene.canvas,
+        return fill_polygon(piece, drawing.offset, scene.method, scene.canvas,
                             FlatPainter(drawing.image, piece.color, sink,
                                         drawing.stages_of(piece.primitive).tests_canvas));
     if (piece.kind != PrimitiveKind::triangle)
@@ -325,8 +341,7 @@ template <typename AFace, typename Scalar, typename OfPixels, typename Sink>
 void tell_piece(const PieceNames& names, const AFace& face, const Piece<Scalar>& piece,
                 const SceneDrawing<Scalar, OfPixels>& drawing, const Sink& sink) {
     const auto begin = [&](const auto& told) {
-        tell_beginning(piece, names, told, drawing.depth != nullptr, drawing.plan,
-                       drawing.scene.method, sink);
+        tell_beginning(piece, names, told, drawing.depth != nullptr, drawing, sink);
     };
     bool is_told = false;
     if constexpr (is_filtered<Scalar>)
@@ -399,8 +414,9 @@ Image draw_in(const Scene& scene, const Plan& plan, const Listener& listener,
                                        scene.has_tested_lines());
     std::optional<Exactness> exactness;
     if constexpr (is_filtered<Scalar>)
-        drawing.exactness = &exactness.emplace(Exactness{
-            ExactPieces(scene, plan), scalar_from<Rational>(sample_offset_of(scene.method))});
+        drawing.exactness = &exactness.emplace(
+            Exactness{ExactPieces(scene, plan),
+                      sample_offset<Rational>(scene, sample_of(scene.method), plan.denominator)});
 
     // First the steps of all vertices, then the primitives.
     const auto draw_all = [&]<typename AList>(const AList& list) {

@@ -161,7 +161,7 @@ private:
     bool hides_exactly(std::uint32_t owner, EdgeName side, Pixel pixel) {
         const bool larger_passes = filtered_.depth->larger_passes();
         const auto line = line_points(exactness_.pieces.piece(exactness_.drawn.back()), side,
-                                      larger_passes, scene_.method);
+                                      larger_passes, scene_);
         const auto face = corners_of(exactness_.pieces.piece(exactness_.drawn[owner]));
         return hides_point(face, line.at(pixel), larger_passes);
     }
@@ -206,7 +206,7 @@ private:
             const ListenerSink sink(certifying_);
             const auto open = left_open_by([&] {
                 if (piece.kind == PrimitiveKind::line)
-                    octant_of(piece, {0, 1},
+                    octant_of(piece, {0, 1}, filtered_.line_offset,
                               scene_.method); // emitted even if the line is not drawn
                 if (!tell_face(face, sink) || !takes_pixels_)
                     return;
@@ -254,16 +254,15 @@ private:
             fill(Triangle<Adaptive>{piece.positions}, piece.colors, scene_.method, filtered_.grid,
                  canvas, decisions);
         else if (piece.kind == PrimitiveKind::polygon)
-            fill_polygon(piece, scene_.method, canvas, decisions);
+            fill_polygon(piece, filtered_.offset, scene_.method, canvas, decisions);
         else
-            draw_lines(
-                piece, scene_.method, filtered_.grid, canvas, [&](EdgeName side) -> Decisions& {
-                    if (plan_.stages.pixels[piece.primitive].tests_depth) {
-                        require_finite_differences(piece.depths);
-                        line_points(piece, side, filtered_.depth->larger_passes(), scene_.method);
-                    }
-                    return decisions;
-                });
+            draw_lines(piece, filtered_, [&](EdgeName side) -> Decisions& {
+                if (plan_.stages.pixels[piece.primitive].tests_depth) {
+                    require_finite_differences(piece.depths);
+                    line_points(piece, side, filtered_.depth->larger_passes(), scene_);
+                }
+                return decisions;
+            });
     }
 
     const Scene& scene_;

@@ -19,9 +19,10 @@ template <typename Scalar> struct EdgesOfRow {
     Edge<Scalar> right;
 };
 template <typename Scalar>
-EdgesOfRow<Scalar> edges_of_row(const Triangle<Scalar>& triangle, int y, int down) {
+EdgesOfRow<Scalar> edges_of_row(const Triangle<Scalar>& triangle, int y,
+                                const SampleOffset<Scalar>& offset, int down) {
     const JoinedEdges<Scalar> edges = joined_edges(triangle, down);
-    const bool is_lower = first_lower_y(edges, down) * down <= Index{y} * down;
+    const bool is_lower = first_lower_y(edges, offset, down) * down <= Index{y} * down;
     const Edge<Scalar>& short_edge = is_lower ? edges.lower : edges.upper;
     return edges.long_edge_is_left ? EdgesOfRow<Scalar>{edges.long_edge, short_edge}
                                    : EdgesOfRow<Scalar>{short_edge, edges.long_edge};
@@ -88,16 +89,17 @@ Rational exact_depth_at(const Scene& scene, const Piece<Rational>& piece, std::u
     const bool larger_passes = depth_rule<Rational>(scene).larger_passes;
     if (piece.kind != PrimitiveKind::triangle) {
         const auto end = static_cast<std::uint16_t>((side + 1U) % piece.count);
-        return line_points(piece, {side, end}, larger_passes, scene.method).depth_at({x, y});
+        return line_points(piece, {side, end}, larger_passes, scene).depth_at({x, y});
     }
+    const auto offset = sample_offset<Rational>(scene, sample_of(scene.method), 1);
     const Triangle<Rational> triangle{piece.positions};
     TriangleDepth<Rational> depth(triangle.vertices, piece.depths, larger_passes);
     if (!finds_depths_along_edges(scene))
-        return depth.plane(scalar_from<Rational>(sample_offset_of(scene.method))).on_row(y).at(x);
-    const auto [left, right] = edges_of_row(triangle, y, scene.canvas.down());
-    const Rational height = y;
-    Rational left_x = left.x_at(height);
-    Rational right_x = right.x_at(height);
+        return depth.plane(offset).on_row(y).at(x);
+    const auto [left, right] = edges_of_row(triangle, y, offset, scene.canvas.down());
+    const Rational height = offset.y_of(y);
+    Rational left_x = offset.in_columns(left.x_at(height));
+    Rational right_x = offset.in_columns(right.x_at(height));
     if (scene.method.depth_at == DepthAt::rounded_ends) {
         left_x = scalar_from<Rational>(first_pixel(left_x, span_rounding(scene.method)));
         right_x = scalar_from<Rational>(last_pixel(right_x, span_rounding(scene.method)));
@@ -123,8 +125,10 @@ std::optional<std::array<std::size_t, 2>> edge_of_depth(const Scene& scene, cons
             const auto piece =
                 piece_of(scene, list, {.primitive = index.primitive, .index = 0, .color = {}});
             const Triangle<Adaptive> triangle{piece_in<Adaptive>(piece, plan).positions};
-            const auto [left, right] = edges_of_row(triangle, y, scene.canvas.down());
-            const auto height = scalar_from<Adaptive>(y);
+            const auto offset =
+                sample_offset<Adaptive>(scene, sample_of(scene.method), plan.denominator);
+            const auto [left, right] = edges_of_row(triangle, y, offset, scene.canvas.down());
+            const Adaptive height = offset.y_of(y);
             const auto column = scalar_from<Adaptive>(x);
             const auto hold = [&](const Edge<Adaptive>& edge) {
                 if (edge.is_horizontal)
@@ -132,8 +136,8 @@ std::optional<std::array<std::size_t, 2>> edge_of_depth(const Scene& scene, cons
                 vertices = {piece.vertices[edge.name.from], piece.vertices[edge.name.to]};
                 std::sort(vertices->begin(), vertices->end());
             };
-            const Adaptive left_x = left.x_at(height);
-            const Adaptive right_x = right.x_at(height);
+            const Adaptive left_x = offset.in_columns(left.x_at(height));
+            const Adaptive right_x = offset.in_columns(right.x_at(height));
             if (has_rounded_ends) {
                 // A row of one pixel has the depth of its left end.
                 const Index from = first_pixel(left_x, rounding);

@@ -27,6 +27,7 @@
 
 #include <rastertrace/core/draw/list/pieces.h>
 #include <rastertrace/core/draw/paint/depth_tests.h>
+#include <rastertrace/core/draw/paint/piece_in.h>
 #include <rastertrace/core/draw/scene/scene.h>
 #include <rastertrace/core/numbers/conversion.h>
 #include <rastertrace/core/numbers/vec.h>
@@ -53,12 +54,11 @@ template <typename Depth> struct LinePoints {
     DepthEdge<Depth> depths; ///< the turned depth: both are linear along the major axis
     DeepPoint<Depth> from;
     DeepPoint<Depth> to;
-    std::optional<Depth> sample_offset = {}; ///< of a pixel, if not 0
+    SampleOffset<Depth> offset = {};
 
     /// The coordinate of a pixel's sample along the major axis.
     Depth along_at(Pixel pixel) const {
-        const auto along = scalar_from<Depth>(is_x_major ? pixel.x : pixel.y);
-        return sample_offset ? Depth(along + *sample_offset) : along;
+        return is_x_major ? offset.x_of(pixel.x) : offset.y_of(pixel.y);
     }
 
     /// The depth of the point at a pixel.
@@ -83,7 +83,7 @@ template <typename Depth> struct LinePoints {
 /// line that is seen end-on is its nearer end. `larger_passes` as in DepthRule.
 template <typename Scalar>
 LinePoints<DepthOf<Scalar>> line_points(const Piece<Scalar>& piece, EdgeName side,
-                                        bool larger_passes, const Method& method) {
+                                        bool larger_passes, const Scene& scene) {
     using D = DepthOf<Scalar>;
     const auto point_of = [&](std::size_t corner) {
         DeepPoint<D> point = corner_of(piece, corner);
@@ -92,7 +92,6 @@ LinePoints<DepthOf<Scalar>> line_points(const Piece<Scalar>& piece, EdgeName sid
     };
     DeepPoint<D> from = point_of(side.from);
     DeepPoint<D> to = point_of(side.to);
-    const Number offset = piece.kind == PrimitiveKind::point ? Number(0) : line_offset_of(method);
     const bool is_x_major = is_longer_in_x<D>({from.at, to.at});
     const D& first = is_x_major ? from.at.x : from.at.y;
     const D& last = is_x_major ? to.at.x : to.at.y;
@@ -105,7 +104,7 @@ LinePoints<DepthOf<Scalar>> line_points(const Piece<Scalar>& piece, EdgeName sid
             {first, from.depth, last, to.depth},
             from,
             to,
-            offset == Number(0) ? std::nullopt : std::optional<D>(scalar_from<D>(offset))};
+            sample_offset<D>(scene, sample_of_lines(scene.method), 1)};
 }
 
 /// True if a triangle covers a point on the screen, its sides included, and is nearer there. A
@@ -190,7 +189,7 @@ public:
                 DepthTests<DepthOf<OfPixels>>& tests, const Owners<DepthOf<OfPixels>>& owners,
                 const Sink& sink)
         : side_(side), scene_(scene), image_(image), tests_(tests), owners_(owners),
-          points_(line_points(piece, side, tests_.larger_passes(), scene.method)),
+          points_(line_points(piece, side, tests_.larger_passes(), scene)),
           thickness_(traits_of(piece.kind).thickness), ends_(ends_in_scene(scene, piece, side)),
           sink_(sink) {}
 

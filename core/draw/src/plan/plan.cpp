@@ -55,14 +55,21 @@ AnyScreenList screen_list_for(const Scene& scene) {
 /// by 8. In a polygon two edges are compared, with both denominators multiplied. A line may need
 /// more (LineTraits). Mixing colors multiplies a weight, a
 /// quotient of two areas, by 255 three times.
+///
+/// What is rounded to a pixel is first moved by the offset of its sample, with one more denominator.
 int bits_of_drawing(const Scene& scene, int numerator_bits, int denominator_bits) {
-    const int of_edges = 2 * numerator_bits + 2 * denominator_bits + 8;
+    const int of_offset =
+        sample_of_others(scene.method) == Sample::integer ? 0 : denominator_bits + 1;
+    const int of_edges = 2 * numerator_bits + 2 * denominator_bits + 8 + of_offset;
     const int of_weights = 2 * numerator_bits + denominator_bits + 18;
     const bool has_lines = scene.has(PrimitiveKind::line) || scene.has(PrimitiveKind::outline);
     const int of_lines =
-        has_lines ? traits_of(scene.method.line).fraction.of(numerator_bits, denominator_bits) : 0;
-    const int of_crossings =
-        scene.has(PrimitiveKind::polygon) ? 3 * numerator_bits + 3 * denominator_bits + 8 : 0;
+        has_lines
+            ? traits_of(scene.method.line).fraction.of(numerator_bits, denominator_bits) + of_offset
+            : 0;
+    const int of_crossings = scene.has(PrimitiveKind::polygon)
+                                 ? 3 * numerator_bits + 3 * denominator_bits + 8 + of_offset
+                                 : 0;
     return std::max({of_edges, of_weights, of_lines, of_crossings});
 }
 
@@ -102,6 +109,29 @@ Plan plan_in_fractions(const Scene& scene, const AList& list, std::int64_t denom
             .denominator = denominator};
 }
 
+/// The least common multiple of two denominators, if both are known and it fits.
+std::optional<std::int64_t> common_denominator(std::int64_t a, std::optional<std::int64_t> b) {
+    if (!b || a % *b == 0)
+        return b ? std::optional(a) : std::nullopt;
+    std::int64_t common = 0;
+    const bool is_too_large = __builtin_mul_overflow(a / std::gcd(a, *b), *b, &common);
+    return is_too_large ? std::nullopt : std::optional(common);
+}
+
+/// That of the places of the samples of triangles, lines and all others.
+std::optional<std::int64_t> denominator_of_samples(const Scene& scene) {
+    const Method& method = scene.method;
+    std::optional<std::int64_t> common = 1;
+    for (const Sample sample :
+         {sample_of(method), sample_of_lines(method), sample_of_others(method)}) {
+        const auto [x, y] = offset_of(sample, method, scene.canvas.down());
+        for (const Number& coordinate : {x, y})
+            if (common)
+                common = common_denominator(*common, denominator_of(coordinate.exact()));
+    }
+    return common;
+}
+
 /// A plan with the narrowest exact type in which no step of the fill can overflow, for all of the
 /// scene. Depths, and colors in a perspective, are quotients of quotients: for them, any size.
 template <typename AList> Plan plan_in_exact_numbers(const Scene& scene, const AList& list) {
@@ -109,19 +139,15 @@ template <typename AList> Plan plan_in_exact_numbers(const Scene& scene, const A
         !scene.method.tolerance.is_zero())
         return {.number = NumberType::rational};
 
-    // The least common multiple of the denominators as typed, and of the sample point's.
-    std::int64_t common = sample_of(scene.method) == Sample::center ? 2 : 1;
-    const bool has_common = all_coordinates(scene, list, [&common](const auto& coordinate) {
-        const auto denominator = denominator_of(coordinate);
-        if (!denominator)
-            return false;
-        const bool divides = common % *denominator == 0;
-        return divides || !__builtin_mul_overflow(common / std::gcd(common, *denominator),
-                                                  *denominator, &common);
-    });
+    // The least common multiple of the denominators as typed, and of the samples'.
+    std::optional<std::int64_t> common = denominator_of_samples(scene);
+    const bool has_common = common && all_coordinates(scene, list, [&](const auto& coordinate) {
+                                common = common_denominator(*common, denominator_of(coordinate));
+                                return common.has_value();
+                            });
     if (!has_common)
         return {.number = NumberType::rational};
-    return plan_in_fractions(scene, list, common);
+    return plan_in_fractions(scene, list, *common);
 }
 
 /// The size of an element of the depth buffer, in bytes.
@@ -145,12 +171,12 @@ std::size_t depth_size_of(NumberType number) {
 template <typename AList>
 concept ExactList = std::same_as<AList, TypedVertices> || std::same_as<AList, ScreenList<Rational>>;
 
-/// A plan with fractions on the grid that `fixed` snaps to: so many positions to a pixel. Samples
-/// at half a pixel stay where they are, however coarse the grid is.
+/// A plan with fractions on the grid that `fixed` snaps to: so many positions to a pixel. Samples stay
+/// where they are, however coarse the grid is.
 template <typename AList>
 Plan plan_on_grid(const Scene& scene, const AList& list, std::int64_t grid) {
-    const std::int64_t halves = sample_of(scene.method) == Sample::center ? 2 : 1;
-    const std::int64_t denominator = std::lcm(grid, halves);
+    const auto common = common_denominator(grid, denominator_of_samples(scene));
+    const std::int64_t denominator = common.value_or(grid);
     return {.number = scene.method.tolerance.is_zero()
                           ? plan_in_fractions(scene, list, denominator).number
                           : NumberType::rational,

@@ -70,8 +70,22 @@ WholeBounds whole_bounds(std::span<const Vec<Coordinate, 2>> corners, Coordinate
     }
 }
 
-/// The pixels that a piece can reach under any rounding rule: samples lie at integers or half a
-/// pixel up, and a rounded end of a row, or a pixel of a line, lies less than a pixel away.
+/// How far, in pixels, rounding may carry a row's end, or a line, from the whole numbers around it: none
+/// if these are its samples, or if only what lies between its vertices has samples.
+Index reach_of_samples(PrimitiveKind kind, const Method& method) {
+    const bool is_triangle = kind == PrimitiveKind::triangle;
+    const bool is_line = kind == PrimitiveKind::line || kind == PrimitiveKind::outline;
+    const Sample sample = is_triangle ? sample_of(method)
+                          : is_line   ? sample_of_lines(method)
+                                      : sample_of_others(method);
+    const bool is_between = is_triangle
+                                ? traits_of(method.fill).rule == PixelRule::samples
+                                : is_line && traits_of(method.line).rule == LineRule::diamonds;
+    return sample == Sample::integer || (is_between && sample == Sample::center) ? 0 : 1;
+}
+
+/// The pixels that a piece can reach under any rounding rule: a rounded end of a row, or a pixel of a
+/// line, lies less than a pixel away.
 template <typename Coordinate> PixelBox box_of(const Piece<Coordinate>& piece, const Scene& scene) {
     double farthest = 1;
     const auto corners = piece.corners();
@@ -86,7 +100,8 @@ template <typename Coordinate> PixelBox box_of(const Piece<Coordinate>& piece, c
         std::minmax({scene.canvas.row_of(y.low), scene.canvas.row_of(y.high)});
     // A face may hide a point of a line although the line draws only the next pixel
     // (line_painter.h).
-    const Index around = is_filled(piece.kind) ? 0 : 1;
+    const Index around =
+        (is_filled(piece.kind) ? 0 : 1) + reach_of_samples(piece.kind, scene.method);
     const auto side = [](Index at) {
         constexpr Index limit = Index{1} << 30;
         return static_cast<std::int32_t>(std::clamp(at, -limit, limit));

@@ -40,7 +40,8 @@ PieceUse use_of(const Piece<double>& piece, const Method& method, bool mixes_col
     const bool is_fan = is_triangle && rule == PixelRule::lines;
     return {.is_rounded = is_rounded,
             .is_fan = is_fan,
-            .is_on_grid = is_fan || (!is_filled(piece.kind) && traits_of(method.line).is_on_grid),
+            .is_on_grid =
+                is_fan || (!is_filled(piece.kind) && traits_of(method.line).rule == LineRule::grid),
             .has_weights =
                 is_rounded && is_triangle && (mixes_colors || rule == PixelRule::samples)};
 }

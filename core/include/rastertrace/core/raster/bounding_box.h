@@ -6,8 +6,8 @@
 //     for (const Pixel pixel : ...)  // box.first_row to box.last_row, box.first_x to box.last_x
 
 #include <rastertrace/core/numbers/scalar.h>
-#include <rastertrace/core/numbers/vec.h>
 #include <rastertrace/core/raster/canvas.h>
+#include <rastertrace/core/raster/sample_offset.h>
 #include <rastertrace/core/raster/triangle.h>
 
 #include <algorithm>
@@ -25,25 +25,19 @@ struct BoundingBox {
 };
 
 /// The pixels of the canvas whose samples lie between the smallest and the largest x and y of a
-/// triangle. A sample lies `sample_offset` from its pixel's integer point, in x and in y.
+/// triangle.
 template <typename Scalar>
-BoundingBox bounding_box(const Triangle<Scalar>& triangle, const Scalar& sample_offset,
+BoundingBox bounding_box(const Triangle<Scalar>& triangle, const SampleOffset<Scalar>& offset,
                          const Canvas& canvas) {
     const auto& [a, b, c] = triangle.vertices;
-    const Index left = ceil_index(Scalar(std::min({a.x, b.x, c.x}) - sample_offset));
-    const Index right = floor_index(Scalar(std::max({a.x, b.x, c.x}) - sample_offset));
-    const Index low = ceil_index(Scalar(std::min({a.y, b.y, c.y}) - sample_offset));
-    const Index high = floor_index(Scalar(std::max({a.y, b.y, c.y}) - sample_offset));
+    const Index left = ceil_index(Scalar(std::min({a.x, b.x, c.x}) - offset.x()));
+    const Index right = floor_index(Scalar(std::max({a.x, b.x, c.x}) - offset.x()));
+    const Index low = ceil_index(Scalar(std::min({a.y, b.y, c.y}) - offset.y()));
+    const Index high = floor_index(Scalar(std::max({a.y, b.y, c.y}) - offset.y()));
     const Index top_row = canvas.row_of(canvas.down() > 0 ? low : high);
     const Index bottom_row = canvas.row_of(canvas.down() > 0 ? high : low);
     return {std::max<Index>(left, canvas.left()), std::min<Index>(right, canvas.right()),
             std::max<Index>(top_row, 0), std::min<Index>(bottom_row, canvas.height - 1)};
-}
-
-/// The sample of a pixel.
-template <typename Scalar> Vec<Scalar, 2> sample_point(Pixel pixel, const Scalar& sample_offset) {
-    return {Scalar(scalar_from<Scalar>(pixel.x) + sample_offset),
-            Scalar(scalar_from<Scalar>(pixel.y) + sample_offset)};
 }
 
 /// Calls `visit(pixel)` with the pixels of a box, top row first, from left to right.

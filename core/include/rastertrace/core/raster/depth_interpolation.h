@@ -13,11 +13,12 @@
 // Source: T0, "Pintando faces", after Gambetta.
 //
 //     TriangleDepth<double> depth(triangle.vertices, {1, 2, 3}, false);
-//     depth.plane(0.5).on_row(4).at(2);
+//     depth.plane({0.5, 0.5}).on_row(4).at(2);
 
 #include <rastertrace/core/numbers/fraction.h>
 #include <rastertrace/core/numbers/scalar.h>
 #include <rastertrace/core/numbers/vec.h>
+#include <rastertrace/core/raster/sample_offset.h>
 #include <rastertrace/core/raster/steps.h>
 #include <rastertrace/core/raster/triangle.h>
 
@@ -96,12 +97,11 @@ DepthRow<Scalar> row_between(const Scalar& left, const Scalar& left_depth, const
     return {left, left_depth, slope, zero < width ? right : left};
 }
 
-/// The depths of a triangle as a plane: linear in x and y. Samples lie `sample_offset` from integer
-/// points.
+/// The depths of a triangle as a plane: linear in x and y.
 template <typename Scalar> class DepthPlane {
 public:
     DepthPlane(const std::array<Vec<Scalar, 2>, 3>& positions, const std::array<Scalar, 3>& depths,
-               const Scalar& sample_offset) {
+               const SampleOffset<Scalar>& offset) {
         const auto& [a, b, c] = positions;
         const Scalar abx = b.x - a.x;
         const Scalar aby = b.y - a.y;
@@ -110,7 +110,7 @@ public:
         const Scalar area2 = abx * acy - acx * aby;
         const Scalar ab = depths[1] - depths[0];
         const Scalar ac = depths[2] - depths[0];
-        origin_ = {Scalar(a.x - sample_offset), Scalar(a.y - sample_offset)};
+        origin_ = {Scalar(a.x - offset.x()), Scalar(a.y - offset.y())};
         depth_ = depths[0];
         if (area2 == scalar_from<Scalar>(0))
             return;
@@ -174,8 +174,8 @@ public:
     }
 
     /// The same for whole rows: the weights are linear in x and y, and so is the depth.
-    DepthPlane<Scalar> plane(const Scalar& sample_offset) const {
-        return {positions_, depths_, sample_offset};
+    DepthPlane<Scalar> plane(const SampleOffset<Scalar>& offset) const {
+        return {positions_, depths_, offset};
     }
 
 private:

@@ -9,6 +9,7 @@
 
 #include <rastertrace/core/numbers/scalar.h>
 #include <rastertrace/core/numbers/vec.h>
+#include <rastertrace/core/raster/sample_offset.h>
 #include <rastertrace/core/raster/steps.h>
 #include <rastertrace/core/raster/triangle.h>
 
@@ -126,20 +127,29 @@ public:
     EdgeName name() const { return edge_.name; }
     const Edge<Scalar>& edge() const { return edge_; }
 
-    /// x on row `y`. After the first call, every call must ask for the next row.
+    /// x at the samples of row `y`. After the first call, every call must ask for the next row.
+    [[gnu::always_inline]] Scalar x_on_row(int y, const SampleOffset<Scalar>& offset) {
+        return x_at([&] { return offset.y_of(y); });
+    }
+
+    /// The same where samples lie at integer points.
     [[gnu::always_inline]] Scalar x_on_row(int y) {
-        if (form_ == LerpForm::direct)
-            return edge_.x_at(scalar_from<Scalar>(y));
-        if (has_begun_)
-            x_ += step_;
-        else
-            begin_on_row(y);
-        return x_;
+        return x_at([y] { return scalar_from<Scalar>(y); });
     }
 
 private:
-    void begin_on_row(int y) {
-        x_ = edge_.x_at(scalar_from<Scalar>(y));
+    template <typename Height> [[gnu::always_inline]] Scalar x_at(Height&& height) {
+        if (form_ == LerpForm::direct)
+            return edge_.x_at(height());
+        if (has_begun_)
+            x_ += step_;
+        else
+            begin_at(height());
+        return x_;
+    }
+
+    void begin_at(const Scalar& height) {
+        x_ = edge_.x_at(height);
         step_ = y_step_ > 0 ? edge_.dx_dy : Scalar(-edge_.dx_dy);
         write_over_denominator_of(x_, step_);
         has_begun_ = true;

@@ -7,13 +7,14 @@
 //
 // Source: Sokolov, tinyrenderer, lesson 2, in the Chinese notes on it.
 //
-//     fill_barycentric(triangle, sample_offset, {}, canvas, FlatPainter(image, color));
+//     fill_barycentric(triangle, offset, {}, canvas, FlatPainter(image, color));
 
 #include <rastertrace/core/numbers/scalar.h>
 #include <rastertrace/core/raster/barycentric.h>
 #include <rastertrace/core/raster/bounding_box.h>
 #include <rastertrace/core/raster/canvas.h>
 #include <rastertrace/core/raster/rounding.h>
+#include <rastertrace/core/raster/sample_offset.h>
 #include <rastertrace/core/raster/sink.h>
 #include <rastertrace/core/raster/steps.h>
 #include <rastertrace/core/raster/triangle.h>
@@ -37,12 +38,12 @@ Triangle<Scalar> widened(const Triangle<Scalar>& triangle, const Scalar& by) {
 }
 
 /// Fills the closed triangle: samples on its edges are drawn, so two triangles that share an edge
-/// both draw them. A sample lies `sample_offset` right of and above (in y) a pixel's integer point.
+/// both draw them.
 /// With a tolerance, a weight may be as far below 0. The box is cut to the canvas. A triangle without area has no barycentric coordinates and is
 /// skipped.
 template <typename Scalar, typename Sink>
 requires SinkFor<Sink, SampleTested<Scalar>, PrimitiveSkipped>
-void fill_barycentric(const Triangle<Scalar>& triangle, const Scalar& sample_offset,
+void fill_barycentric(const Triangle<Scalar>& triangle, const SampleOffset<Scalar>& offset,
                       Tolerance tolerance, Canvas canvas, Sink&& sink) {
     const Scalar zero = scalar_from<Scalar>(0);
     const Barycentric<Scalar> barycentric(triangle);
@@ -51,16 +52,15 @@ void fill_barycentric(const Triangle<Scalar>& triangle, const Scalar& sample_off
         return;
     }
 
-    const BoundingBox box =
-        bounding_box(tolerance.is_zero() ? triangle : widened(triangle, tolerance.in<Scalar>()),
-                     sample_offset, canvas);
+    const BoundingBox box = bounding_box(
+        tolerance.is_zero() ? triangle : widened(triangle, tolerance.in<Scalar>()), offset, canvas);
     if (box.is_empty()) {
         sink(PrimitiveSkipped{.why = SkipReason::off_canvas});
         return;
     }
     const Scalar least = tolerance.is_zero() ? zero : Scalar(-tolerance.in<Scalar>());
     for_each_pixel(box, canvas, [&](Pixel pixel) {
-        const auto weights = barycentric.weights_at(sample_point(pixel, sample_offset));
+        const auto weights = barycentric.weights_at(offset.sample_of(pixel));
         const bool is_inside =
             !(weights[0] < least) && !(weights[1] < least) && !(weights[2] < least);
         sink(SampleTested<Scalar>{.pixel = pixel, .weights = weights, .is_inside = is_inside});

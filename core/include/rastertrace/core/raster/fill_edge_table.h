@@ -12,13 +12,14 @@
 // section 3.6 (edge table and active-edge table); Adobe, PostScript Language Reference, 1999,
 // section 4.5 (insideness: even-odd, non-zero winding number).
 //
-//     fill_edge_table<double>(corners, {.fill_rule = FillRule::non_zero}, canvas,
+//     fill_edge_table<double>(corners, {}, {.fill_rule = FillRule::non_zero}, canvas,
 //                             FlatPainter(image, color));
 
 #include <rastertrace/core/raster/canvas.h>
 #include <rastertrace/core/raster/edge.h>
 #include <rastertrace/core/raster/fill_scanline.h>
 #include <rastertrace/core/raster/rounding.h>
+#include <rastertrace/core/raster/sample_offset.h>
 #include <rastertrace/core/raster/sink.h>
 #include <rastertrace/core/raster/span.h>
 #include <rastertrace/core/raster/steps.h>
@@ -63,8 +64,12 @@ template <typename Scalar> struct TableEdge {
 
 /// The edges of a polygon that are not horizontal, from the first row of each. Emits all edges.
 template <typename Scalar, typename Sink>
-std::vector<TableEdge<Scalar>> edge_table(std::span<const Vec<Scalar, 2>> corners, LerpForm lerp,
+std::vector<TableEdge<Scalar>> edge_table(std::span<const Vec<Scalar, 2>> corners,
+                                          const SampleOffset<Scalar>& offset, LerpForm lerp,
                                           const Canvas& canvas, Sink&& sink) {
+    const auto first_row = [&](const Vertex<Scalar>& vertex) {
+        return canvas.row_of(first_row_below(offset.in_rows(vertex.position.y), canvas.down()));
+    };
     const int down = canvas.down();
     std::vector<TableEdge<Scalar>> table;
     for (std::size_t i = 0; i < corners.size(); ++i) {
@@ -80,8 +85,8 @@ std::vector<TableEdge<Scalar>> edge_table(std::span<const Vec<Scalar, 2>> corner
             .edge = edge.name, .is_horizontal = edge.is_horizontal, .dx_dy = edge.dx_dy});
         if (!edge.is_horizontal)
             table.push_back({.walk = {edge, lerp, down},
-                             .first_row = canvas.row_of(first_row_below(upper.position.y, down)),
-                             .end_row = canvas.row_of(first_row_below(lower.position.y, down)),
+                             .first_row = first_row(upper),
+                             .end_row = first_row(lower),
                              .turn = runs_down ? 1 : -1});
     }
     std::stable_sort(table.begin(), table.end(),
@@ -107,8 +112,8 @@ template <typename Scalar> void sort_by_x(std::vector<TableEdge<Scalar>*>& activ
 
 /// Yields the spans of a row that lie inside. `active` are its edges, from left to right.
 template <typename Scalar, typename Sink>
-void span_inside(int y, const std::vector<TableEdge<Scalar>*>& active, const EdgeTableRules& rules,
-                 Sink&& sink) {
+void span_inside(int y, const std::vector<TableEdge<Scalar>*>& active,
+                 const SampleOffset<Scalar>& offset, const EdgeTableRules& rules, Sink&& sink) {
     const TableEdge<Scalar>* left = nullptr;
     int winding = 0;
     for (const TableEdge<Scalar>* const edge : active) {
@@ -116,13 +121,14 @@ void span_inside(int y, const std::vector<TableEdge<Scalar>*>& active, const Edg
         if (left == nullptr) {
             left = edge; // from outside to inside
         } else if (!is_inside(winding, rules.fill_rule)) {
-            sink(ScanlineSpanned<Scalar>{.y = y,
-                                         .left = left->x,
-                                         .right = edge->x,
-                                         .from = first_pixel(left->x, rules.rows.span),
-                                         .to = last_pixel(edge->x, rules.rows.span),
-                                         .left_edge = left->walk.name(),
-                                         .right_edge = edge->walk.name()});
+            sink(ScanlineSpanned<Scalar>{
+                .y = y,
+                .left = left->x,
+                .right = edge->x,
+                .from = first_pixel(offset.in_columns(left->x), rules.rows.span),
+                .to = last_pixel(offset.in_columns(edge->x), rules.rows.span),
+                .left_edge = left->walk.name(),
+                .right_edge = edge->walk.name()});
             left = nullptr;
         }
     }
@@ -146,8 +152,8 @@ void tell_crossings(int y, const std::vector<TableEdge<Scalar>*>& active, Sink&&
 
 /// True if all of the corners lie left of the canvas, or all of them right of it.
 template <typename Scalar>
-bool misses_canvas(std::span<const Vec<Scalar, 2>> corners, const SpanRounding& rule,
-                   const Canvas& canvas) {
+bool misses_canvas(std::span<const Vec<Scalar, 2>> corners, const SampleOffset<Scalar>& offset,
+                   const SpanRounding& rule, const Canvas& canvas) {
     const Scalar* leftmost = &corners[0].x;
     const Scalar* rightmost = &corners[0].x;
     for (const Vec<Scalar, 2>& corner : corners.subspan(1)) {
@@ -156,8 +162,8 @@ bool misses_canvas(std::span<const Vec<Scalar, 2>> corners, const SpanRounding& 
         if (*rightmost < corner.x)
             rightmost = &corner.x;
     }
-    return last_pixel(*rightmost, rule) < canvas.left() ||
-           first_pixel(*leftmost, rule) > canvas.right();
+    return last_pixel(offset.in_columns(*rightmost), rule) < canvas.left() ||
+           first_pixel(offset.in_columns(*leftmost), rule) > canvas.right();
 }
 
 /// Fills a polygon row by row, from the top of the picture to its bottom, both ends of each span
@@ -167,9 +173,9 @@ bool misses_canvas(std::span<const Vec<Scalar, 2>> corners, const SpanRounding& 
 template <typename Scalar, typename Sink>
 requires SinkFor<Sink, EdgeSetUp<Scalar>, RowCrossed<Scalar>, ScanlineSpanned<Scalar>, RowsRejected,
                  PrimitiveSkipped>
-void fill_edge_table(std::span<const Vec<Scalar, 2>> corners, const EdgeTableRules& rules,
-                     const Canvas& canvas, Sink&& sink) {
-    auto table = edge_table<Scalar>(corners, rules.rows.lerp, canvas, sink);
+void fill_edge_table(std::span<const Vec<Scalar, 2>> corners, const SampleOffset<Scalar>& offset,
+                     const EdgeTableRules& rules, const Canvas& canvas, Sink&& sink) {
+    auto table = edge_table<Scalar>(corners, offset, rules.rows.lerp, canvas, sink);
     if (table.empty()) {
         sink(PrimitiveSkipped{.why = SkipReason::zero_area});
         return;
@@ -179,7 +185,8 @@ void fill_edge_table(std::span<const Vec<Scalar, 2>> corners, const EdgeTableRul
         end_row = std::max(end_row, edge.end_row);
     const RowRange rows = rows_on_canvas(
         table.front().first_row, end_row - 1,
-        [&] { return misses_canvas<Scalar>(corners, rules.rows.span, canvas); }, canvas, sink);
+        [&] { return misses_canvas<Scalar>(corners, offset, rules.rows.span, canvas); }, canvas,
+        sink);
 
     auto next = table.begin();
     std::vector<TableEdge<Scalar>*> active;
@@ -193,10 +200,10 @@ void fill_edge_table(std::span<const Vec<Scalar, 2>> corners, const EdgeTableRul
 
         // Where they meet the row, from left to right.
         for (TableEdge<Scalar>* const edge : active)
-            edge->x = edge->walk.x_on_row(y);
+            edge->x = edge->walk.x_on_row(y, offset);
         sort_by_x(active, canvas.down());
         tell_crossings(y, active, sink);
-        span_inside(y, active, rules, sink);
+        span_inside(y, active, offset, rules, sink);
     }
 }
 

@@ -30,17 +30,18 @@ struct FanRules {
     LineRules lines; ///< all end pixels are drawn, whatever they say
 };
 
-/// Draws the triangle whose vertices are the pixels nearest to the given ones. `colors` are those
+/// Draws the triangle whose vertices are the pixels with the samples nearest to the given ones. `colors` are those
 /// of the vertices; along a line they are mixed.
 template <typename Scalar, typename Sink>
 requires SinkFor<Sink, SideBegan, RayBegan, LineDecided, PixelPlotted, PixelsRejected>
 void fill_fan(const Triangle<Scalar>& triangle, const std::array<Color, 3>& colors,
-              const FanRules& rules, Canvas canvas, Sink&& sink) {
+              const SampleOffset<Scalar>& offset, const FanRules& rules, Canvas canvas,
+              Sink&& sink) {
     const auto from_lower_x = [](const GridLine& line) {
         return line.to.x < line.from.x ? reversed(line) : line;
     };
-    const auto vertex = [&triangle](std::uint8_t index) {
-        return nearest_pixel(triangle.vertices[index].x, triangle.vertices[index].y);
+    const auto vertex = [&](std::uint8_t index) {
+        return nearest_pixel(triangle.vertices[index], offset);
     };
 
     LineRules line_rules = rules.lines;

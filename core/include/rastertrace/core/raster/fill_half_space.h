@@ -8,7 +8,7 @@
 // Source: Pineda 1988 (edge functions); Direct3D 11 specification, section 3.4.2.1 (the top-left
 // rule).
 //
-//     fill_half_space(triangle, 0.5, canvas, FlatPainter(image, color));
+//     fill_half_space(triangle, {0.5, 0.5}, canvas, FlatPainter(image, color));
 //
 // `"fill": "top-left"` of a scene draws the same pixels row by row (draw/paint/fill_top_left.h).
 
@@ -17,6 +17,7 @@
 #include <rastertrace/core/raster/canvas.h>
 #include <rastertrace/core/raster/edge.h>
 #include <rastertrace/core/raster/edge_function.h>
+#include <rastertrace/core/raster/sample_offset.h>
 #include <rastertrace/core/raster/sink.h>
 #include <rastertrace/core/raster/steps.h>
 #include <rastertrace/core/raster/triangle.h>
@@ -25,12 +26,11 @@
 
 namespace rastertrace {
 
-/// Fills a triangle: tests every pixel of its box, top row first. A sample lies `sample_offset`
-/// from its pixel's integer point, in x and in y. A triangle without area has no inside and is
-/// skipped.
+/// Fills a triangle: tests every pixel of its box, top row first. A triangle without
+/// area has no inside and is skipped.
 template <typename Scalar, typename Sink>
 requires SinkFor<Sink, EdgesTested<Scalar>, PrimitiveSkipped>
-void fill_half_space(const Triangle<Scalar>& triangle, const Scalar& sample_offset,
+void fill_half_space(const Triangle<Scalar>& triangle, const SampleOffset<Scalar>& offset,
                      const Canvas& canvas, Sink&& sink) {
     // Three edge functions, positive inside.
     const auto sorted = sorted_from_top(triangle, canvas.down());
@@ -42,13 +42,13 @@ void fill_half_space(const Triangle<Scalar>& triangle, const Scalar& sample_offs
     }
     const auto edges = edge_functions(sorted, middle_side > 0, canvas.down());
 
-    const BoundingBox box = bounding_box(triangle, sample_offset, canvas);
+    const BoundingBox box = bounding_box(triangle, offset, canvas);
     if (box.is_empty()) {
         sink(PrimitiveSkipped{.why = SkipReason::off_canvas});
         return;
     }
     for_each_pixel(box, canvas, [&](Pixel pixel) {
-        const auto sample = sample_point(pixel, sample_offset);
+        const auto sample = offset.sample_of(pixel);
         const std::array values{edges[0].at(sample), edges[1].at(sample), edges[2].at(sample)};
         const bool is_inside = edges[0].admits_value(values[0]) &&
                                edges[1].admits_value(values[1]) && edges[2].admits_value(values[2]);

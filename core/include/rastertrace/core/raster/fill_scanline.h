@@ -8,11 +8,12 @@
 // (CGFS), filled triangles; with the texts' slips put right (x grows by dx/dy, the middle row
 // counts once, a horizontal edge is not divided by).
 //
-//     fill_scanline(triangle, rules, canvas, FlatPainter(image, color));
+//     fill_scanline(triangle, {}, rules, canvas, FlatPainter(image, color));  // at integer points
 
 #include <rastertrace/core/raster/canvas.h>
 #include <rastertrace/core/raster/edge.h>
 #include <rastertrace/core/raster/rounding.h>
+#include <rastertrace/core/raster/sample_offset.h>
 #include <rastertrace/core/raster/sink.h>
 #include <rastertrace/core/raster/span.h>
 #include <rastertrace/core/raster/steps.h>
@@ -53,9 +54,12 @@ template <typename Scalar> Index last_row_of(const Scalar& y, RowRule rows, int 
 /// The y of the first row whose short edge is the lower one. A row at the height of the middle
 /// vertex belongs to the lower edge, which begins there: its x is that of the vertex, without
 /// rounding. A horizontal lower edge has no rows: then that row is the last one of the upper edge.
-template <typename Scalar> Index first_lower_y(const JoinedEdges<Scalar>& edges, int down) {
-    return edges.has_flat_bottom ? last_row_above(edges.bottom.position.y, down) + down
-                                 : first_row_below(edges.middle.position.y, down);
+template <typename Scalar>
+Index first_lower_y(const JoinedEdges<Scalar>& edges, const SampleOffset<Scalar>& offset,
+                    int down) {
+    return edges.has_flat_bottom
+               ? last_row_above(offset.in_rows(edges.bottom.position.y), down) + down
+               : first_row_below(offset.in_rows(edges.middle.position.y), down);
 }
 
 /// Reports the three edges.
@@ -72,38 +76,41 @@ void tell_edges(const JoinedEdges<Scalar>& edges, Sink&& sink) {
 /// True if every span of the triangle lies left of the canvas, or every one lies right of it.
 template <typename Scalar>
 [[gnu::always_inline]] inline bool misses_canvas(const Triangle<Scalar>& triangle,
+                                                 const SampleOffset<Scalar>& offset,
                                                  const SpanRounding& rule, const Canvas& canvas) {
     const auto& [a, b, c] = triangle.vertices;
-    return last_pixel(std::max({a.x, b.x, c.x}), rule) < canvas.left() ||
-           first_pixel(std::min({a.x, b.x, c.x}), rule) > canvas.right();
+    const Scalar right = offset.in_columns(std::max({a.x, b.x, c.x}));
+    const Scalar left = offset.in_columns(std::min({a.x, b.x, c.x}));
+    return last_pixel(right, rule) < canvas.left() || first_pixel(left, rule) > canvas.right();
 }
 
-/// Yields the row at `y`, from where the left edge meets it to where the right edge does.
+/// Yields a row, from where the left edge meets it to where the right edge does.
 template <typename Scalar, typename Sink>
 requires SinkFor<Sink, ScanlineSpanned<Scalar>>
 [[gnu::always_inline]] inline void span_row(int y, EdgeWalk<Scalar>& along_left,
-                                            EdgeWalk<Scalar>& along_right, const SpanRounding& rule,
-                                            Sink&& sink) {
-    const Scalar left = along_left.x_on_row(y);
-    const Scalar right = along_right.x_on_row(y);
+                                            EdgeWalk<Scalar>& along_right,
+                                            const SampleOffset<Scalar>& offset,
+                                            const SpanRounding& rule, Sink&& sink) {
+    const Scalar left = along_left.x_on_row(y, offset);
+    const Scalar right = along_right.x_on_row(y, offset);
     sink(ScanlineSpanned<Scalar>{.y = y,
                                  .left = left,
                                  .right = right,
-                                 .from = first_pixel(left, rule),
-                                 .to = last_pixel(right, rule),
+                                 .from = first_pixel(offset.in_columns(left), rule),
+                                 .to = last_pixel(offset.in_columns(right), rule),
                                  .left_edge = along_left.name(),
                                  .right_edge = along_right.name()});
 }
 
 /// Fills a triangle row by row, from the top of the picture to its bottom, both ends of each row
-/// included. Rows are the integers y between the highest and the lowest vertex (RowRule). A triangle
+/// included. Rows are those whose samples lie between the highest and the lowest vertex (RowRule). A triangle
 /// without area has rows, too: it is drawn as a point, or with one pixel on each row. The time is
 /// proportional to the rows on the canvas, not to the size of the triangle. Coordinates and the
 /// slopes of the edges must be finite.
 template <typename Scalar, typename Sink>
 requires SinkFor<Sink, EdgeSetUp<Scalar>, ScanlineSpanned<Scalar>, RowsRejected, PrimitiveSkipped>
-void fill_scanline(const Triangle<Scalar>& triangle, const ScanlineRules& rules, Canvas canvas,
-                   Sink&& sink) {
+void fill_scanline(const Triangle<Scalar>& triangle, const SampleOffset<Scalar>& offset,
+                   const ScanlineRules& rules, Canvas canvas, Sink&& sink) {
     const int down = canvas.down();
 
     // Sort the vertices by height; join the two short edges against the long one.
@@ -111,12 +118,14 @@ void fill_scanline(const Triangle<Scalar>& triangle, const ScanlineRules& rules,
     tell_edges(edges, sink);
 
     // The rows between top and bottom, as far as the canvas has them.
-    const Index first_row = canvas.row_of(first_row_below(edges.top.position.y, down));
-    const Index last_row = canvas.row_of(last_row_of(edges.bottom.position.y, rules.rows, down));
-    const Index first_lower_row = canvas.row_of(first_lower_y(edges, down));
+    const Index first_row =
+        canvas.row_of(first_row_below(offset.in_rows(edges.top.position.y), down));
+    const Index last_row =
+        canvas.row_of(last_row_of(offset.in_rows(edges.bottom.position.y), rules.rows, down));
+    const Index first_lower_row = canvas.row_of(first_lower_y(edges, offset, down));
     const RowRange rows = rows_on_canvas(
-        first_row, last_row, [&] { return misses_canvas(triangle, rules.span, canvas); }, canvas,
-        sink);
+        first_row, last_row, [&] { return misses_canvas(triangle, offset, rules.span, canvas); },
+        canvas, sink);
     if (rows.is_empty())
         return;
 
@@ -129,7 +138,7 @@ void fill_scanline(const Triangle<Scalar>& triangle, const ScanlineRules& rules,
         EdgeWalk<Scalar>& along_left = edges.long_edge_is_left ? along_long_edge : along_short_edge;
         EdgeWalk<Scalar>& along_right =
             edges.long_edge_is_left ? along_short_edge : along_long_edge;
-        span_row(canvas.y_of(row), along_left, along_right, rules.span, sink);
+        span_row(canvas.y_of(row), along_left, along_right, offset, rules.span, sink);
     }
 }
 

@@ -8,6 +8,7 @@
 #include <rastertrace/core/raster/canvas.h>
 #include <rastertrace/core/raster/image.h>
 #include <rastertrace/core/raster/rounding.h>
+#include <rastertrace/core/raster/sample_offset.h>
 #include <rastertrace/core/raster/sink.h>
 #include <rastertrace/core/raster/steps.h>
 
@@ -53,9 +54,11 @@ struct GridPoint {
     friend bool operator==(const GridPoint&, const GridPoint&) = default;
 };
 
-/// The pixel nearest to a point; a half goes up, in x and in y.
-template <typename Scalar> GridPoint nearest_pixel(const Scalar& x, const Scalar& y) {
-    return {nearest_index(x, Ties::up), nearest_index(y, Ties::up)};
+/// The pixel whose sample is nearest to a point; a half goes up, in x and in y.
+template <typename Scalar>
+GridPoint nearest_pixel(const Vec<Scalar, 2>& point, const SampleOffset<Scalar>& offset) {
+    return {nearest_index(offset.in_columns(point.x), Ties::up),
+            nearest_index(offset.in_rows(point.y), Ties::up)};
 }
 
 /// A line between two points of the grid, with the colors of its ends.
@@ -84,6 +87,13 @@ struct StepRange {
 
     bool is_empty() const { return last < first; }
 };
+
+/// The steps from 0 to `last` that lie between `low` and `high` on an axis: step 0 at `first`, each one
+/// further, or back.
+inline StepRange steps_between(Index low, Index high, Index first, bool goes_back, Index last) {
+    return {std::max<Index>(0, goes_back ? first - high : low - first),
+            std::min<Index>(last, goes_back ? first - low : high - first)};
+}
 
 /// Reports the pixels before those on the canvas: all up to step `end`, if the canvas has none of
 /// them. `pixel_at(step)` is the pixel of a step.

@@ -19,15 +19,14 @@ namespace rastertrace {
 /// The time is proportional to the canvas. On a steep line x and y are exchanged.
 template <typename Scalar, typename Sink>
 requires SinkFor<Sink, LineSampled<Scalar>, PixelPlotted, PixelsRejected>
-bool draw_dda_line(const Segment<Scalar>& segment, const LineSampling& sampling,
-                   const Canvas& canvas, Sink&& sink) {
-    const SampledLine<Scalar> line(segment, sampling, canvas);
+bool draw_dda_line(const Segment<Scalar>& segment, const SampleOffset<Scalar>& offset,
+                   const LineSampling& sampling, const Canvas& canvas, Sink&& sink) {
+    const SampledLine<Scalar> line(segment, offset, sampling, canvas);
     if (line.last_step() < 0)
         return false;
 
     const auto y_at = [&line](Index step) {
-        return linear(line.across_from, line.slope, scalar_from<Scalar>(line.along(step)),
-                      line.along_from);
+        return linear(line.across_from, line.slope, line.sample_along(step), line.along_from);
     };
     const auto pixel_at = [&](Index step) { return line.pixel(step, y_at(step)); };
 

@@ -8,7 +8,7 @@
 // Source: OpenGL 4.6 specification, section 14.5.1. It moves both ends by (-e, -e e) for a small e, y up
 // in the picture, so that no point lies on the border of a diamond.
 //
-//     draw_diamond_exit_line(segment, Scalar(0.5), sampling, canvas, sink);
+//     draw_diamond_exit_line(segment, {0.5, 0.5}, sampling, canvas, sink);
 
 #include <rastertrace/core/numbers/index.h>
 #include <rastertrace/core/numbers/scalar.h>
@@ -17,6 +17,7 @@
 #include <rastertrace/core/raster/line.h>
 #include <rastertrace/core/raster/line_sampling.h>
 #include <rastertrace/core/raster/rounding.h>
+#include <rastertrace/core/raster/sample_offset.h>
 #include <rastertrace/core/raster/sink.h>
 #include <rastertrace/core/raster/steps.h>
 
@@ -34,9 +35,9 @@ template <typename Scalar> Vec<Scalar, 2> turned_up(const Vec<Scalar, 2>& p, int
 /// in each column between its ends: that of the pixel nearest to it there.
 template <typename Scalar> class DiamondLine {
 public:
-    DiamondLine(const Segment<Scalar>& segment, const Scalar& sample_offset, int down)
+    DiamondLine(const Segment<Scalar>& segment, const SampleOffset<Scalar>& offset, int down)
         : from_(turned_up<Scalar>(segment.from, down)), to_(turned_up<Scalar>(segment.to, down)),
-          sample_(turned_up<Scalar>({sample_offset, sample_offset}, down)),
+          sample_(turned_up<Scalar>({offset.x(), offset.y()}, down)),
           is_x_major_(is_longer_in_x(segment)) {
         const Scalar zero = scalar_from<Scalar>(0);
         const Scalar rise = is_x_major_ ? Scalar(to_.y - from_.y) : Scalar(to_.x - from_.x);
@@ -62,6 +63,11 @@ public:
 
     /// The column, or row, of a step.
     Index along(Index step) const { return goes_back_ ? first_ - step : first_ + step; }
+
+    /// The steps whose columns, or rows, lie between two of these.
+    StepRange steps_in(Index low, Index high) const {
+        return steps_between(low, high, first_, goes_back_, last_step());
+    }
 
     /// The other coordinate of the line at the samples of a column or row.
     Scalar across(Index along) const {
@@ -105,13 +111,13 @@ private:
 };
 
 /// Draws a line between any two points; false if it leaves no diamond. The time is proportional to the
-/// canvas. A sample lies `sample_offset` from its pixel's integer point, in x and in y.
+/// canvas.
 template <typename Scalar, typename Sink>
 requires SinkFor<Sink, LineSampled<Scalar>, PixelPlotted, PixelsRejected>
-bool draw_diamond_exit_line(const Segment<Scalar>& segment, const Scalar& sample_offset,
+bool draw_diamond_exit_line(const Segment<Scalar>& segment, const SampleOffset<Scalar>& offset,
                             const LineSampling& sampling, const Canvas& canvas, Sink&& sink) {
     const int down = canvas.down();
-    const DiamondLine<Scalar> line(segment, sample_offset, down);
+    const DiamondLine<Scalar> line(segment, offset, down);
     const Index end = line.last_step();
     if (end < 0)
         return false;
@@ -119,25 +125,24 @@ bool draw_diamond_exit_line(const Segment<Scalar>& segment, const Scalar& sample
     // Rows of samples count upward, those of the canvas as its y does.
     const bool is_x_major = line.is_x_major();
     const auto y_of = [down](Index row) { return down > 0 ? -row : row; };
+    const auto pixel = [&](Index along, const Scalar& across) {
+        const Index other = line.pixel_across(across);
+        return is_x_major ? GridPoint{along, y_of(other)} : GridPoint{other, y_of(along)};
+    };
     const auto pixel_at = [&](Index step) {
-        const Index along = line.along(step);
-        const Index across = line.pixel_across(line.across(along));
-        return is_x_major ? GridPoint{along, y_of(across)} : GridPoint{across, y_of(along)};
+        return pixel(line.along(step), line.across(line.along(step)));
     };
     const Index low_y = std::min(canvas.top(), canvas.bottom());
     const Index high_y = std::max(canvas.top(), canvas.bottom());
     const Index low = is_x_major ? canvas.left() : down > 0 ? -high_y : low_y;
     const Index high = is_x_major ? canvas.right() : down > 0 ? -low_y : high_y;
-    const Index first = line.along(0);
-    const bool goes_back = line.along(1) < first;
-    const StepRange steps{std::max<Index>(0, goes_back ? first - high : low - first),
-                          std::min<Index>(end, goes_back ? first - low : high - first)};
+    const StepRange steps = line.steps_in(low, high);
 
     reject_before(steps, end, pixel_at, sink);
     for (Index i = steps.first; i <= steps.last; ++i) {
         const Index along = line.along(i);
         const Scalar across = line.across(along);
-        const GridPoint at = pixel_at(i);
+        const GridPoint at = pixel(along, across);
         const Scalar turned = is_x_major && down > 0 ? Scalar(-across) : across;
         sink(LineSampled<Scalar>{.is_x_major = is_x_major,
                                  .at = is_x_major ? at.x : at.y,

@@ -19,17 +19,15 @@ namespace rastertrace {
 /// The time is proportional to the canvas. On a steep line x and y are exchanged.
 template <typename Scalar, typename Sink>
 requires SinkFor<Sink, LineSampled<Scalar>, PixelPlotted, PixelsRejected>
-bool draw_naive_line(const Segment<Scalar>& segment, const LineSampling& sampling,
-                     const Canvas& canvas, Sink&& sink) {
-    const SampledLine<Scalar> line(segment, sampling, canvas);
+bool draw_naive_line(const Segment<Scalar>& segment, const SampleOffset<Scalar>& offset,
+                     const LineSampling& sampling, const Canvas& canvas, Sink&& sink) {
+    const SampledLine<Scalar> line(segment, offset, sampling, canvas);
     if (line.last_step() < 0)
         return false;
 
     const Scalar& m = line.slope;
     const Scalar b = line.across_from - m * line.along_from;
-    const auto y_at = [&](Index step) {
-        return Scalar(m * scalar_from<Scalar>(line.along(step)) + b);
-    };
+    const auto y_at = [&](Index step) { return Scalar(m * line.sample_along(step) + b); };
     const auto pixel_at = [&](Index step) { return line.pixel(step, y_at(step)); };
 
     const StepRange steps = line.steps_on_canvas();

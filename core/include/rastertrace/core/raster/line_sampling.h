@@ -58,12 +58,13 @@ struct LineSampling {
     LineRules rules;
 };
 
-/// A line along its major axis. Its steps are the whole numbers along the axis, from the one
-/// nearest to the start to the one nearest to the end (a half goes up).
+/// A line along its major axis. Its steps are the samples along the axis, from the one nearest to the
+/// start to the one nearest to the end (a half goes up).
 template <typename Scalar> class SampledLine {
 public:
-    SampledLine(const Segment<Scalar>& segment, const LineSampling& sampling, const Canvas& canvas)
-        : sampling_(sampling), canvas_(canvas) {
+    SampledLine(const Segment<Scalar>& segment, const SampleOffset<Scalar>& offset,
+                const LineSampling& sampling, const Canvas& canvas)
+        : offset_(offset), sampling_(sampling), canvas_(canvas) {
         const auto& [from, to] = segment;
         const Scalar zero = scalar_from<Scalar>(0);
         const Scalar dx = to.x - from.x;
@@ -76,8 +77,12 @@ public:
         slope = d_along == zero ? zero : Scalar(d_across / d_along);
         falls_ = d_across < zero;
 
-        first_ = nearest_index(along_from, Ties::up);
-        const Index last = nearest_index(is_x_major_ ? to.x : to.y, Ties::up);
+        const auto nearest = [&](const Vec<Scalar, 2>& p) {
+            return nearest_index(is_x_major_ ? offset.in_columns(p.x) : offset.in_rows(p.y),
+                                 Ties::up);
+        };
+        first_ = nearest(from);
+        const Index last = nearest(to);
         goes_back = last < first_;
         steps_ = std::abs(last - first_);
         last_step_ = steps_ - (sampling.rules.ends == EndPixels::both ? 0 : 1);
@@ -88,8 +93,13 @@ public:
     Scalar slope{};         ///< m; 0 for a line without length
     bool goes_back = false; ///< toward smaller coordinates along the axis
 
-    /// The coordinate along the axis after so many steps.
+    /// The column, or row, after so many steps.
     Index along(Index step) const { return goes_back ? first_ - step : first_ + step; }
+
+    /// The coordinate of its samples along the axis.
+    Scalar sample_along(Index step) const {
+        return is_x_major_ ? offset_.x_of(along(step)) : offset_.y_of(along(step));
+    }
 
     /// The last step that is drawn; -1 if the only pixel is the last one, which `ends: first`
     /// leaves out.
@@ -100,21 +110,20 @@ public:
         const Index low = is_x_major_ ? canvas_.left() : std::min(canvas_.top(), canvas_.bottom());
         const Index high =
             is_x_major_ ? canvas_.right() : std::max(canvas_.top(), canvas_.bottom());
-        return {std::max<Index>(0, goes_back ? first_ - high : low - first_),
-                std::min<Index>(last_step_, goes_back ? first_ - low : high - first_)};
+        return steps_between(low, high, first_, goes_back, last_step_);
     }
 
     /// The pixel of a step, where the line has this coordinate across.
     GridPoint pixel(Index step, const Scalar& across) const {
-        return point(along(step), pixel_across(across, sampling_.rounding, falls_));
+        return point(along(step), rounded(across));
     }
 
     /// Rounds the coordinate across at a step, and plots the pixel if the canvas has it.
     template <typename Sink> void plot(Index step, const Scalar& across, Sink&& sink) const {
-        const Index rounded = pixel_across(across, sampling_.rounding, falls_);
+        const Index pixel = rounded(across);
         sink(LineSampled<Scalar>{
-            .is_x_major = is_x_major_, .at = along(step), .value = across, .pixel = rounded});
-        const GridPoint at = point(along(step), rounded);
+            .is_x_major = is_x_major_, .at = along(step), .value = across, .pixel = pixel});
+        const GridPoint at = point(along(step), pixel);
         if (!canvas_.contains(at.x, at.y))
             return sink(PixelsRejected{at.x, at.y, at.x, at.y});
         const Color color = color_on_line(sampling_.colors, sampling_.rules, at, step, steps_);
@@ -127,6 +136,12 @@ private:
         return is_x_major_ ? GridPoint{along, across} : GridPoint{across, along};
     }
 
+    Index rounded(const Scalar& across) const {
+        return pixel_across(is_x_major_ ? offset_.in_rows(across) : offset_.in_columns(across),
+                            sampling_.rounding, falls_);
+    }
+
+    const SampleOffset<Scalar>& offset_;
     const LineSampling& sampling_;
     const Canvas& canvas_;
     bool is_x_major_ = true;

@@ -11,6 +11,7 @@
 #include <rastertrace/core/raster/canvas.h>
 #include <rastertrace/core/raster/image.h>
 #include <rastertrace/core/raster/rounding.h>
+#include <rastertrace/core/raster/sample_offset.h>
 
 #include <algorithm>
 #include <array>
@@ -25,7 +26,7 @@ template <typename Scalar> struct MixedColors {
 
     std::array<Color, 3> corners;
     Barycentric<Scalar> barycentric;
-    Scalar sample_offset; ///< from the pixel's integer point to its sample point, in x and in y
+    SampleOffset<Scalar> offset;
     std::array<D, 3> inverse_w{}; ///< of the vertices, in a perspective
     ColorRounding rounding = ColorRounding::nearest;
 
@@ -43,8 +44,7 @@ template <typename Scalar> struct MixedColors {
 
     /// The weights of the vertices on the screen.
     std::array<Scalar, 3> on_screen(Pixel pixel) const {
-        return barycentric.weights_at({Scalar(scalar_from<Scalar>(pixel.x) + sample_offset),
-                                       Scalar(scalar_from<Scalar>(pixel.y) + sample_offset)});
+        return barycentric.weights_at(offset.sample_of(pixel));
     }
 
     /// The weights in space of a point with these weights on the screen: each is divided by the w

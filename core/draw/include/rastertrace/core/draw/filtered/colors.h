@@ -5,7 +5,7 @@
 // pixels of a triangle. A level that the bound leaves undecided is computed in exact numbers. u =
 // 2^-53 is the relative rounding error of one operation.
 //
-//     MixedColors<Adaptive> colors(corners, triangle, sample_offset, inverse_w, rounding,
+//     MixedColors<Adaptive> colors(corners, triangle, offset, inverse_w, rounding,
 //                                  exact_color);
 //     colors.at<false>({3, 4});
 
@@ -85,11 +85,11 @@ inline ErrorOfLevels error_of_levels(const Triangle<Adaptive>& triangle,
 template <> struct MixedColors<Adaptive> {
     /// `exact_color` is the exact fallback of one pixel.
     MixedColors(const std::array<Color, 3>& corners, const Triangle<Adaptive>& triangle,
-                Adaptive sample_offset, const std::array<Adaptive, 3>& inverse_w,
+                const SampleOffset<Adaptive>& offset, const std::array<Adaptive, 3>& inverse_w,
                 ColorRounding rounding, std::function<Color(Pixel)> exact_color)
         : colors_{corners,
                   Barycentric<double>(values(triangle)),
-                  sample_offset.value(),
+                  {offset.x().value(), offset.y().value()},
                   {inverse_w[0].value(), inverse_w[1].value(), inverse_w[2].value()},
                   rounding},
           error_(error_of_levels(triangle, inverse_w)), exact_color_(std::move(exact_color)) {}

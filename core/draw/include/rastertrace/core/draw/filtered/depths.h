@@ -399,14 +399,14 @@ template <> class DepthPlane<Adaptive> {
 public:
     /// Throws Undecided if the triangle may have no area.
     DepthPlane(const std::array<Vec<Adaptive, 2>, 3>& positions,
-               const std::array<Adaptive, 3>& depths, Adaptive sample_offset) {
+               const std::array<Adaptive, 3>& depths, const SampleOffset<Adaptive>& offset) {
         const KnownSides sides(positions);
         if (sides.smallest_area2 == 0)
             Adaptive::leave_open(sides.area2, sides.of_area2);
         const double ab = depths[1].value() - depths[0].value();
         const double ac = depths[2].value() - depths[0].value();
-        const Adaptive x = positions[0].x - sample_offset;
-        const Adaptive y = positions[0].y - sample_offset;
+        const Adaptive x = positions[0].x - offset.x();
+        const Adaptive y = positions[0].y - offset.y();
         origin_ = {x.value(), y.value()};
         depth_ = depths[0].value();
         slope_x_ = (ab * sides.acy - ac * sides.aby) / sides.area2;

@@ -86,7 +86,7 @@ std::optional<std::array<std::size_t, 2>> edge_of_depth(const Scene& scene, cons
 /// The state of the exact fallback during a drawing.
 struct Exactness {
     ExactPieces pieces;
-    Rational sample_offset;
+    SampleOffset<Rational> offset;      ///< of the samples of triangles
     std::vector<PieceIndex> drawn = {}; ///< the pieces so far; the last one is being drawn
     std::optional<MixedColors<Rational>> colors = {}; ///< of the last piece, if a pixel needed them
     Fallbacks fallbacks = {};
@@ -119,14 +119,18 @@ MixedColors<Adaptive> mixed_colors(const Piece<Scalar>& primitive, ColorStage st
         auto& colors = exactness.colors;
         if (!colors) {
             const auto exact = exactness.pieces.piece(exactness.drawn.back());
-            colors = {exact.colors, Barycentric<Rational>({exact.positions}),
-                      exactness.sample_offset, exact.inverse_w, rounding};
+            colors = {exact.colors, Barycentric<Rational>({exact.positions}), exactness.offset,
+                      exact.inverse_w, rounding};
         }
         return stage == ColorStage::perspective ? colors->at<true>(pixel)
                                                 : colors->at<false>(pixel);
     };
-    return {primitive.colors, triangle, with_error(exactness.sample_offset),
-            inverse_w,        rounding, exact_color};
+    return {primitive.colors,
+            triangle,
+            {with_error(exactness.offset.x()), with_error(exactness.offset.y())},
+            inverse_w,
+            rounding,
+            exact_color};
 }
 
 } // namespace rastertrace

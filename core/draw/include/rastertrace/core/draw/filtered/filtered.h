@@ -80,16 +80,16 @@ template <> class SampleGrid<Adaptive> {
 public:
     using Length = Adaptive;
 
-    SampleGrid(Adaptive sample_offset, const Canvas& canvas)
-        : canvas_(canvas), offset_(sample_offset) {}
+    SampleGrid(const SampleOffset<Adaptive>& offset, const Canvas& canvas)
+        : canvas_(canvas), offset_(offset) {}
 
-    Adaptive sample_offset() const { return offset_; }
+    const SampleOffset<Adaptive>& offset() const { return offset_; }
 
     Triangle<Length> in_lengths(const Triangle<Adaptive>& triangle) const {
         Triangle<Length> result;
         for (std::size_t i = 0; i < 3; ++i) {
             const auto& [x, y] = triangle.vertices[i];
-            result.vertices[i] = {x - offset_, y - offset_};
+            result.vertices[i] = {x - offset_.x(), y - offset_.y()};
         }
         return result;
     }
@@ -109,7 +109,7 @@ public:
 
 private:
     Canvas canvas_;
-    Adaptive offset_;
+    SampleOffset<Adaptive> offset_;
 };
 
 /// Runs what may leave a decision undecided; returns which comparison was, if one was.

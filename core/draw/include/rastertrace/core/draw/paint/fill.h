@@ -6,6 +6,7 @@
 //     fill(triangle, colors, method, grid, canvas, FlatPainter(image, color));
 
 #include <rastertrace/core/draw/paint/fill_top_left.h>
+#include <rastertrace/core/draw/paint/piece_in.h>
 #include <rastertrace/core/draw/paint/sample_walk.h>
 #include <rastertrace/core/draw/plan/plan.h>
 #include <rastertrace/core/draw/scene/method.h>
@@ -22,9 +23,9 @@
 
 namespace rastertrace {
 
-/// The sample points of the scene's pixels.
+/// The samples that the scene's triangles are filled by.
 template <typename Scalar> SampleGrid<Scalar> sample_grid(const Scene& scene, const Plan& plan) {
-    return {scalar_from<Scalar>(sample_offset_of(scene.method), plan.denominator),
+    return {sample_offset<Scalar>(scene, sample_of(scene.method), plan.denominator),
             canvas_of_samples(scene.method, scene.canvas)};
 }
 
@@ -37,15 +38,15 @@ void fill(const Triangle<Scalar>& triangle, const std::array<Color, 3>& colors,
         .lerp = method.lerp, .span = span_rounding(method), .rows = method.rows};
     switch (method.fill) {
     case Fill::scanline:
-        return fill_scanline(triangle, rules, canvas, sink);
+        return fill_scanline(triangle, grid.offset(), rules, canvas, sink);
     case Fill::two_halves:
-        return fill_two_halves(triangle, rules, canvas, sink);
+        return fill_two_halves(triangle, grid.offset(), rules, canvas, sink);
     case Fill::barycentric:
-        return fill_barycentric(triangle, grid.sample_offset(), method.tolerance, canvas, sink);
+        return fill_barycentric(triangle, grid.offset(), method.tolerance, canvas, sink);
     case Fill::top_left:
         return fill_top_left(triangle, grid, canvas_of_samples(method, canvas), sink);
     case Fill::fan:
-        return fill_fan(triangle, colors,
+        return fill_fan(triangle, colors, grid.offset(),
                         {.passes = method.fan_passes, .lines = line_rules(method)}, canvas, sink);
     }
     not_an_enumerator();

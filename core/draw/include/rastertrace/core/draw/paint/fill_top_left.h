@@ -8,7 +8,7 @@
 // Source: Pineda 1988 (edge functions); Direct3D 11 specification, section 3.4.2.1 (the top-left
 // rule).
 //
-//     fill_top_left(triangle, SampleGrid<double>(0.5, canvas), canvas, FlatPainter(image, color));
+//     fill_top_left(triangle, SampleGrid<double>({0.5, 0.5}, canvas), canvas, FlatPainter(image, color));
 //
 // The triangle has the rows of samples from its top vertex (included) to its bottom vertex (not
 // included). An edge function is linear, so on a row it changes sign once: where the edge crosses
@@ -65,7 +65,7 @@ requires SinkFor<Sink, EdgeFunctionSetUp<Scalar>>
 /// Adds the crossings of a row with its two edges.
 template <typename Scalar>
 void add_crossings(const Triangle<Scalar>& triangle, const TriangleOrder& order, bool is_upper,
-                   const Scalar& sample_offset, ScanlineSpanned<Scalar>& span) {
+                   const SampleOffset<Scalar>& offset, ScanlineSpanned<Scalar>& span) {
     const auto edge = [&triangle](std::uint16_t upper, std::uint16_t lower) {
         return edge_between(Vertex<Scalar>{triangle.vertices[upper], upper},
                             Vertex<Scalar>{triangle.vertices[lower], lower});
@@ -75,14 +75,14 @@ void add_crossings(const Triangle<Scalar>& triangle, const TriangleOrder& order,
         is_upper ? edge(order.top, order.middle) : edge(order.middle, order.bottom);
     const Edge<Scalar>& left_edge = order.long_edge_is_left ? long_edge : short_edge;
     const Edge<Scalar>& right_edge = order.long_edge_is_left ? short_edge : long_edge;
-    const Scalar sample_y = scalar_from<Scalar>(span.y) + sample_offset;
+    const Scalar sample_y = scalar_from<Scalar>(span.y) + offset.y();
     span.left = left_edge.x_at(sample_y);
     span.right = right_edge.x_at(sample_y);
     span.left_edge = left_edge.name;
     span.right_edge = right_edge.name;
     // A filtered double must be as certain as the pixel that it is rounded to.
-    require_certain_index(Scalar(span.left - sample_offset));
-    require_certain_index(Scalar(span.right - sample_offset));
+    require_certain_index(Scalar(span.left - offset.x()));
+    require_certain_index(Scalar(span.right - offset.x()));
 }
 
 /// True if a triangle whose vertices lie right of the canvas has no sample on it. In rounded
@@ -115,12 +115,12 @@ template <typename Scalar, typename Sink>
 requires SinkFor<Sink, ScanlineSpanned<Scalar>>
 [[gnu::always_inline]] inline void yield_row(const Triangle<Scalar>& triangle,
                                              const TriangleOrder& order, bool is_upper, int y,
-                                             const Scalar& sample_offset, Index from, Index to,
-                                             Sink&& sink) {
+                                             const SampleOffset<Scalar>& offset, Index from,
+                                             Index to, Sink&& sink) {
     ScanlineSpanned<Scalar> span{
         .y = y, .left = {}, .right = {}, .from = from, .to = to, .left_edge = {}, .right_edge = {}};
     if (takes<ScanlineSpanned<Scalar>>(sink))
-        add_crossings(triangle, order, is_upper, sample_offset, span);
+        add_crossings(triangle, order, is_upper, offset, span);
     sink(span);
 }
 
@@ -180,8 +180,8 @@ void fill_top_left(const Triangle<Scalar>& triangle, const SampleGrid<Scalar>& g
             // end.
             along_long_edge.step();
             along_short_edge.step();
-            yield_row(triangle, order, is_upper, canvas.y_of(row), grid.sample_offset(), left,
-                      right - 1, sink);
+            yield_row(triangle, order, is_upper, canvas.y_of(row), grid.offset(), left, right - 1,
+                      sink);
         }
     };
     fill_half(true, top, middle, rows.begin, middle_row);

@@ -61,4 +61,11 @@ Piece<Scalar> piece_in(const Piece<Coordinate>& piece, const Plan& plan) {
     return result;
 }
 
+/// Where samples lie in the pixels of a scene.
+template <typename Scalar>
+SampleOffset<Scalar> sample_offset(const Scene& scene, Sample sample, std::int64_t denominator) {
+    const auto [x, y] = offset_of(sample, scene.method, scene.canvas.down());
+    return {scalar_from<Scalar>(x, denominator), scalar_from<Scalar>(y, denominator)};
+}
+
 } // namespace rastertrace

@@ -16,6 +16,7 @@
 #include <rastertrace/core/raster/depth_interpolation.h>
 #include <rastertrace/core/raster/image.h>
 #include <rastertrace/core/raster/mixed_colors.h>
+#include <rastertrace/core/raster/sample_offset.h>
 #include <rastertrace/core/raster/sink.h>
 #include <rastertrace/core/raster/span.h>
 #include <rastertrace/core/raster/steps.h>
@@ -80,6 +81,7 @@ template <typename Scalar, typename OfPixels = Scalar, typename Sink = NullSink>
     const DepthPlane<D>* plane = nullptr;         ///< in a plane,
     TriangleDepth<D>* triangle = nullptr;         ///< or along the edges, or by weights
     DepthAt depth_at = DepthAt::pixel;
+    SampleOffset<D> offset = {};
     [[no_unique_address]] Sink sink = {};
 
     /// True if the sink takes such a step.
@@ -122,7 +124,7 @@ template <typename Scalar, typename OfPixels = Scalar, typename Sink = NullSink>
 private:
     /// The depths of a row. Those of its ends are told with it.
     DepthRow<D> depths_between_edges(const ScanlineSpanned<Scalar>& span) const {
-        const auto height = scalar_from<D>(span.y);
+        const D height = offset.y_of(span.y);
         const D left = triangle->on_edge(span.left_edge, height);
         const D right = triangle->on_edge(span.right_edge, height);
         if (takes<ScanlineSpanned<Scalar>>()) {
@@ -133,7 +135,8 @@ private:
         }
         if (depth_at == DepthAt::rounded_ends)
             return row_between(scalar_from<D>(span.from), left, scalar_from<D>(span.to), right);
-        return row_between(depth_scalar(span.left), left, depth_scalar(span.right), right);
+        return row_between(offset.in_columns(depth_scalar(span.left)), left,
+                           offset.in_columns(depth_scalar(span.right)), right);
     }
 
     /// Paints the pixels of a row that are on the canvas.

@@ -4,7 +4,7 @@
 // The arithmetic of the top-left fill: where the sample points lie, and which is the first right of
 // an edge on each row. Each kind of number has the form that is fastest for it.
 //
-//     const SampleGrid<double> grid(0.5, canvas);  // samples at the pixels' centers
+//     const SampleGrid<double> grid({0.5, 0.5}, canvas);  // samples at the pixels' centers
 //     SampleWalk<double> walk(top, bottom, grid, 3);
 //     walk.first_sample();  // in row 3: the first x whose sample is not left of the edge
 //     walk.step();          // row 4
@@ -16,6 +16,7 @@
 #include <rastertrace/core/raster/canvas.h>
 #include <rastertrace/core/raster/edge.h>
 #include <rastertrace/core/raster/edge_function.h>
+#include <rastertrace/core/raster/sample_offset.h>
 #include <rastertrace/core/raster/triangle.h>
 
 #include <algorithm>
@@ -27,17 +28,15 @@
 
 namespace rastertrace {
 
-/// The sample points of all pixels, each `sample_offset` from its pixel's integer point, in x and
-/// in y. Lengths are in the scene's own coordinates.
+/// The sample points of all pixels. Lengths are in the scene's own coordinates.
 template <typename Scalar> class SampleGrid {
 public:
     using Length = Scalar;
 
-    SampleGrid(const Scalar& sample_offset, const Canvas& canvas)
-        : canvas_(canvas), offset_(sample_offset) {}
+    SampleGrid(const SampleOffset<Scalar>& offset, const Canvas& canvas)
+        : canvas_(canvas), offset_(offset) {}
 
-    /// From a pixel's integer point to its sample, in x and in y.
-    Scalar sample_offset() const { return offset_; }
+    const SampleOffset<Scalar>& offset() const { return offset_; }
 
     /// The triangle in the coordinates of the grid.
     const Triangle<Length>& in_lengths(const Triangle<Scalar>& triangle) const { return triangle; }
@@ -50,34 +49,34 @@ public:
         // A sample's height on the canvas is exact; y less the offset may be rounded to another
         // row.
         const Index near = floor_index(y);
-        const Scalar sample = scalar_from<Scalar>(near) + offset_;
+        const Scalar sample = scalar_from<Scalar>(near) + offset_.y();
         const bool is_above = down() > 0 ? sample < y : y < sample; // as good as random: no branch
         return canvas_.row_of(near) + static_cast<Index>(is_above);
     }
 
     /// True if the sample at column `x` is not left of `length`.
     bool reaches(Index x, const Length& length) const {
-        return !(scalar_from<Scalar>(x) + offset_ < length);
+        return !(scalar_from<Scalar>(x) + offset_.x() < length);
     }
 
     /// The sample of a column in a row.
     Vec<Length, 2> sample(Index x, int row) const {
-        return {Length(scalar_from<Scalar>(x) + offset_),
-                Length(scalar_from<Scalar>(canvas_.y_of(row)) + offset_)};
+        return {Length(scalar_from<Scalar>(x) + offset_.x()),
+                Length(scalar_from<Scalar>(canvas_.y_of(row)) + offset_.y())};
     }
 
     /// Where an edge crosses a row of samples, in columns. Rounded up, it is the first sample that
     /// is not left of the edge.
     Length crossing(const Edge<Length>& edge, int row) const {
-        const Length height = scalar_from<Scalar>(canvas_.y_of(row)) + offset_;
-        return Length(edge.x_at(height) - offset_);
+        const Length height = scalar_from<Scalar>(canvas_.y_of(row)) + offset_.y();
+        return Length(edge.x_at(height) - offset_.x());
     }
 
     const Canvas& canvas() const { return canvas_; }
 
 private:
     Canvas canvas_;
-    Scalar offset_;
+    SampleOffset<Scalar> offset_;
 };
 
 /// Fractions over one denominator D become whole numbers, in units of 1/D pixel: x to the right of
@@ -86,18 +85,19 @@ template <typename Integer> class SampleGrid<Fraction<Integer>> {
 public:
     using Length = Integer;
 
-    SampleGrid(const Fraction<Integer>& sample_offset, const Canvas& canvas)
-        : pixel_(sample_offset.denominator), offset_(sample_offset.numerator),
-          top_(canvas.top() * pixel_.value() + offset_), scene_down_(canvas.down()) {}
+    SampleGrid(const SampleOffset<Fraction<Integer>>& offset, const Canvas& canvas)
+        : offset_(offset), pixel_(offset.x().denominator),
+          top_(canvas.top() * pixel_.value() + offset.y().numerator), scene_down_(canvas.down()) {}
 
-    Fraction<Integer> sample_offset() const { return {offset_, pixel_.value()}; }
+    const SampleOffset<Fraction<Integer>>& offset() const { return offset_; }
 
     Triangle<Length> in_lengths(const Triangle<Fraction<Integer>>& triangle) const {
         Triangle<Length> result;
         for (std::size_t i = 0; i < 3; ++i) {
             const auto& [x, y] = triangle.vertices[i];
             assert(x.denominator == pixel_.value() && y.denominator == pixel_.value());
-            result.vertices[i] = {x.numerator - offset_, scene_down_ * (y.numerator - top_)};
+            result.vertices[i] = {x.numerator - offset_.x().numerator,
+                                  scene_down_ * (y.numerator - top_)};
         }
         return result;
     }
@@ -121,8 +121,8 @@ public:
     }
 
 private:
+    SampleOffset<Fraction<Integer>> offset_;
     Divisor<Integer> pixel_;
-    Integer offset_; ///< of a sample from its pixel's integer point
     Integer top_;    ///< y of the samples of the top row, in the scene
     int scene_down_; ///< the canvas's, for the scene's y
 };

@@ -57,10 +57,16 @@ enum class PixelRule {
     lines,    ///< Bresenham's lines between pixels
 };
 
-/// Where a pixel is tested.
+/// Where a pixel has its sample, the point at which fills and lines look. The corners are those of the
+/// picture, of the square that has the center in its middle.
 enum class Sample {
-    integer, ///< at its integer point
+    integer, ///< its integer point
     center,  ///< half a pixel from there, in x and in y
+    lower_left,
+    lower_right,
+    upper_left,
+    upper_right,
+    point, ///< where the scene says (Method::sample_point)
 };
 
 /// How a fill finds the depths of its pixels (depth_interpolation.h).
@@ -91,13 +97,18 @@ struct BitsNeeded {
     }
 };
 
+/// What decides which pixels a line draws.
+enum class LineRule {
+    grid,     ///< whole numbers: it goes from pixel to pixel
+    rounding, ///< the other coordinate at each step, rounded as the method says
+    diamonds, ///< those around the samples that it leaves
+};
+
 struct LineTraits {
-    std::string_view name;      ///< in a scene
-    bool is_on_grid = false;    ///< it goes from pixel to pixel, and rounds nothing on the way
-    bool adds_up = false;       ///< each step adds to the one before
-    bool rounds = false;        ///< the other coordinate becomes a pixel by the method's rounding
-    bool is_by_samples = false; ///< its ends are held against the samples of pixels
-    BitsNeeded fraction = {};   ///< more than an edge needs (plan.cpp)
+    std::string_view name; ///< in a scene
+    LineRule rule;
+    bool adds_up = false;     ///< each step adds to the one before
+    BitsNeeded fraction = {}; ///< more than an edge needs (plan.cpp)
 };
 
 /// Ends a switch that has a case for every enumerator: the compiler warns of a new one.
@@ -155,13 +166,13 @@ constexpr FillTraits traits_of(Fill fill) {
 constexpr LineTraits traits_of(LineMethod line) {
     switch (line) {
     case LineMethod::naive: // y = m x + b has the denominator of m twice
-        return {.name = "naive", .rounds = true, .fraction = {3, 2, 8}};
+        return {.name = "naive", .rule = LineRule::rounding, .fraction = {3, 2, 8}};
     case LineMethod::dda:
-        return {.name = "dda", .adds_up = true, .rounds = true};
+        return {.name = "dda", .rule = LineRule::rounding, .adds_up = true};
     case LineMethod::bresenham:
-        return {.name = "bresenham", .is_on_grid = true};
+        return {.name = "bresenham", .rule = LineRule::grid};
     case LineMethod::diamond_exit:
-        return {.name = "diamond-exit", .is_by_samples = true, .fraction = {3, 2, 8}};
+        return {.name = "diamond-exit", .rule = LineRule::diamonds, .fraction = {3, 2, 8}};
     }
     not_an_enumerator();
 }

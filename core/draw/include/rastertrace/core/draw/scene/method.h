@@ -7,6 +7,7 @@
 
 #include <rastertrace/core/draw/scene/algorithms.h>
 #include <rastertrace/core/numbers/number.h>
+#include <rastertrace/core/numbers/vec.h>
 #include <rastertrace/core/raster/edge.h>
 #include <rastertrace/core/raster/facing.h>
 #include <rastertrace/core/raster/fill_edge_table.h>
@@ -99,6 +100,7 @@ struct Method {
     std::optional<Rounding> rounding = {}; ///< floor for spans, nearest for lines
     std::optional<Ties> ties = {};         ///< up for spans, start for lines
     std::optional<Sample> sample = {};     ///< center for top-left, else integer
+    Vec<Number, 2> sample_point = {};      ///< of Sample::point: from a pixel's integer point
     Tolerance tolerance = {};              ///< of rounding `inside`, and of barycentric weights
     RowRule rows = RowRule::closed;        ///< of triangles that are filled by rows
     LerpForm lerp = LerpForm::direct;
@@ -135,19 +137,42 @@ inline LineRules line_rules(const Method& method) {
             method.ends};
 }
 
-/// Where the fill tests pixels.
+/// The samples that triangles are filled by.
 inline Sample sample_of(const Method& method) {
     return method.sample.value_or(traits_of(method.fill).sample);
 }
 
-/// How far that is from a pixel's integer point, in x and in y.
-inline Number sample_offset_of(const Method& method) {
-    return sample_of(method) == Sample::center ? Number::decimal(5, -1) : Number(0);
+/// Those of polygons, circles and points, which only a scene's own word moves.
+inline Sample sample_of_others(const Method& method) {
+    return method.sample.value_or(Sample::integer);
 }
 
-/// The same for the pixels of lines.
-inline Number line_offset_of(const Method& method) {
-    return traits_of(method.line).is_by_samples ? sample_offset_of(method) : Number(0);
+/// Those of lines, and of the sides of outlines.
+inline Sample sample_of_lines(const Method& method) {
+    return traits_of(method.line).rule == LineRule::diamonds ? sample_of(method)
+                                                             : sample_of_others(method);
+}
+
+/// From a pixel's integer point to its sample. `down` is that of the canvas.
+inline Vec<Number, 2> offset_of(Sample sample, const Method& method, int down) {
+    const auto row = [down](bool is_upper) { return Number((down < 0) == is_upper ? 1 : 0); };
+    switch (sample) {
+    case Sample::integer:
+        break;
+    case Sample::center:
+        return {Number::decimal(5, -1), Number::decimal(5, -1)};
+    case Sample::lower_left:
+        return {0, row(false)};
+    case Sample::lower_right:
+        return {1, row(false)};
+    case Sample::upper_left:
+        return {0, row(true)};
+    case Sample::upper_right:
+        return {1, row(true)};
+    case Sample::point:
+        return method.sample_point;
+    }
+    return {};
 }
 
 /// The canvas as `top-left` fills it: the top edge of a turned one is the bottom edge in the picture.
