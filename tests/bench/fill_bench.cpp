@@ -71,7 +71,7 @@ template <typename Scalar, typename FillOne> void run(benchmark::State& state, F
 template <typename Scalar, typename Sink> void scanline(benchmark::State& state) {
     Sink sink;
     run<Scalar>(state, [&](const Triangle<Scalar>& triangle, Image& image) INLINED {
-        fill_scanline(triangle, {}, image.canvas(), FlatPainter(image, Color{}, sink));
+        fill_scanline(triangle, {}, {}, image.canvas(), FlatPainter(image, Color{}, sink));
     });
 }
 
@@ -79,9 +79,9 @@ template <typename Scalar, typename Sink> void scanline(benchmark::State& state)
 template <typename Scalar> SampleGrid<Scalar> centers(int side) {
     const Canvas canvas{.width = side, .height = side, .origin = Origin::top_left};
     if constexpr (std::floating_point<Scalar>)
-        return {Scalar(0.5), canvas};
+        return {{Scalar(0.5), Scalar(0.5)}, canvas};
     else
-        return {Scalar{128, 256}, canvas};
+        return {{Scalar{128, 256}, Scalar{128, 256}}, canvas};
 }
 
 /// `fixed` is this one: fractions over 256 on 64 bits.

@@ -36,16 +36,16 @@ struct TwoPictures {
     Image by_half_spaces;
 };
 template <typename Scalar>
-TwoPictures pictures_of(const std::array<std::int64_t, 6>& at, std::int64_t offset,
-                        const Canvas& canvas) {
+TwoPictures pictures_of(const std::array<std::int64_t, 6>& at,
+                        const std::array<std::int64_t, 2>& sample, const Canvas& canvas) {
     const Triangle<Scalar> triangle{{{{eighths<Scalar>(at[0]), eighths<Scalar>(at[1])},
                                       {eighths<Scalar>(at[2]), eighths<Scalar>(at[3])},
                                       {eighths<Scalar>(at[4]), eighths<Scalar>(at[5])}}}};
-    const auto sample_offset = eighths<Scalar>(offset);
+    const SampleOffset<Scalar> offset(eighths<Scalar>(sample[0]), eighths<Scalar>(sample[1]));
     TwoPictures pictures{Image(canvas), Image(canvas)};
-    fill_top_left(triangle, SampleGrid<Scalar>(sample_offset, canvas), canvas,
+    fill_top_left(triangle, SampleGrid<Scalar>(offset, canvas), canvas,
                   FlatPainter(pictures.by_rows, Color{255, 0, 0}));
-    fill_half_space(triangle, sample_offset, canvas,
+    fill_half_space(triangle, offset, canvas,
                     FlatPainter(pictures.by_half_spaces, Color{255, 0, 0}));
     return pictures;
 }
@@ -61,7 +61,8 @@ TYPED_TEST(HalfSpace, HasThePixelsThatTheTopLeftFillFindsRowByRow) {
             .width = 13,
             .height = 11,
             .origin = *rc::gen::element(Origin::center, Origin::bottom_left, Origin::top_left)};
-        const auto offset = *rc::gen::element(0, 4);
+        const auto place = rc::gen::element<std::int64_t>(-8, 0, 1, 4, 7, 8);
+        const std::array<std::int64_t, 2> offset{*place, *place};
         // A filtered double leaves open whether a sample lies on an edge: three triangles, so that enough
         // of them are decided.
         for (int triangle = 0; triangle < 3; ++triangle) {
@@ -94,7 +95,7 @@ TYPED_TEST(PlaneOfDepths, IsPaintedByPlanePainterAsByRowPainter) {
         Image plain(canvas);
         DepthTests<D> fast_tests(region, {});
         DepthTests<D> plain_tests(region, {});
-        const SampleGrid<TypeParam> grid(eighths<TypeParam>(4), canvas);
+        const SampleGrid<TypeParam> grid({eighths<TypeParam>(4), eighths<TypeParam>(4)}, canvas);
         for (std::uint8_t red = 1; red < 5; ++red) {
             Triangle<TypeParam> triangle;
             std::array<D, 3> depths{};
@@ -105,7 +106,7 @@ TYPED_TEST(PlaneOfDepths, IsPaintedByPlanePainterAsByRowPainter) {
             }
             const Color color{red, 0, 0};
             TriangleDepth<D> depth(depth_positions(triangle), depths, false);
-            const auto plane = depth.plane(D(0.5));
+            const auto plane = depth.plane({D(0.5), D(0.5)});
             fill_top_left(triangle, grid, canvas,
                           PlanePainter<TypeParam>(fast, color, plane, fast_tests));
             fill_top_left(
@@ -133,7 +134,7 @@ TEST(HalfSpaceFill, TellsTheEdgeFunctionsOfEachPixelOfTheBox) {
             EXPECT_EQ(step.values[0] + step.values[1] + step.values[2], 16);
         }
     };
-    fill_half_space(Triangle<double>{{{{0, 0}, {4, 0}, {0, 4}}}}, 0.0, canvas,
+    fill_half_space(Triangle<double>{{{{0, 0}, {4, 0}, {0, 4}}}}, {}, canvas,
                     FlatPainter(image, Color{255, 0, 0}, listener));
     EXPECT_EQ(tested, 25);
     EXPECT_EQ(picture_of(image), "......\n"

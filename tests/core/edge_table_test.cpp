@@ -69,7 +69,7 @@ std::set<Place> places(const PolygonRecorder& recorder) {
 }
 
 constexpr Canvas big{.width = 40, .height = 40};
-constexpr Method exactly{.scalar = ScalarKind::exact};
+const Method exactly{.scalar = ScalarKind::exact};
 
 /// Foley, van Dam, Feiner and Hughes 1990, figure 3.22: scan line 8 meets it at 2, 4.5, 8.5 and 13.
 TEST(EdgeTable, HasTheCrossingsOfFoley) {

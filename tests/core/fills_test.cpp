@@ -481,7 +481,7 @@ RC_GTEST_PROP(TopLeft, EachSampleOfAMeshHasExactlyOneOwner, ()) {
 TEST(TopLeft, NoGapAtTheRightEdgeOfTheCanvas) {
     // The shared edge PM passes the sample of (9, 5) by less than doubles tell; M lies right of it.
     const Canvas canvas{.width = 10, .height = 10, .origin = Origin::top_left};
-    const SampleGrid<double> grid(0.5, canvas);
+    const SampleGrid<double> grid({0.5, 0.5}, canvas);
     const Vec<double, 2> p{1000, -1000}, m{9.500000000000002, 5.500000000000001};
     Image image(canvas);
     for (const Vec<double, 2>& other : {Vec<double, 2>{-1000, 5.4}, Vec<double, 2>{1000, 5.6}})
@@ -506,7 +506,7 @@ template <typename Real>
 void expect_one_owner(const std::array<Vec<Real, 2>, 4>& corners, Real margin,
                       const Canvas& canvas) {
     const auto& [p, q, r, s] = corners;
-    const SampleGrid<Real> grid(Real(0.5), canvas);
+    const SampleGrid<Real> grid({Real(0.5), Real(0.5)}, canvas);
     std::vector<int> counts(static_cast<std::size_t>(canvas.width * canvas.height));
     count_pixels(Triangle<Real>{{p, q, r}}, grid, canvas, counts);
     count_pixels(Triangle<Real>{{s, q, p}}, grid, canvas, counts);

@@ -290,7 +290,7 @@ std::size_t pixels_of_part_p(const std::vector<std::array<Number, 3>>& corners) 
             triangle.vertices[i] = {(piece.positions[i].x + 1) * 32,
                                     (piece.positions[i].y + 1) * 32};
         const Rational half(mpz_class(1), mpz_class(2));
-        fill_top_left(triangle, SampleGrid<Rational>(half, image.canvas()), image.canvas(),
+        fill_top_left(triangle, SampleGrid<Rational>({half, half}, image.canvas()), image.canvas(),
                       FlatPainter(image, Color{}));
     });
     return image.drawn();

@@ -320,14 +320,14 @@ TEST(Figures, TheLegendOfHalfPlanesHasTheLayersOfThePicture) {
 }
 
 TEST(Figures, ASampleIsInTheMiddleOfItsPixel) {
-    for (const bool has_center_samples : {false, true})
+    for (const bool begins_at_integers : {false, true})
         for (const Origin origin : {Origin::center, Origin::bottom_left, Origin::top_left}) {
             const Lattice lattice{.canvas = {.width = 5, .height = 4, .origin = origin},
                                   .region = {.x0 = 0, .y0 = 0, .x1 = 2, .y1 = 1},
-                                  .has_center_samples = has_center_samples,
+                                  .begins_at_integers = begins_at_integers,
                                   .cell = 10,
                                   .corner = {3, 4}};
-            const double sample = has_center_samples ? 0.5 : 0.0;
+            const double sample = begins_at_integers ? 0.5 : 0.0;
             const Place middle = lattice.middle_of({1, 1});
             const Place place = lattice.place_of(1 + sample, 1 + sample);
             EXPECT_EQ(middle, place);

@@ -41,14 +41,16 @@ template <typename Scalar> constexpr bool is_painted<ScanlineSpanned<Scalar>> = 
 
 namespace rastertrace {
 
-void scanline_with_doubles(const Triangle<double>& triangle, const ScanlineRules& rules,
-                           const FlatPainter<>& painter, const Canvas& canvas) {
-    fill_scanline(triangle, rules, canvas, painter);
+void scanline_with_doubles(const Triangle<double>& triangle, const SampleOffset<double>& offset,
+                           const ScanlineRules& rules, const FlatPainter<>& painter,
+                           const Canvas& canvas) {
+    fill_scanline(triangle, offset, rules, canvas, painter);
 }
 
-void scanline_with_fractions(const Triangle<Fraction64>& triangle, const ScanlineRules& rules,
+void scanline_with_fractions(const Triangle<Fraction64>& triangle,
+                             const SampleOffset<Fraction64>& offset, const ScanlineRules& rules,
                              const FlatPainter<>& painter, const Canvas& canvas) {
-    fill_scanline(triangle, rules, canvas, painter);
+    fill_scanline(triangle, offset, rules, canvas, painter);
 }
 
 void top_left_with_doubles(const Triangle<double>& triangle, const SampleGrid<double>& grid,

@@ -101,8 +101,8 @@ TEST_P(BoundsOfAdaptive, DepthsOfATriangle) {
                 return std::nullopt;
             try {
                 const DepthPlane<Adaptive> about(triangle.about, triangle.numbers_about,
-                                                 Adaptive(0.5));
-                const DepthPlane<Rational> exact(triangle.exact, triangle.numbers, half);
+                                                 {Adaptive(0.5), Adaptive(0.5)});
+                const DepthPlane<Rational> exact(triangle.exact, triangle.numbers, {half, half});
                 return part_of_bound(about.on_row(pixel->y).at(pixel->x),
                                      exact.on_row(pixel->y).at(pixel->x));
             } catch (const Undecided&) {
@@ -185,9 +185,10 @@ template <bool in_perspective> double worst_level(double error) {
                 values.vertices[i] = {triangle.about[i].x.value(), triangle.about[i].y.value()};
                 inverse_w[i] = triangle.numbers_about[i].value();
             }
-            const MixedColors<double> about{corners, Barycentric<double>(values), 0.5, inverse_w};
-            const MixedColors<Rational> exact{corners, Barycentric<Rational>({triangle.exact}),
-                                              half, triangle.numbers};
+            const MixedColors<double> about{
+                corners, Barycentric<double>(values), {0.5, 0.5}, inverse_w};
+            const MixedColors<Rational> exact{
+                corners, Barycentric<Rational>({triangle.exact}), {half, half}, triangle.numbers};
             auto weights = about.on_screen(*pixel);
             auto exact_weights = exact.on_screen(*pixel);
             if constexpr (in_perspective) {

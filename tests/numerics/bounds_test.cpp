@@ -268,9 +268,10 @@ TYPED_TEST(Bounds, MixedLevels) {
             const auto at = weights_at_pixel(in);
             if (!at)
                 return std::nullopt;
-            MixedColors<Scalar> colors{.corners = {},
-                                       .barycentric = Barycentric<Scalar>(at->triangle),
-                                       .sample_offset = static_cast<Scalar>(0.5)};
+            MixedColors<Scalar> colors{
+                .corners = {},
+                .barycentric = Barycentric<Scalar>(at->triangle),
+                .offset = {static_cast<Scalar>(0.5), static_cast<Scalar>(0.5)}};
             Rational level;
             double size = 0;
             double of_weights = 0;

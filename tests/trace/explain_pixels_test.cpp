@@ -11,6 +11,7 @@
 #include <rastertrace/trace/explain/explain_pixels.h>
 #include <rastertrace/trace/explain/steps_of_pixel.h>
 #include <rastertrace/trace/record/frame.h>
+#include <rastertrace/trace/record/told_samples.h>
 #include <rastertrace/trace/record/traced_steps.h>
 
 #include <gmock/gmock.h>
@@ -136,7 +137,7 @@ struct FilledTriangle {
     std::vector<Vec<Rational, 2>> at;
     std::string fill;
     std::string rounding;
-    Rational offset; ///< of samples
+    SampleOffset<Rational> offset;
     bool is_y_up;
 
     /// Twice the area of two corners and a point, counted from the side of the third: above 0 inside.
@@ -164,9 +165,9 @@ struct FilledTriangle {
     }
 
     bool covers(Pixel pixel) const {
-        const Vec<Rational, 2> sample{pixel.x + offset, pixel.y + offset};
+        const Vec<Rational, 2> sample = offset.sample_of(pixel);
         if (fill == "scanline" || fill == "two-halves")
-            return covers_by_row(pixel);
+            return covers_by_row(pixel.x, sample.y);
         for (std::size_t i = 0; i < 3; ++i) {
             const int side = sgn(inside_of(i, sample));
             if (side < 0 || (side == 0 && fill == "top-left" && !is_top_left(i)))
@@ -175,18 +176,18 @@ struct FilledTriangle {
         return true;
     }
 
-    /// Where the row y meets the closed triangle, rounded.
-    bool covers_by_row(Pixel pixel) const {
+    /// Where a row of samples meets the closed triangle, rounded.
+    bool covers_by_row(int column, const Rational& y) const {
         std::vector<Rational> xs;
         for (std::size_t i = 0; i < 3; ++i) {
             const auto& a = at[i];
             const auto& b = at[(i + 1) % 3];
-            if (std::min(a.y, b.y) > pixel.y || std::max(a.y, b.y) < pixel.y)
+            if (std::min(a.y, b.y) > y || std::max(a.y, b.y) < y)
                 continue;
             if (a.y == b.y)
-                xs.insert(xs.end(), {a.x, b.x});
+                xs.insert(xs.end(), {offset.in_columns(a.x), offset.in_columns(b.x)});
             else
-                xs.push_back(a.x + (b.x - a.x) * (pixel.y - a.y) / (b.y - a.y));
+                xs.push_back(offset.in_columns(a.x + (b.x - a.x) * (y - a.y) / (b.y - a.y)));
         }
         if (xs.empty())
             return false;
@@ -203,7 +204,7 @@ struct FilledTriangle {
             from = ceil_of(*left);
         else if (rounding == "half-open")
             from = ceil_of(*left), to = ceil_of(*right) - 1;
-        return from <= pixel.x && pixel.x <= to;
+        return from <= column && column <= to;
     }
 };
 
@@ -214,7 +215,7 @@ std::optional<FilledTriangle> filled_triangle(const Trace& trace, const Primitiv
     FilledTriangle triangle{.at = {},
                             .fill = trace.method_value("fill"),
                             .rounding = rounding.substr(0, rounding.find('+')),
-                            .offset = trace.samples_at_centers() ? Rational(1, 2) : Rational(0),
+                            .offset = told_samples(trace).triangles,
                             .is_y_up = trace.canvas.down() < 0};
     const bool has_ties = trace.method_value("ties") != "" && triangle.rounding == "nearest";
     if (trace.method_value("scalar") != "exact" || triangle.fill == "fan" || has_ties ||

@@ -96,10 +96,10 @@ Split split(const std::string& text) {
 /// What both languages call the same: signs of formulas, words of scenes (rules, factors of matrices), and words that
 /// are Portuguese too.
 const std::set<std::string> shared_words{
-    "away",   "buffer",      "byte",      "ceil",     "do",         "doubles",  "dx",      "dy",
-    "even",   "face",        "flip",      "floor",    "horizontal", "inside",   "nearest", "no",
-    "normal", "perspective", "pixel",     "pixels",   "rotate",     "scale",    "shear",   "sRGB",
-    "sqrt",   "start",       "translate", "truncate", "up",         "viewport", "zero"};
+    "away",   "buffer",      "byte",  "ceil",      "do",         "doubles", "dx",       "dy",
+    "even",   "face",        "flip",  "floor",     "horizontal", "inside",  "nearest",  "no",
+    "normal", "perspective", "pixel", "pixels",    "rotate",     "scale",   "shear",    "sRGB",
+    "sqrt",   "start",       "step",  "translate", "truncate",   "up",      "viewport", "zero"};
 
 TEST(Language, NoEnglishWordIsLeftInPortugueseAndNoNumberDiffers) {
     std::set<StepKind> met;

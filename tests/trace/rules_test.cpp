@@ -109,7 +109,7 @@ std::optional<std::array<Rational, 2>> ends_in_row(const std::vector<Point>& t, 
     return std::array<Rational, 2>{*low, *high};
 }
 
-/// The pixels of a triangle row by row; `pixels_of(left, right)` are the first and the last one of a row.
+/// The pixels of a triangle row by row, samples at integers; `of(left, right)` are the first and the last one of a row.
 Pixels rows_of(const std::vector<Point>& t, bool is_y_down, bool is_half_open,
                const std::function<std::array<Index, 2>(const Rational&, const Rational&)>& of) {
     const auto lowest = [&t, is_y_down] {
@@ -275,6 +275,229 @@ TEST(Tolerance, IsRefusedWhereItMeansNothing) {
             << wrong;
     EXPECT_EQ(refusal(R"("rows":"half-open","fill":"top-left")"),
               R"(expected a fill by rows beside "rows": "half-open", found "fill": "top-left")");
+}
+
+/// A place of the samples: how it is written, and how far it is from the pixel's integer point, y down or y up.
+struct SamplePlace {
+    std::string json;
+    Point y_down;
+    Point y_up;
+
+    const Point& offset(bool is_y_down) const { return is_y_down ? y_down : y_up; }
+    std::string method() const { return R"("sample":)" + json; }
+};
+
+SamplePlace random_place(Random& random) {
+    const Rational half(1, 2);
+    if (random.chance(2))
+        return random.pick<SamplePlace>({{R"("center")", {half, half}, {half, half}},
+                                         {R"("integer")", {0, 0}, {0, 0}},
+                                         {R"("lower-left")", {0, 1}, {0, 0}},
+                                         {R"("lower-right")", {1, 1}, {1, 0}},
+                                         {R"("upper-left")", {0, 0}, {0, 1}},
+                                         {R"("upper-right")", {1, 0}, {1, 1}}});
+    const Point at{Rational(Rational(random.whole(-4, 4)) / 4),
+                   Rational(Rational(random.whole(-6, 6)) / 6)};
+    return {random.chance(2) ? text_of(at) : '"' + at[0].get_str() + ' ' + at[1].get_str() + '"',
+            at, at};
+}
+
+std::vector<Point> moved(std::vector<Point> points, const Point& by) {
+    for (Point& p : points)
+        p = {Rational(p[0] - by[0]), Rational(p[1] - by[1])};
+    return points;
+}
+
+TEST(SamplePlaces, AreWhereTheRowsOfATriangleLook) {
+    Random random(8);
+    for (int run = 0; run < 150; ++run) {
+        const auto t = random_triangle(random);
+        const bool is_y_down = random.chance(2);
+        const SamplePlace place = random_place(random);
+        const std::string fill = random.pick({"scanline", "two-halves"});
+        const bool is_floor = random.chance(2);
+        const Pixels expected =
+            rows_of(moved(t, place.offset(is_y_down)), is_y_down, !is_floor,
+                    [is_floor](const Rational& left, const Rational& right) {
+                        return is_floor ? std::array{floor_of(left), floor_of(right)}
+                                        : std::array{ceil_of(left), ceil_of(right) - 1};
+                    });
+        expect_pixels(t, R"("triangles":["ABC"])", is_y_down,
+                      fmt::format(R"({},"fill":"{}"{})", place.method(), fill,
+                                  is_floor ? "" : R"(,"rows":"half-open","rounding":"half-open")"),
+                      expected);
+    }
+}
+
+TEST(SamplePlaces, AreWhereWeightsAreTested) {
+    Random random(9);
+    for (int run = 0; run < 100; ++run) {
+        const auto t = random_triangle(random);
+        const Rational area = cross(t[0], t[1], t[2]);
+        if (area == 0)
+            continue;
+        const bool is_y_down = random.chance(2);
+        const SamplePlace place = random_place(random);
+        const Point& offset = place.offset(is_y_down);
+        Pixels expected;
+        for (Index y = 0; y < size; ++y)
+            for (Index x = 0; x < size; ++x) {
+                const Point p{x + offset[0], y + offset[1]};
+                if (cross(t[1], t[2], p) / area >= 0 && cross(t[2], t[0], p) / area >= 0 &&
+                    cross(t[0], t[1], p) / area >= 0)
+                    expected.insert({x, y});
+            }
+        expect_pixels(t, R"("triangles":["ABC"])", is_y_down,
+                      place.method() + R"(,"fill":"barycentric")", expected);
+    }
+}
+
+/// The nearest whole number; a half goes up or down.
+Index nearest_of(const Rational& x, bool goes_up) {
+    return goes_up ? floor_of(x + Rational(1, 2)) : ceil_of(x - Rational(1, 2));
+}
+
+/// A line as seen from the samples: a pixel at each whole number along its longer side. A tie stays on the side of
+/// the start.
+Pixels pixels_of_line(Point a, Point b, bool between_pixels) {
+    const auto nearest = [](const Point& p) {
+        return Point{Rational(nearest_of(p[0], true)), Rational(nearest_of(p[1], true))};
+    };
+    if (between_pixels) {
+        a = nearest(a);
+        b = nearest(b);
+    }
+    const bool is_x_major = abs(Rational(b[0] - a[0])) >= abs(Rational(b[1] - a[1]));
+    const std::size_t along = is_x_major ? 0 : 1;
+    const std::size_t across = 1 - along;
+    const auto [low, high] = std::minmax({nearest_of(a[along], true), nearest_of(b[along], true)});
+    Pixels pixels;
+    for (Index i = low; i <= high; ++i) {
+        const Rational run = b[along] - a[along];
+        const Rational at =
+            run == 0 ? a[across]
+                     : Rational(a[across] + (i - a[along]) * (b[across] - a[across]) / run);
+        const Index other = nearest_of(at, b[across] < a[across]);
+        const auto pixel = is_x_major ? std::pair(i, other) : std::pair(other, i);
+        if (std::min(pixel.first, pixel.second) >= 0 && std::max(pixel.first, pixel.second) < size)
+            pixels.insert(pixel);
+    }
+    return pixels;
+}
+
+TEST(SamplePlaces, AreWhereLinesLook) {
+    Random random(10);
+    for (int run = 0; run < 200; ++run) {
+        const int parts = random.pick({1, 2, 4});
+        const std::vector<Point> ends{random_point(random, parts), random_point(random, parts)};
+        const bool is_y_down = random.chance(2);
+        const SamplePlace place = random_place(random);
+        const std::string line = random.pick({"naive", "dda", "bresenham"});
+        const auto seen = moved(ends, place.offset(is_y_down));
+        expect_pixels(ends, R"("lines":["AB"])", is_y_down,
+                      place.method() + R"(,"line":")" + line + '"',
+                      pixels_of_line(seen[0], seen[1], line == "bresenham"));
+    }
+}
+
+/// Everything that is drawn, whatever the samples are: a scene looks from them as the moved one does from integers.
+TEST(SamplePlaces, MoveAllThatIsDrawn) {
+    Random random(11);
+    std::size_t drawn = 0;
+    for (int run = 0; run < 300; ++run) {
+        std::vector<Point> points;
+        for (int i = 0; i < 5; ++i)
+            points.push_back(random_point(random, random.pick({1, 2, 4})));
+        const bool is_y_down = random.chance(2);
+        const SamplePlace place = random_place(random);
+        const std::string fill =
+            random.pick({"scanline", "two-halves", "barycentric", "top-left", "fan"});
+        const bool has_rows = fill == "scanline" || fill == "two-halves";
+        const std::string primitives =
+            random.pick({R"("triangles":["ABC","BCD"],"outlines":["CDE"])",
+                         R"("outlines":["ABC"],"points":["D"])",
+                         R"("lines":["AB","CD"],"circles":[{"center":"E","radius":3}])",
+                         R"("triangles":["ABC"],"points":["D","E"])"});
+        const std::string method = fmt::format(
+            R"("fill":"{}","line":"{}","lerp":"{}"{})", fill,
+            random.pick({"naive", "dda", "bresenham", "diamond-exit"}),
+            random.pick({"direct", "incremental"}),
+            has_rows ? fmt::format(R"(,"rounding":"{}")",
+                                   random.pick({"floor", "nearest", "truncate", "inside"}))
+                     : "");
+        const Trace from_integers = trace_of(
+            scene_in(scene_of(moved(points, place.offset(is_y_down)), primitives, is_y_down,
+                              method + R"(,"scalar":"exact","sample":"integer")")));
+        const Pixels expected = plotted(from_integers);
+        drawn += expected.size();
+        expect_pixels(points, primitives, is_y_down, method + "," + place.method(), expected);
+    }
+    EXPECT_GT(drawn, 3000U);
+}
+
+/// A depth is that of the triangle's plane at the sample.
+TEST(SamplePlaces, AreWhereDepthsAndColorsAre) {
+    Random random(12);
+    std::size_t tested = 0;
+    for (int run = 0; run < 60; ++run) {
+        const auto t = random_triangle(random);
+        const Rational area = cross(t[0], t[1], t[2]);
+        if (area == 0)
+            continue;
+        const bool is_y_down = random.chance(2);
+        const SamplePlace place = random_place(random);
+        const Point& offset = place.offset(is_y_down);
+        const std::string fill = random.pick({"scanline", "two-halves", "barycentric", "top-left"});
+        std::string vertices;
+        std::vector<Rational> depths;
+        for (std::size_t i = 0; i < 3; ++i) {
+            depths.emplace_back(random.whole(1, 9));
+            vertices += fmt::format(R"({}"{}":["{}","{}",{}])", i == 0 ? "" : ",", "ABC"[i],
+                                    t[i][0].get_str(), t[i][1].get_str(), depths[i].get_str());
+        }
+        for (const std::string scalar : {"exact", "adaptive", "double"}) {
+            const std::string scene = fmt::format(
+                R"({{"canvas":{{"width":{0},"height":{0},"origin":"{1}"}},"vertices":{{{2}}},)"
+                R"("keep":["depth"],"colors":{{"A":"#f00","B":"#0f0","C":"#00f"}},"triangles":["ABC"],)"
+                R"("method":{{{3},"fill":"{4}","rounding":"inside",)"
+                R"("depth":"linear-z","scalar":"{5}"}}}})",
+                size, is_y_down ? "top-left" : "bottom-left", vertices, place.method(), fill,
+                scalar);
+            const Trace trace = trace_of(scene_in(scene));
+            const Redone redone = redo(trace);
+            EXPECT_EQ(redone.wrong, 0U) << scene << redone.first.what;
+            for (std::size_t n = 1; n <= trace.size() && scalar == "exact"; ++n) {
+                if (trace.kind_of(n) != StepKind::depth)
+                    continue;
+                const auto step = trace.step(n).as<DepthStep>();
+                const Point p{step.x + offset[0], step.y + offset[1]};
+                const Rational depth =
+                    (cross(t[1], t[2], p) * depths[0] + cross(t[2], t[0], p) * depths[1] +
+                     cross(t[0], t[1], p) * depths[2]) /
+                    area;
+                EXPECT_EQ(step.depth.exact(), depth) << scene;
+                ++tested;
+            }
+        }
+    }
+    EXPECT_GT(tested, 500U);
+}
+
+TEST(SamplePlaces, AreRefusedOutsideOfTheNextPixels) {
+    const auto refusal = [](const std::string& sample) {
+        return refusal_of_scene(
+            R"({"vertices":{"A":[0,0],"B":[4,0],"C":[0,4]},"triangles":["ABC"],"method":{"sample":)" +
+            sample + "}}");
+    };
+    for (const std::string fine : {"[0.25,0.75]", R"(["1/3",-1])", R"("1/3 -1")", "[1,1]"})
+        EXPECT_EQ(refusal(fine), "") << fine;
+    for (const std::string wrong :
+         {"[1.01,0]", "[0]", "[0,0,0]", "[[0],0]", R"(["1/1000001",0])", R"("middle")", R"("0")",
+          R"("0  0")", "0", R"([1e300,0])", R"(["",""])", "{}"})
+        EXPECT_TRUE(refusal(wrong).starts_with("expected one of integer, center, lower-left, "
+                                               "lower-right, upper-left, upper-right, or a "
+                                               "point [x, y] from -1 to 1"))
+            << wrong << refusal(wrong);
 }
 
 /// |x - i| + |y - j| of the point of a line at t.

@@ -10,6 +10,7 @@
 
 #include <rastertrace/trace/check/check.h>
 #include <rastertrace/trace/check/slips.h>
+#include <rastertrace/trace/record/told_samples.h>
 #include <rastertrace/trace/record/traced_steps.h>
 
 #include <gmock/gmock.h>
@@ -97,7 +98,7 @@ std::optional<RowEnd> left_end(const Place& place) {
     const auto to = place.corner(edge[1]);
     if (from.empty() || to.empty() || from[1] == to[1])
         return std::nullopt;
-    const Rational offset = place.trace.samples_at_centers() ? Rational(1, 2) : Rational(0);
+    const Rational offset = told_samples(place.trace).triangles.x();
     return RowEnd{from[0], from[1], to[0], to[1], Rational(row.y) + offset};
 }
 
@@ -141,7 +142,8 @@ Result lose_the_minus(const Place& place) {
 }
 
 Result cut_off(const Place& place) {
-    const Rational x = *place.step<ScanlineStep>().left.exact();
+    const Rational x =
+        told_samples(place.trace).triangles.in_columns(*place.step<ScanlineStep>().left.exact());
     const std::string rounding = place.trace.method_value("rounding");
     if (place.trace.method_value("fill") == "top-left" || // it asks samples
         rounding.substr(0, rounding.find('+')) != "floor" || sgn(x) >= 0 || x.get_den() == 1)

@@ -34,7 +34,7 @@ rc::Gen<Coordinate> coordinate() {
 }
 
 /// Two points on a line through a sample, but for what rounding them to doubles moves them, if they are.
-std::array<ScreenPoint, 2> points_about(double x, double y) {
+std::array<ScreenPoint, 2> points_about(const mpq_class& x, const mpq_class& y) {
     const auto whole = rc::gen::inRange(1, 1'000'000);
     const mpq_class dx(*rc::gen::inRange(-3'000'000, 3'000'000), *whole);
     const mpq_class dy(*rc::gen::inRange(-3'000'000, 3'000'000), *whole);
@@ -72,13 +72,15 @@ Expected expected_at(const std::array<ScreenPoint, 3>& at, int turn, const mpq_c
 }
 
 RC_GTEST_PROP(TriangleSamples, AreThoseOfExactEdgeFunctions, ()) {
-    const double offset = *rc::gen::element(0.0, 0.5);
+    const auto place =
+        rc::gen::element<mpq_class>(0, mpq_class(1, 2), 1, mpq_class(1, 3), mpq_class(-2, 7));
+    const SampleOffset<mpq_class> offset(*place, *place);
     std::array<ScreenPoint, 3> at;
     for (ScreenPoint& point : at)
         point = {*coordinate(), *coordinate()};
     if (*rc::gen::arbitrary<bool>()) {
-        const auto [one, other] = points_about(*rc::gen::inRange(0, canvas.width) + offset,
-                                               *rc::gen::inRange(0, canvas.height) + offset);
+        const auto [one, other] = points_about(offset.x_of(*rc::gen::inRange(0, canvas.width)),
+                                               offset.y_of(*rc::gen::inRange(0, canvas.height)));
         at[0] = one;
         at[1] = other;
     }
@@ -105,7 +107,7 @@ RC_GTEST_PROP(TriangleSamples, AreThoseOfExactEdgeFunctions, ()) {
         const auto row = samples.row(y);
         for (int x = 0; x < canvas.width; ++x) {
             const Expected expected =
-                expected_at(at, sgn(area), error, x + mpq_class(offset), y + mpq_class(offset));
+                expected_at(at, sgn(area), error, offset.x_of(x), offset.y_of(y));
             RC_ASSERT(row.closed.has(x) == expected.closed);
             RC_ASSERT(row.inside.has(x) == expected.inside);
             RC_ASSERT(row.within_error.has(x) == expected.within_error);
@@ -118,7 +120,7 @@ RC_GTEST_PROP(TriangleSamples, AreThoseOfExactEdgeFunctions, ()) {
 
     const Span rows = rows_between(low, high, {canvas, offset});
     for (int y = 0; y < canvas.height; ++y) {
-        const mpq_class sample_y = y + mpq_class(offset);
+        const mpq_class sample_y = offset.y_of(y);
         RC_ASSERT(rows.has(canvas.row_of(y)) ==
                   (low.exact() <= sample_y && sample_y <= high.exact()));
     }
@@ -128,12 +130,14 @@ TEST(TriangleSamples, OnAnEdgeNothingIsClear) {
     const std::array<ScreenPoint, 3> at{{{Coordinate(0.0), Coordinate(0.0)},
                                          {Coordinate(8.0), Coordinate(0.0)},
                                          {Coordinate(0.0), Coordinate(8.0)}}};
-    EXPECT_FALSE(TriangleSamples(at, {canvas, 0.0}, 0).is_clear());
-    EXPECT_FALSE(TriangleSamples(at, {canvas, 0.5}, 0).is_clear()); // x + y = 8 along the long edge
+    const SampleOffset<mpq_class> center(mpq_class(1, 2), mpq_class(1, 2));
+    EXPECT_FALSE(TriangleSamples(at, {canvas, {}}, 0).is_clear());
+    EXPECT_FALSE(
+        TriangleSamples(at, {canvas, center}, 0).is_clear()); // x + y = 8 along the long edge
     const std::array<ScreenPoint, 3> between{{{Coordinate(0.25), Coordinate(0.25)},
                                               {Coordinate(8.25), Coordinate(0.25)},
                                               {Coordinate(0.25), Coordinate(7.75)}}};
-    EXPECT_TRUE(TriangleSamples(between, {canvas, 0.0}, 0).is_clear());
+    EXPECT_TRUE(TriangleSamples(between, {canvas, {}}, 0).is_clear());
 }
 
 } // namespace

@@ -284,6 +284,10 @@ private:
             expect(std::string("0"), step.intensity.text(), "light: intensity");
     }
 
+    template <typename Number> static Number magnitude(const Number& number) {
+        return number < Number(0) ? Number(-number) : number;
+    }
+
     /// A number of the header.
     static Real in_real(const Rational& exact) { return nearest_scalar<Real>(exact); }
 
@@ -480,6 +484,20 @@ private:
         expect(winding, Rational(0), "crossings: winding", " behind the last edge");
     }
 
+    /// False if the pixel of a number hangs on digits that are not told: `adaptive` tells the nearest double, which
+    /// may lie on the other side of a tolerance, or of a sample that lies at no double. `extent` is how far the
+    /// primitive goes on beside it.
+    bool is_certain(const Real& number, const Real& extent, bool has_tolerance,
+                    const SpanRounding& rule, bool is_last) const {
+        const auto is_double = [](const Rational& x) { return Rational(x.get_d()) == x; };
+        if (knows_all ||
+            (!has_tolerance && is_double(exactly(offset_.x())) && is_double(exactly(offset_.y()))))
+            return true;
+        const Real least = Real(extent + Real(1)) * Real(0x1p-40);
+        return pixel_of(exactly(Real(number - least)), rule, is_last) ==
+               pixel_of(exactly(Real(number + least)), rule, is_last);
+    }
+
     /// The ends of a row become its first and its last pixel.
     void expect_rounded(const Row& row) {
         if (!rules_.says("rounding"))
@@ -488,14 +506,8 @@ private:
         const Real tolerance =
             rule.rounding == Rounding::inside ? rule.tolerance.in<Real>() : Real(0);
         const auto expect_end = [&](const Real& end, bool is_last, Index told, const char* what) {
-            const Index pixel = pixel_of(exactly(end), rule, is_last);
-            // `adaptive` tells the nearest double, which may lie on the other side of the tolerance.
-            const Real least = Real(row.right - row.left + Real(1)) * Real(0x1p-40);
-            if (!knows_all && tolerance != Real(0) &&
-                pixel_of(exactly(Real(end - least)), rule, is_last) !=
-                    pixel_of(exactly(Real(end + least)), rule, is_last))
-                return;
-            expect(pixel, told, what);
+            if (is_certain(end, row.right - row.left, tolerance != Real(0), rule, is_last))
+                expect(pixel_of(exactly(end), rule, is_last), told, what);
         };
         const Real left = offset_.in_columns(row.left);
         const Real right = offset_.in_columns(row.right);
@@ -715,9 +727,6 @@ private:
         const auto to = place(side_.to);
         const Depth first = told_at(depths_, side_.from);
         const Depth last = told_at(depths_, side_.to);
-        const auto magnitude = [](const Depth& number) {
-            return number < Depth(0) ? Depth(-number) : number;
-        };
         const std::size_t along =
             magnitude(Depth(to[0] - from[0])) < magnitude(Depth(to[1] - from[1])) ? 1 : 0;
         const Depth run = to[along] - from[along];
@@ -803,7 +812,8 @@ private:
         else if (rule.rounding == Rounding::nearest && rule.ties == Ties::step && falls)
             rule.ties = Ties::start;
         const Real in_pixels = is_x_major ? offset_.in_rows(value) : offset_.in_columns(value);
-        expect(pixel_of(exactly(in_pixels), rule, false), step.pixel, "along: pixel");
+        if (is_certain(in_pixels, magnitude(Real(to[across] - from[across])), false, rule, false))
+            expect(pixel_of(exactly(in_pixels), rule, false), step.pixel, "along: pixel");
     }
 
     /// The pixel of a line in a column, or row, whose diamond it goes through. Ties are those of a line with y up.

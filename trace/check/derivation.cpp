@@ -365,8 +365,10 @@ std::optional<MixedDepth> Deriver::depth_in_row() const {
         const bool is_rounded = numbers_.trace().method_value("depth_at") == "rounded-ends";
         const auto first = numbers_.one(row, is_rounded ? "from" : "left");
         const auto last = numbers_.one(row, is_rounded ? "to" : "right");
+        const auto offset = told_samples(numbers_.trace()).triangles;
+        const Rational x = is_rounded ? Rational(test.x) : offset.x_of(test.x);
         if (first && last)
-            return between(*first, *last, test.x, *left_depth, *right_depth);
+            return between(*first, *last, x, *left_depth, *right_depth);
     }
     return std::nullopt;
 }

@@ -262,8 +262,14 @@ void scanline(Sheet& sheet) {
     const auto right_depth = row.right_depth.exact();
     // Where the depths of the ends lie: on the edges, or in the first and the last pixel.
     const bool has_rounded_ends = sheet.trace().method_value("depth_at") == "rounded-ends";
-    const auto first = has_rounded_ends ? std::optional(Rational(row.from)) : left;
-    const auto last = has_rounded_ends ? std::optional(Rational(row.to)) : right;
+    const auto offset = told_samples(sheet.trace()).triangles;
+    const auto end_at = [&](Index pixel, const std::optional<Rational>& end) {
+        return has_rounded_ends ? std::optional(Rational(pixel))
+               : end            ? std::optional(offset.in_columns(*end))
+                                : std::nullopt;
+    };
+    const auto first = end_at(row.from, left);
+    const auto last = end_at(row.to, right);
     if (left_depth && right_depth && first && last && *first < *last)
         sheet.put(said({"depth = {} + ({} {}) / ({} {}) (x {}) = {} {} (x {})",
                         "profundidade = {} + ({} {}) / ({} {}) (x {}) = {} {} (x {})"},
@@ -287,6 +293,7 @@ void crossings(Sheet& sheet) {
     const auto edges = step.edges.texts();
     const auto x = step.x.values();
     const auto winding = step.winding.values();
+    const Rational y = told_samples(sheet.trace()).others.y_of(step.y);
     Rational before = 0;
     for (std::size_t i = 0; i < std::min({edges.size(), x.size(), winding.size()}); ++i) {
         const auto ends = ends_of_edge(sheet.primitive, edges[i]);
@@ -296,7 +303,7 @@ void crossings(Sheet& sheet) {
         const auto after = winding[i].exact();
         if (!from || !to || !told || !after)
             return;
-        const Lerp lerp{.d1 = from->x, .i1 = from->y, .d2 = to->x, .i2 = to->y, .i = step.y};
+        const Lerp lerp{.d1 = from->x, .i1 = from->y, .d2 = to->x, .i2 = to->y, .i = y};
         if (lerp.slope() && sheet.agrees(lerp.value(), *told))
             sheet.put(fmt::format("{}: {}{}", edges[i], x_of_edge, lerp.written_out(*told)));
         const Rational turn = *after - before;

@@ -115,12 +115,12 @@ template <typename Scalar, typename Sink>
 requires SinkFor<Sink, ScanlineSpanned<Scalar>>
 [[gnu::always_inline]] inline void yield_row(const Triangle<Scalar>& triangle,
                                              const TriangleOrder& order, bool is_upper, int y,
-                                             const SampleOffset<Scalar>& offset, Index from,
-                                             Index to, Sink&& sink) {
+                                             const SampleGrid<Scalar>& grid, Index from, Index to,
+                                             Sink&& sink) {
     ScanlineSpanned<Scalar> span{
         .y = y, .left = {}, .right = {}, .from = from, .to = to, .left_edge = {}, .right_edge = {}};
     if (takes<ScanlineSpanned<Scalar>>(sink))
-        add_crossings(triangle, order, is_upper, offset, span);
+        add_crossings(triangle, order, is_upper, grid.offset(), span);
     sink(span);
 }
 
@@ -180,8 +180,7 @@ void fill_top_left(const Triangle<Scalar>& triangle, const SampleGrid<Scalar>& g
             // end.
             along_long_edge.step();
             along_short_edge.step();
-            yield_row(triangle, order, is_upper, canvas.y_of(row), grid.offset(), left, right - 1,
-                      sink);
+            yield_row(triangle, order, is_upper, canvas.y_of(row), grid, left, right - 1, sink);
         }
     };
     fill_half(true, top, middle, rows.begin, middle_row);

@@ -34,7 +34,7 @@ public:
     using Length = Scalar;
 
     SampleGrid(const SampleOffset<Scalar>& offset, const Canvas& canvas)
-        : canvas_(canvas), offset_(offset) {}
+        : canvas_(canvas), offset_(offset), whole_rows_(floor_index(offset.y())) {}
 
     const SampleOffset<Scalar>& offset() const { return offset_; }
 
@@ -48,7 +48,7 @@ public:
     Index first_row_from(const Length& y) const {
         // A sample's height on the canvas is exact; y less the offset may be rounded to another
         // row.
-        const Index near = floor_index(y);
+        const Index near = floor_index(y) - whole_rows_;
         const Scalar sample = scalar_from<Scalar>(near) + offset_.y();
         const bool is_above = down() > 0 ? sample < y : y < sample; // as good as random: no branch
         return canvas_.row_of(near) + static_cast<Index>(is_above);
@@ -77,6 +77,7 @@ public:
 private:
     Canvas canvas_;
     SampleOffset<Scalar> offset_;
+    Index whole_rows_; ///< of the offset, which may be 1 or below 0
 };
 
 /// Fractions over one denominator D become whole numbers, in units of 1/D pixel: x to the right of
@@ -86,18 +87,20 @@ public:
     using Length = Integer;
 
     SampleGrid(const SampleOffset<Fraction<Integer>>& offset, const Canvas& canvas)
-        : offset_(offset), pixel_(offset.x().denominator),
-          top_(canvas.top() * pixel_.value() + offset.y().numerator), scene_down_(canvas.down()) {}
+        : pixel_(offset.x().denominator), offset_x_(offset.x().numerator),
+          offset_y_(offset.y().numerator), top_(canvas.top() * pixel_.value() + offset_y_),
+          scene_down_(canvas.down()) {}
 
-    const SampleOffset<Fraction<Integer>>& offset() const { return offset_; }
+    SampleOffset<Fraction<Integer>> offset() const {
+        return {{offset_x_, pixel_.value()}, {offset_y_, pixel_.value()}};
+    }
 
     Triangle<Length> in_lengths(const Triangle<Fraction<Integer>>& triangle) const {
         Triangle<Length> result;
         for (std::size_t i = 0; i < 3; ++i) {
             const auto& [x, y] = triangle.vertices[i];
             assert(x.denominator == pixel_.value() && y.denominator == pixel_.value());
-            result.vertices[i] = {x.numerator - offset_.x().numerator,
-                                  scene_down_ * (y.numerator - top_)};
+            result.vertices[i] = {x.numerator - offset_x_, scene_down_ * (y.numerator - top_)};
         }
         return result;
     }
@@ -121,8 +124,9 @@ public:
     }
 
 private:
-    SampleOffset<Fraction<Integer>> offset_;
     Divisor<Integer> pixel_;
+    Integer offset_x_; ///< of a sample from its pixel's integer point
+    Integer offset_y_;
     Integer top_;    ///< y of the samples of the top row, in the scene
     int scene_down_; ///< the canvas's, for the scene's y
 };
