@@ -4,8 +4,8 @@
 // Where pixels are: the one page that says what a pixel stands for, where it is asked, and which
 // way y points.
 //
-// A pixel is named by the integer point (x, y) of the scene's own coordinates. Two fills,
-// barycentric and top-left, decide it at one point, its sample. A scene says where that is:
+// A pixel is named by the integer point (x, y) of the scene's own coordinates. Fills and lines look at
+// one point of it, its sample (sample_offset.h). A scene says where that is:
 //
 //     sample: integer                          sample: center
 //
@@ -17,14 +17,15 @@
 //               |     |     |                            |     |     |
 //               1     2     3                            1     2     3
 //
-// With `integer`, the convention of the textbooks, the sample is the integer point itself:
-// barycentric has it unless the scene says otherwise. With `center`, that of graphics hardware, it
-// lies half a pixel from there, toward larger x and larger y: top-left has it unless the scene says
-// otherwise.
+// With `integer`, the convention of the textbooks, the sample is the integer point itself. With
+// `center`, that of graphics hardware, it lies half a pixel from there, toward larger x and larger y:
+// top-left has it unless the scene says otherwise. The corners of that square, or any other point up
+// to a pixel away, can be samples, too.
 //
-// The others, scanline, two-halves, fan and lines, look where an edge or a line meets the row (or
-// column) of the integer points, and round that to a pixel (rounding.h): they may draw one whose
-// point lies outside.
+// Two fills, barycentric and top-left, ask whether the sample lies in the triangle. The others,
+// scanline, two-halves, fan and lines, look where an edge or a line meets the row (or column) of
+// samples, and round that to one of these (rounding.h): they may draw a pixel whose sample lies
+// outside.
 //
 // The canvas says which integer points exist and which way y points:
 //
