@@ -268,7 +268,6 @@ void draw_line(const Scene& scene, const ScenePrimitive& line, Colors& picture) 
     const mpz_class last = std::min<mpz_class>(std::max(from_x, to_x), high);
     const bool falls = to_y < from_y;
     const bool is_on_grid = traits_of(scene.method.line).rule == LineRule::grid;
-    const SpanRounding rule = line_rounding(scene.method);
     for (mpz_class along = first; along <= last; ++along) {
         const Rational across = from_x == to_x
                                     ? Rational(from_y)
@@ -278,10 +277,11 @@ void draw_line(const Scene& scene, const ScenePrimitive& line, Colors& picture) 
         if (scene.method.ends == EndPixels::first && along == (begins_at_to ? from_x : to_x))
             continue;
         // At a tie Bresenham's line stays on the side that it comes from, or goes to the other one.
-        const bool steps = rule.ties == Ties::step;
-        const bool stays = !steps && (is_on_grid || rule.ties == Ties::start);
-        const mpz_class pixel = nearest_of(
-            across, stays || steps ? (stays == falls ? Ties::up : Ties::start) : rule.ties);
+        const Ties ties = line_rules(scene.method).ties.of(is_x_major);
+        const bool steps = ties == Ties::step;
+        const bool stays = !steps && (is_on_grid || ties == Ties::start);
+        const mpz_class pixel =
+            nearest_of(across, stays || steps ? (stays == falls ? Ties::up : Ties::start) : ties);
         plot(scene, is_x_major ? along : pixel, is_x_major ? pixel : along, line.color, picture);
     }
 }

@@ -357,9 +357,19 @@ Index nearest_of(const Rational& x, bool goes_up) {
     return goes_up ? floor_of(x + Rational(1, 2)) : ceil_of(x - Rational(1, 2));
 }
 
-/// A line as seen from the samples: a pixel at each whole number along its longer side. A tie stays on the side of
-/// the start.
-Pixels pixels_of_line(Point a, Point b, bool between_pixels) {
+/// Whether a half goes up, by the rule of a line's ties.
+bool tie_goes_up(const std::string& ties, const Rational& at, bool falls) {
+    if (ties == "start" || ties == "step")
+        return (ties == "start") == falls;
+    if (ties == "even")
+        return floor_of(at) % 2 != 0;
+    return ties == "up" || at > 0;
+}
+
+/// A line as seen from the samples: a pixel at each whole number along its longer side.
+Pixels pixels_of_line(Point a, Point b, bool between_pixels,
+                      const std::string& x_major_ties = "start",
+                      const std::string& y_major_ties = "start") {
     const auto nearest = [](const Point& p) {
         return Point{Rational(nearest_of(p[0], true)), Rational(nearest_of(p[1], true))};
     };
@@ -377,7 +387,8 @@ Pixels pixels_of_line(Point a, Point b, bool between_pixels) {
         const Rational at =
             run == 0 ? a[across]
                      : Rational(a[across] + (i - a[along]) * (b[across] - a[across]) / run);
-        const Index other = nearest_of(at, b[across] < a[across]);
+        const Index other = nearest_of(
+            at, tie_goes_up(is_x_major ? x_major_ties : y_major_ties, at, b[across] < a[across]));
         const auto pixel = is_x_major ? std::pair(i, other) : std::pair(other, i);
         if (std::min(pixel.first, pixel.second) >= 0 && std::max(pixel.first, pixel.second) < size)
             pixels.insert(pixel);
@@ -397,6 +408,64 @@ TEST(SamplePlaces, AreWhereLinesLook) {
         expect_pixels(ends, R"("lines":["AB"])", is_y_down,
                       place.method() + R"(,"line":")" + line + '"',
                       pixels_of_line(seen[0], seen[1], line == "bresenham"));
+    }
+}
+
+/// Bresenham's line knows two rules for ties: it steps, or not.
+TEST(YMajorTies, AreThoseOfLinesThatAreLongerInY) {
+    Random random(13);
+    std::size_t differ = 0;
+    for (int run = 0; run < 200; ++run) {
+        const std::vector<Point> ends{random_point(random, 1), random_point(random, 1)};
+        const std::string line = random.pick({"naive", "dda", "bresenham"});
+        const auto rule = [&] {
+            return line == "bresenham" ? random.pick({"start", "step"})
+                                       : random.pick({"start", "step", "up", "away", "even"});
+        };
+        const std::string x_major = rule();
+        const std::string y_major = rule();
+        const Pixels expected =
+            pixels_of_line(ends[0], ends[1], line == "bresenham", x_major, y_major);
+        differ +=
+            expected == pixels_of_line(ends[0], ends[1], line == "bresenham", x_major, x_major) ? 0
+                                                                                                : 1;
+        expect_pixels(
+            ends, R"("lines":["AB"])", random.chance(2),
+            fmt::format(R"("line":"{}","ties":"{}","y_major_ties":"{}")", line, x_major, y_major),
+            expected);
+    }
+    EXPECT_GT(differ, 10U);
+}
+
+/// The routine of GAMES101, olcPixelGameEngine and others: from the end with the smaller x, or y; at a tie it steps
+/// if x is the longer side, and goes straight on if y is.
+TEST(YMajorTies, DrawTheSharedRoutine) {
+    Random random(14);
+    for (int run = 0; run < 200; ++run) {
+        const std::vector<Point> ends{random_point(random, 1), random_point(random, 1)};
+        Index x = ends[0][0].get_num().get_si(), y = ends[0][1].get_num().get_si();
+        Index end_x = ends[1][0].get_num().get_si(), end_y = ends[1][1].get_num().get_si();
+        const bool is_x_major = std::abs(end_y - y) <= std::abs(end_x - x);
+        if (is_x_major ? end_x < x : end_y < y) {
+            std::swap(x, end_x);
+            std::swap(y, end_y);
+        }
+        const Index wide = std::abs(end_x - x), high = std::abs(end_y - y);
+        Index p = is_x_major ? 2 * high - wide : 2 * wide - high;
+        Pixels expected;
+        for (Index i = 0; i <= std::max(wide, high); ++i) {
+            if (std::min(x, y) >= 0 && std::max(x, y) < size)
+                expected.insert({x, y});
+            const bool is_straight = is_x_major ? p < 0 : p <= 0;
+            if (is_x_major || !is_straight)
+                x += end_x < x ? -1 : 1;
+            if (!is_x_major || !is_straight)
+                y += end_y < y ? -1 : 1;
+            p += 2 * std::min(wide, high) - (is_straight ? 0 : 2 * std::max(wide, high));
+        }
+        expect_pixels(ends, R"("lines":["AB"])", random.chance(2),
+                      R"("line":"bresenham","from":"low","ties":"step","y_major_ties":"start")",
+                      expected);
     }
 }
 

@@ -10,10 +10,12 @@
 
 #include <rastertrace/core/draw/scene/method.h>
 #include <rastertrace/core/numbers/conversion.h>
+#include <rastertrace/core/raster/line.h>
 #include <rastertrace/core/raster/rounding.h>
 #include <rastertrace/trace/record/told_samples.h>
 #include <rastertrace/trace/record/trace.h>
 #include <rastertrace/trace/record/traced_steps.h>
+#include <rastertrace/trace/tell/step_text.h>
 #include <rastertrace/trace/text/method_names.h>
 #include <rastertrace/trace/text/primitive_name.h>
 
@@ -213,8 +215,16 @@ private:
         const bool is_straight = step.move.text().size() == 1;
         const Rational d = exactly(step.d);
         const bool is_circle = kind_ == "circle";
-        expect(in_words(is_circle || rules_.others.ties == Ties::step ? d < 0 : d <= 0),
-               in_words(is_straight), "decide: move");
+        const auto goes_straight = [&](bool is_x_major) {
+            const bool steps = line_rules(rules_.others).ties.of(is_x_major) == Ties::step;
+            return is_circle || steps ? d < 0 : d <= 0;
+        };
+        // Which axis is the major one, a straight move tells, and an octant, but none of a fan's lines.
+        const bool is_known = is_straight || octant_ || goes_straight(true) == goes_straight(false);
+        const bool is_x_major = is_straight ? step.move.text() == "E" || step.move.text() == "W"
+                                            : is_x_major_octant(octant_).value_or(true);
+        if (is_known)
+            expect(in_words(goes_straight(is_x_major)), in_words(is_straight), "decide: move");
         if (!is_circle || has_long_numbers_ || !radius_)
             return;
         const At& center = told_at(at_, 0);
@@ -293,6 +303,7 @@ private:
 
     void begin(const PrimitiveStep& step) {
         kind_ = step.kind.text();
+        octant_ = step.octant;
         const SampleOffset<Rational>& offset = rules_.samples.of(step.kind);
         offset_ = {in_real(offset.x()), in_real(offset.y())};
         has_long_numbers_ = static_cast<bool>(step.within);
@@ -380,6 +391,7 @@ private:
         const At& p = at_[ends.from];
         const At& q = at_[ends.to];
         if (step.octant) {
+            octant_ = kind_ == "triangle" ? std::nullopt : step.octant;
             side_ = ends;
             along_before_.reset();
             return;
@@ -806,6 +818,7 @@ private:
         if (!rules_.says("rounding"))
             return;
         SpanRounding rule = line_rounding(rules_.others);
+        rule.ties = line_rules(rules_.others).ties.of(is_x_major);
         const bool falls = to[across] < from[across];
         if (rule.rounding == Rounding::nearest && rule.ties == Ties::start && falls)
             rule.ties = Ties::up;
@@ -989,6 +1002,7 @@ private:
     std::map<std::string, std::vector<std::string>> corners_of_ears_; ///< by their names
     std::string kind_;
     bool has_long_numbers_ = false; ///< corners are rounded
+    std::optional<Index> octant_;   ///< of the line, or the side
     std::vector<std::string> names_;
     std::map<std::string, Way> ways_; ///< once one was asked for
     std::vector<At> at_;

@@ -270,6 +270,8 @@ private:
         const bool by_rows = fill.rule == PixelRule::row_ends;
         drop("rows", &Method::rows, !by_rows);
         drop("rounding", &Method::rounding, !by_rows);
+        drop("ties", &Method::ties,
+             method.snap == Snap::nearest || (by_rows && method.rounding == Rounding::nearest));
         drop("inside_tolerance", &Method::tolerance,
              fill.depths != DepthForm::weights || !scene_.has(PrimitiveKind::triangle));
         drop("depth", &Method::depth,

@@ -184,8 +184,11 @@ std::optional<SlopeForm> slope_form_of(const LineEnds& ends, bool is_x_major);
 /// The decisions of Bresenham's line, if the ends are pixels.
 std::optional<BresenhamDecisions> decisions_between(const Trace& trace, const LineEnds& ends);
 
+/// Where a line goes that is halfway between two pixels, as the header says; "" if it does not.
+std::string ties_of_lines(const Trace& trace, bool is_x_major);
+
 /// True if Bresenham goes diagonally at d = 0.
-bool steps_at_ties(const Trace& trace);
+bool steps_at_ties(const Trace& trace, bool is_x_major);
 
 /// Where a circle decides, seen from the pixel of its center.
 struct CircleDecision {

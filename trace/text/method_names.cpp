@@ -122,13 +122,16 @@ std::string default_of_two(const Scene& scene, std::string_view for_spans,
     return std::string(fills_spans(scene) ? for_spans : for_lines);
 }
 
+bool draws_on_grid(const Scene& scene) {
+    return (has_lines(scene) && traits_of(scene.method.line).rule == LineRule::grid) ||
+           fills_by(scene, PixelRule::lines);
+}
+
 /// Bresenham's line has a rule of its own for ties. `up`, `away` and `even`, which are for others, leave it as
 /// it is.
 bool has_ties_of_bresenham(const Scene& scene) {
-    const bool draws_lines =
-        (has_lines(scene) && traits_of(scene.method.line).rule == LineRule::grid) ||
-        fills_by(scene, PixelRule::lines);
-    return draws_lines && (scene.method.ties == Ties::start || scene.method.ties == Ties::step);
+    return draws_on_grid(scene) &&
+           (scene.method.ties == Ties::start || scene.method.ties == Ties::step);
 }
 
 bool has_ties(const Scene& scene) {
@@ -334,6 +337,14 @@ std::span<const MethodKey> method_keys() {
             [](const Scene& scene) { return default_of_two(scene, "floor", "nearest"); }),
         key<&Method::ties, tie_rules>("ties", "where rounding to nearest sends a half", has_ties,
                                       default_of_ties),
+        key<&Method::y_major_ties, tie_rules>(
+            "y_major_ties", "the same of lines that are longer in y than in x",
+            [](const Scene& scene) {
+                const bool has_rounded = rounds_lines(scene) &&
+                                         line_rounding(scene.method).rounding == Rounding::nearest;
+                return scene.method.y_major_ties.has_value() &&
+                       (has_rounded || draws_on_grid(scene));
+            }),
         sample_key(),
         key<&Method::horizontal_edge, horizontal_edges>(
             "horizontal_edge", "which horizontal edge of a triangle has the samples on it",

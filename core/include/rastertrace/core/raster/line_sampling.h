@@ -64,12 +64,13 @@ template <typename Scalar> class SampledLine {
 public:
     SampledLine(const Segment<Scalar>& segment, const SampleOffset<Scalar>& offset,
                 const LineSampling& sampling, const Canvas& canvas)
-        : offset_(offset), sampling_(sampling), canvas_(canvas) {
+        : offset_(offset), sampling_(sampling), rounding_(sampling.rounding), canvas_(canvas) {
         const auto& [from, to] = segment;
         const Scalar zero = scalar_from<Scalar>(0);
         const Scalar dx = to.x - from.x;
         const Scalar dy = to.y - from.y;
         is_x_major_ = is_longer_in_x(segment);
+        rounding_.ties = sampling.rules.ties.of(is_x_major_);
         along_from = is_x_major_ ? from.x : from.y;
         across_from = is_x_major_ ? from.y : from.x;
         const Scalar d_along = is_x_major_ ? dx : dy;
@@ -138,11 +139,12 @@ private:
 
     Index rounded(const Scalar& across) const {
         return pixel_across(is_x_major_ ? offset_.in_rows(across) : offset_.in_columns(across),
-                            sampling_.rounding, falls_);
+                            rounding_, falls_);
     }
 
     const SampleOffset<Scalar>& offset_;
     const LineSampling& sampling_;
+    SpanRounding rounding_; ///< with the ties of its major axis
     const Canvas& canvas_;
     bool is_x_major_ = true;
     bool falls_ = false; ///< the coordinate across becomes smaller from start to end

@@ -99,6 +99,7 @@ struct Method {
     int fan_passes = 1;
     std::optional<Rounding> rounding = {}; ///< floor for spans, nearest for lines
     std::optional<Ties> ties = {};         ///< up for spans, start for lines
+    std::optional<Ties> y_major_ties = {}; ///< of lines that are longer in y: as the others
     std::optional<Sample> sample = {};     ///< center for top-left, else integer
     Vec<Number, 2> sample_point = {};      ///< of Sample::point: from a pixel's integer point
     Tolerance tolerance = {};              ///< of rounding `inside`, and of barycentric weights
@@ -133,7 +134,10 @@ inline SpanRounding line_rounding(const Method& method) {
 
 /// What lines and their colors go by.
 inline LineRules line_rules(const Method& method) {
-    return {method.color_lerp, method.color_rounding, method.ties.value_or(Ties::start),
+    const Ties ties = method.ties.value_or(Ties::start);
+    return {method.color_lerp,
+            method.color_rounding,
+            {ties, method.y_major_ties.value_or(ties)},
             method.ends};
 }
 
