@@ -68,13 +68,6 @@ template <typename Scalar, typename FillOne> void run(benchmark::State& state, F
                                                      benchmark::Counter::kIsRate);
 }
 
-template <typename Scalar, typename Sink> void scanline(benchmark::State& state) {
-    Sink sink;
-    run<Scalar>(state, [&](const Triangle<Scalar>& triangle, Image& image) INLINED {
-        fill_scanline(triangle, {}, {}, image.canvas(), FlatPainter(image, Color{}, sink));
-    });
-}
-
 /// Samples at the centers of the pixels of a square canvas.
 template <typename Scalar> SampleGrid<Scalar> centers(int side) {
     const Canvas canvas{.width = side, .height = side, .origin = Origin::top_left};
@@ -82,6 +75,22 @@ template <typename Scalar> SampleGrid<Scalar> centers(int side) {
         return {{Scalar(0.5), Scalar(0.5)}, canvas};
     else
         return {{Scalar{128, 256}, Scalar{128, 256}}, canvas};
+}
+
+enum class Rows { closed, half_open, centers };
+
+template <typename Scalar, typename Sink, Rows rows = Rows::closed>
+void scanline(benchmark::State& state) {
+    Sink sink;
+    const auto centered = centers<Scalar>(512).offset();
+    run<Scalar>(state, [&](const Triangle<Scalar>& triangle, Image& image) INLINED {
+        constexpr bool is_half_open = rows == Rows::half_open;
+        constexpr ScanlineRules rules{
+            .span = {.rounding = is_half_open ? Rounding::half_open : Rounding::floor},
+            .rows = is_half_open ? RowRule::half_open : RowRule::closed};
+        const auto offset = rows == Rows::centers ? centered : SampleOffset<Scalar>();
+        fill_scanline(triangle, offset, rules, image.canvas(), FlatPainter(image, Color{}, sink));
+    });
 }
 
 /// `fixed` is this one: fractions over 256 on 64 bits.
@@ -141,7 +150,7 @@ template <typename Scalar> void top_left_with_depth(benchmark::State& state) {
         const TriangleDepth<D> depth(depth_positions(triangle),
                                      {D(depths[0]), D(depths[1]), D(depths[2])},
                                      buffer.larger_passes());
-        const auto plane = depth.plane(D(0.5));
+        const auto plane = depth.plane({D(0.5), D(0.5)});
         fill_top_left(triangle, grid, image.canvas(),
                       PlanePainter<Scalar>(image, Color{}, plane, buffer));
     });
@@ -188,6 +197,26 @@ BENCHMARK(scanline<Fraction64, NullSink>)
     ->Arg(2)
     ->Unit(benchmark::kMillisecond);
 BENCHMARK(scanline<double, NullSink>)
+    ->Arg(100'000)
+    ->Arg(100)
+    ->Arg(2)
+    ->Unit(benchmark::kMillisecond);
+BENCHMARK(scanline<double, NullSink, Rows::half_open>)
+    ->Arg(100'000)
+    ->Arg(100)
+    ->Arg(2)
+    ->Unit(benchmark::kMillisecond);
+BENCHMARK(scanline<double, NullSink, Rows::centers>)
+    ->Arg(100'000)
+    ->Arg(100)
+    ->Arg(2)
+    ->Unit(benchmark::kMillisecond);
+BENCHMARK(scanline<Fraction64, NullSink, Rows::half_open>)
+    ->Arg(100'000)
+    ->Arg(100)
+    ->Arg(2)
+    ->Unit(benchmark::kMillisecond);
+BENCHMARK(scanline<Fraction64, NullSink, Rows::centers>)
     ->Arg(100'000)
     ->Arg(100)
     ->Arg(2)
