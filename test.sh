@@ -13,7 +13,7 @@ fi
 
 [ "$all" = OFF ] || scripts/install-packages.sh emscripten node-acorn
 scripts/install-packages.sh g++ cmake ninja-build binutils libglm-dev nlohmann-json3-dev \
-    libfmt-dev libagg-dev libcli11-dev libgif-dev libgmp-dev libpng-dev libstb-dev libunistring-dev zlib1g-dev libgtest-dev libgmock-dev \
+    libfmt-dev libagg-dev libcli11-dev libexpat1-dev libgif-dev libgmp-dev libpng-dev libstb-dev libunistring-dev zlib1g-dev libgtest-dev libgmock-dev \
     librapidcheck-dev libtinyobjloader-dev tmux git
 [ "$all" = OFF ] || scripts/install-packages.sh asciinema chromium clang fonts-dejavu-core gdb libbenchmark-dev librsvg2-bin mkdocs \
     poppler-utils python3-jsonschema python3-pil python3-pymdownx texlive-latex-base texlive-pictures

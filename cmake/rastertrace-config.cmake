@@ -4,6 +4,7 @@
 include(CMakeFindDependencyMacro)
 list(APPEND CMAKE_MODULE_PATH ${CMAKE_CURRENT_LIST_DIR})
 find_dependency(glm CONFIG)
+find_dependency(EXPAT)
 find_dependency(GMP)
 find_dependency(Unistring)
 find_dependency(fmt CONFIG)

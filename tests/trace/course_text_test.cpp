@@ -40,8 +40,8 @@ TEST(CourseText, OfCs418IsTheSceneThatItSays) {
         R"("B":[1.6,-1,0.4,2],"C":[0,0.9,0,1]},"colors":{"A":"#ffffff","B":"red","C":"red"},)"
         R"("triangles":["ABC"],"viewport":{"pixels":"edges","y":"down"},"method":{"rows":"half-open",)"
         R"("rounding":"half-open","lerp":"incremental","depth":"none","shade":"affine"}})";
-    EXPECT_TRUE(is_course_text({"t", text}));
-    EXPECT_FALSE(is_course_text({"t", scene}));
+    EXPECT_TRUE(is_foreign_scene({"t", text}));
+    EXPECT_FALSE(is_foreign_scene({"t", scene}));
     EXPECT_TRUE(colors_of(text) == colors_of(scene));
 
     // The later form of the same.

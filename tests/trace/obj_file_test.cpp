@@ -282,6 +282,21 @@ TEST(ObjFile, NumbersOutOfRange) {
     EXPECT_EQ(exact_x(std::string(1100, '0')), "0");
 }
 
+TEST(ObjFile, WeightsAndColorsAreThoseOfTheirVertices) {
+    const auto mesh =
+        read_obj({"model.obj", "v 0 0 0\nv 1 0 0 1 0 .5\nv 0 1 0 2\nv 1 1 0 1\nf 1 2 3 4\n"});
+    ASSERT_TRUE(mesh);
+    const std::vector<Number> weights{1, 1, 2, 1};
+    const Color white(255, 255, 255);
+    const std::vector<Color> colors{white, Color(255, 0, 128), white, white};
+    EXPECT_TRUE(mesh.value().weights == weights);
+    EXPECT_TRUE(mesh.value().colors == colors);
+    const auto plain = read_obj({"model.obj", "v 0 0 0 1\nv 1 0 0 1.0\nv 0 1 0\nf 1 2 3\n"});
+    ASSERT_TRUE(plain);
+    EXPECT_TRUE(plain.value().weights.empty());
+    EXPECT_TRUE(plain.value().colors.empty());
+}
+
 TEST(ObjFile, NumbersTooFewOrTooMany) {
     EXPECT_EQ(complaint("v 0 0\n"), "model.obj:1:1: expected v with 3, 4 or 6 numbers, found 2\n"
                                     "v 0 0\n"
@@ -294,11 +309,10 @@ TEST(ObjFile, NumbersTooFewOrTooMany) {
               "model.obj:1:1: expected v with 3, 4 or 6 numbers, found 7\n"
               "v 0 0 0 1 1 1 1\n"
               "^");
-    EXPECT_EQ(complaint("v 1 2 3 2.0\n"),
-              "model.obj:1:9: expected a weight w of 1, found \"2.0\"\n"
-              "v 1 2 3 2.0\n"
-              "        ^\n"
-              "hint: other weights belong to curves, which are not drawn");
+    EXPECT_EQ(complaint("v 1 2 3 0 0.5 1.01\n"),
+              "model.obj:1:15: expected a channel from 0 to 1, found \"1.01\"\n"
+              "v 1 2 3 0 0.5 1.01\n"
+              "              ^");
     EXPECT_EQ(complaint("vt\n"), "model.obj:1:1: expected vt with 1 to 3 numbers, found 0\n"
                                  "vt\n"
                                  "^");

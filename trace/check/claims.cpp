@@ -250,7 +250,7 @@ Result<Claims> read_claims(Source source) {
 bool is_claims(const Source& source) {
     const char first = first_character(source.view());
     if (first != '{')
-        return first != '[' && first != '\0' && !is_course_text(source);
+        return first != '[' && first != '\0' && !is_foreign_scene(source);
     if (is_trace(source))
         return false;
     std::string_view document = source.view();

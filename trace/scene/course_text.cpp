@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "course_text.h"
 
+#include "obj_file.h"
+#include "svg_text.h"
+
 #include <rastertrace/core/draw/plan/stages.h>
 #include <rastertrace/core/numbers/number.h>
 #include <rastertrace/core/raster/image.h>
@@ -405,10 +408,14 @@ private:
 
 } // namespace
 
-Result<Source> scene_of_course(const Source& source) {
+Result<Source> scene_of_foreign(const Source& source) {
+    const std::string_view first = first_statement(source);
+    if (first.starts_with('<'))
+        return scene_of_svg(source);
+    if (begins_obj(first))
+        return scene_of_obj(source);
     try {
-        std::string text = first_statement(source) == "png" ? Cs418Reader(source).read()
-                                                            : UcrReader(source).read();
+        std::string text = first == "png" ? Cs418Reader(source).read() : UcrReader(source).read();
         return Source{source.name + " as a scene", std::move(text), {}};
     } catch (const Problem& problem) {
         return problem;

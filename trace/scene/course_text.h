@@ -12,15 +12,15 @@
 //     tri 1 2 -1                  v 0.5 0.25 0.5 1 0 0
 //                                 render triangle
 //
-//     if (is_course_text(source))
-//         scene = scene_of_course(source);  // JSON, or the Problem and its place
+//     if (is_foreign_scene(source))
+//         scene = scene_of_foreign(source);  // JSON, or the Problem and its place
 
 #include <rastertrace/trace/text/problem.h>
 
 namespace rastertrace {
 
-/// The scene that such a text describes, as a scene file, by the convention of its course. A statement that is not
-/// of the format is refused, and so is one that has no counterpart here: a texture, a matrix.
-Result<Source> scene_of_course(const Source& source);
+/// The scene that such a text, an SVG (svg_text.h) or an OBJ file (obj_file.h), seen by a camera that fits, describes, as a scene file, by the convention of its course. A
+/// statement that is not of the format is refused, and so is one that has no counterpart here: a texture, a matrix.
+Result<Source> scene_of_foreign(const Source& source);
 
 } // namespace rastertrace

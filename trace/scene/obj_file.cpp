@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "obj_file.h"
 
+#include <rastertrace/core/numbers/rational.h>
+#include <rastertrace/core/raster/rounding.h>
+#include <rastertrace/trace/text/color_text.h>
 #include <rastertrace/trace/text/number_word.h>
 #include <rastertrace/trace/text/text.h>
 #include <rastertrace/trace/text/typed_digits.h>
@@ -28,6 +31,8 @@ namespace rastertrace {
 namespace {
 
 using number_text::is_digit;
+
+constexpr Color white(255, 255, 255);
 
 /// Room for every double written out in full: a sign, a point, and 1074 places behind it. The time
 /// for a number grows faster than its length, so longer ones are refused.
@@ -82,6 +87,8 @@ public:
         if (mesh_.face_ends.empty())
             fail(end_, "expected at least one face, found none",
                  "a face of three vertices: f 1 2 3");
+        if (!has_weights_)
+            mesh_.weights.clear();
         if (skipped_ > 0)
             mesh_.remarks.push_back(remark_on_skipped());
         return std::move(mesh_);
@@ -200,29 +207,51 @@ private:
             take_word();
     }
 
-    /// v x y z, v x y z w with a weight of 1, or v x y z red green blue.
+    /// v x y z, v x y z w, or v x y z red green blue.
     void read_vertex(std::string_view name) {
         std::array<Number, 3>& position = mesh_.vertices.emplace_back();
         float& unit = mesh_.units.emplace_back();
         std::size_t count = 0;
-        std::string_view weight;
-        bool weight_is_one = true;
+        std::array<Number, 3> behind;
+        std::array<std::string_view, 3> words;
         for (; at_word(); ++count) {
             const char* const begin = at_;
             Number number = take_number();
             if (count < 3) {
                 position[count] = std::move(number);
                 unit = std::max(unit, unit_of_last_digit(text_between(begin, at_)));
-            } else if (count == 3) {
-                weight = text_between(begin, at_);
-                weight_is_one = number.numerator_over(1) == 1;
+            } else if (count < 6) {
+                behind[count - 3] = std::move(number);
+                words[count - 3] = text_between(begin, at_);
             }
         }
         if (count != 3 && count != 4 && count != 6)
             fail(name.data(), fmt::format("expected v with 3, 4 or 6 numbers, found {}", count));
-        if (count == 4 && !weight_is_one)
-            fail_expecting("a weight w of 1", weight,
-                           "other weights belong to curves, which are not drawn");
+        if (count == 4)
+            has_weights_ = has_weights_ || behind[0].numerator_over(1) != 1;
+        if (count == 4 || !mesh_.weights.empty())
+            put_last(mesh_.weights, count == 4 ? std::move(behind[0]) : Number(1), Number(1));
+        if (count == 6 || !mesh_.colors.empty())
+            put_last(mesh_.colors, count == 6 ? color_of(behind, words) : white, white);
+    }
+
+    /// Gives the last vertex a value; those before it that have none get the usual one.
+    template <typename Value>
+    void put_last(std::vector<Value>& values, Value value, const Value& usual) const {
+        values.resize(mesh_.vertices.size(), usual);
+        values.back() = std::move(value);
+    }
+
+    Color color_of(const std::array<Number, 3>& channels,
+                   const std::array<std::string_view, 3>& words) const {
+        std::array<std::uint8_t, 3> levels{};
+        for (std::size_t i = 0; i < 3; ++i) {
+            const double channel = channels[i].nearest_double();
+            if (!(0 <= channel && channel <= 1))
+                fail_expecting("a channel from 0 to 1", words[i]);
+            levels[i] = level_of(Rational(channels[i].exact() * 255), ColorRounding::nearest);
+        }
+        return {levels[0], levels[1], levels[2]};
     }
 
     void read_texture_coordinate(std::string_view name) {
@@ -370,9 +399,19 @@ private:
     ObjMesh mesh_;
     std::size_t texture_coordinates_ = 0; ///< how many there were so far
     std::size_t normals_ = 0;
+    bool has_weights_ = false;       ///< other than 1
     std::size_t skipped_ = 0;        ///< statements that somebody should know of
     std::string_view first_skipped_; ///< the word of the first one
 };
+
+/// A number as JSON has it: a decimal with its exponent.
+std::string json_of(const Number& number) {
+    const auto decimal = number.as_decimal();
+    if (!decimal)
+        return fmt::format(R"("{}")", number.exact().get_str());
+    return decimal->exponent == 0 ? fmt::format("{}", decimal->digits)
+                                  : fmt::format("{}e{}", decimal->digits, decimal->exponent);
+}
 
 } // namespace
 
@@ -391,6 +430,38 @@ Result<ObjMesh> read_obj(const Source& source) {
     } catch (const Problem& problem) {
         return problem;
     }
+}
+
+Result<Source> scene_of_obj(const Source& source) {
+    const auto read = read_obj(source);
+    if (!read)
+        return read.problem();
+    const ObjMesh& mesh = read.value();
+    std::string vertices;
+    std::string colors;
+    for (std::size_t i = 0; i < mesh.vertices.size(); ++i) {
+        const std::string_view separator = i == 0 ? "\n" : ",\n";
+        const auto& [x, y, z] = mesh.vertices[i];
+        vertices += fmt::format(R"({}"{}":[{},{},{})", separator, i + 1, json_of(x), json_of(y),
+                                json_of(z));
+        vertices += mesh.weights.empty() ? "]" : "," + json_of(mesh.weights[i]) + "]";
+        if (!mesh.colors.empty())
+            colors += fmt::format(R"({}"{}":"{}")", separator, i + 1, to_text(mesh.colors[i]));
+    }
+    std::string faces;
+    for (std::size_t i = 0; i < mesh.faces(); ++i) {
+        std::string corners;
+        for (const std::uint32_t corner : mesh.face(i))
+            corners += fmt::format(R"({}"{}")", corners.empty() ? "" : ",", corner + 1);
+        faces += fmt::format("{}[{}]", i == 0 ? "\n" : ",\n", corners);
+    }
+    return Source{source.name + " as a scene",
+                  fmt::format(R"({{"canvas":{{"width":64,"height":48}},)"
+                              "\n\"meshes\":[{{\"vertices\":{{{}}},\n\"faces\":[{}]}}]{}{}}}\n",
+                              vertices, faces,
+                              colors.empty() ? colors : ",\n\"colors\":{" + colors + "}",
+                              mesh.weights.empty() ? ",\n\"camera\":\"fit\"" : ""),
+                  {}};
 }
 
 } // namespace rastertrace

@@ -7,12 +7,13 @@
 //
 //     v 0 0 0
 //     v 1 0 0
-//     v 0 .5 0
+//     v 0 .5 0           # and w, or red green blue of 0 to 1
 //     f 1 2 3            # also 1/1, 1//1 and 1/1/1; -1 is the last vertex before this line
 //
 //     const auto mesh = read_obj(source);  // an ObjMesh, or the Problem and its place
 
 #include <rastertrace/core/numbers/number.h>
+#include <rastertrace/core/raster/image.h>
 #include <rastertrace/trace/text/problem.h>
 
 #include <array>
@@ -27,6 +28,8 @@ namespace rastertrace {
 struct ObjMesh {
     std::vector<std::array<Number, 3>> vertices; ///< as typed
     std::vector<float> units;                    ///< of each, its coarsest: see typed_digits.h
+    std::vector<Number> weights;                 ///< w of each; none if all are 1
+    std::vector<Color> colors;                   ///< of each; none if the file has none
     std::vector<std::uint32_t> corners;          ///< places in `vertices`, face after face
     std::vector<std::uint32_t> face_ends;        ///< for each face, where its corners end
     std::vector<Problem> remarks;                ///< on what the file has and the mesh has not
@@ -46,5 +49,9 @@ struct ObjMesh {
 /// Reads an OBJ file of at least one face. Groups, materials, smoothing, lines and points are
 /// skipped; so are curves, surfaces and what is for display, with a remark.
 Result<ObjMesh> read_obj(const Source& source);
+
+/// A scene of such a file alone, as a scene file: in clip space if its vertices have a w, else seen by a camera that
+/// fits.
+Result<Source> scene_of_obj(const Source& source);
 
 } // namespace rastertrace

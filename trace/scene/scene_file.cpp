@@ -375,7 +375,7 @@ private:
             for (const std::string_view other : {"vertices", "faces"})
                 if (const auto found = mesh.find(other))
                     json_.fail(*found, fmt::format("expected obj or {}, found both", other));
-            read_obj_mesh(*obj, object, face);
+            read_obj_mesh(*obj, object, face, !mesh.find("color"));
         }
         object.end_vertex = scene_.vertices.size();
         scene_.objects.push_back(std::move(object));
@@ -482,7 +482,8 @@ private:
     }
 
     /// A mesh from a file.
-    void read_obj_mesh(const JsonValue& obj, SceneObject& object, const ScenePrimitive& like) {
+    void read_obj_mesh(const JsonValue& obj, SceneObject& object, const ScenePrimitive& like,
+                       bool takes_colors) {
         const std::string path = json_.string_in(obj, "the path of an OBJ file");
         ObjMesh mesh = obj_mesh(obj, path);
 
@@ -500,10 +501,17 @@ private:
         const std::string prefix = object.name + ".";
         std::string name = prefix;
         const std::size_t of_object = name.size();
-        for (Numbers3& at : mesh.vertices) {
-            put_number(name, of_object, scene_.vertices.size() - first + 1);
+        auto& first_alike = first_of_count_[mesh.weights.empty() ? 1 : 2];
+        first_alike = first_alike.value_or(obj.begin);
+        for (std::size_t i = 0; i < mesh.vertices.size(); ++i) {
+            Numbers3& at = mesh.vertices[i];
+            put_number(name, of_object, i + 1);
             scene_.vertices.push_back(
                 {name, std::move(at[0]), std::move(at[1]), std::nullopt, std::move(at[2])});
+            if (!mesh.weights.empty())
+                scene_.vertices.back().w = std::move(mesh.weights[i]);
+            if (takes_colors && !mesh.colors.empty())
+                scene_.vertices.back().color = mesh.colors[i];
         }
         places_of_vertices_.resize(scene_.vertices.size(), obj.begin);
         units_.insert(units_.end(), mesh.units.begin(), mesh.units.end());
@@ -1252,8 +1260,8 @@ struct SceneSequence::State {
 SceneSequence::SceneSequence(const Source& given, MethodOverrides overrides, InputLimits limits,
                              const std::vector<Variation>& vary) {
     std::unique_ptr<const Source> converted;
-    if (is_course_text(given)) {
-        auto scene = scene_of_course(given);
+    if (is_foreign_scene(given)) {
+        auto scene = scene_of_foreign(given);
         if (!scene)
             throw scene.problem();
         converted = std::make_unique<const Source>(std::move(scene.value()));
@@ -1297,7 +1305,7 @@ bool is_scene(const Source& source) {
     std::string_view document = source.view();
     document.remove_prefix(std::min(document.find_first_not_of(blanks), document.size()));
     if (!document.starts_with('{'))
-        return is_course_text(source);
+        return is_foreign_scene(source);
     JsonScanner fields(document);
     while (fields.next_field())
         // A title may stand in any file.

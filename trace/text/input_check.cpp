@@ -64,7 +64,7 @@ std::optional<Problem> InputCheck::operator()(const Source& source, std::size_t 
     // What is no JSON from its first byte on is refused by the parser.
     if (kind_ == Kind::scene_or_trace && !has_begun_ && text.size() >= enough_to_judge) {
         has_begun_ = true;
-        if (!can_begin_json(text) && !is_course_text(source))
+        if (!can_begin_json(text) && !is_foreign_scene(source))
             return parse_json(source).problem();
     }
 

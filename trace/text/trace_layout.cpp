@@ -4,6 +4,7 @@
 #include "json_scanner.h"
 
 #include <algorithm>
+#include <array>
 #include <string>
 
 namespace rastertrace {
@@ -51,9 +52,14 @@ std::string_view first_statement(const Source& source) {
     return word.substr(0, word.find_first_of(" \t\r\n\v\f#{[\""));
 }
 
-bool is_course_text(const Source& source) {
+bool begins_obj(std::string_view statement) {
+    constexpr std::array<std::string_view, 6> statements{"v", "o", "g", "s", "mtllib", "usemtl"};
+    return std::find(statements.begin(), statements.end(), statement) != statements.end();
+}
+
+bool is_foreign_scene(const Source& source) {
     const std::string_view first = first_statement(source);
-    return first == "png" || first == "size";
+    return first == "png" || first == "size" || first.starts_with('<') || begins_obj(first);
 }
 
 bool is_trace(const Source& source) {

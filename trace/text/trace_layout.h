@@ -31,7 +31,11 @@ bool is_trace(const Source& source);
 /// The first word of a text behind blanks and lines that begin with #; "" of JSON.
 std::string_view first_statement(const Source& source);
 
-/// True if that is `png` or `size`: a scene in the text of a course (trace/scene/course_text.h).
-bool is_course_text(const Source& source);
+/// True of a statement that an OBJ file may begin with.
+bool begins_obj(std::string_view statement);
+
+/// True of a scene in another form than ours: the text of a course begins with `png` or `size`
+/// (trace/scene/course_text.h), SVG with `<` (svg_text.h), and OBJ with one of its statements (obj_file.h).
+bool is_foreign_scene(const Source& source);
 
 } // namespace rastertrace

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// rastertrace scene: a scene in the text of a course, as a scene of ours.
+// rastertrace scene: a scene in another form, as a scene of ours.
 
 #include "command.h"
 #include "load.h"
@@ -18,14 +18,18 @@ namespace {
 class SceneCommandLine final : public Command {
 public:
     CommandAbout about() const override {
-        return {"scene", "Print a scene in the text of a course as a scene of rastertrace",
+        return {"scene",
+                "Print a scene in the text of a course, an SVG or an OBJ file as a scene of "
+                "rastertrace",
                 "rastertrace scene examples/conventions/two-triangles.txt"};
     }
 
     void add_to(OptionList& options) override {
         options
-            .option("scene", path_, "A text of UIUC CS418 or UCR CS130; - for standard input",
-                    "FILE")
+            .option(
+                "scene", path_,
+                "A text of UIUC CS418 or UCR CS130, an SVG or an OBJ file; - for standard input",
+                "FILE")
             .required();
     }
 
@@ -33,8 +37,8 @@ public:
 
     int run() override {
         Source source = load_scene_source(path_);
-        if (is_course_text(source)) {
-            auto scene = scene_of_course(source);
+        if (is_foreign_scene(source)) {
+            auto scene = scene_of_foreign(source);
             if (!scene)
                 throw scene.problem();
             source = std::move(scene.value());

@@ -159,11 +159,9 @@ public:
         if (!stages_.tests_depth)
             return;
         depth_.emplace(depth_positions(triangle), primitive.depths, drawing.depth->larger_passes());
-        const SampleOffset<Scalar>& offset = drawing.grid.offset();
-        depth_offset_ = {depth_scalar(offset.x()), depth_scalar(offset.y())};
         const DepthForm form = traits_of(method.fill).depths;
         if (form == DepthForm::plane)
-            plane_ = depth_->plane(depth_offset_);
+            plane_ = depth_->plane(depth_offset(drawing));
         if constexpr (is_filtered<Scalar>)
             if (form == DepthForm::along_edges)
                 require_finite_differences(primitive.depths);
@@ -200,17 +198,23 @@ public:
                 .plane = plane_ ? &*plane_ : nullptr,
                 .triangle = depth_ ? &*depth_ : nullptr,
                 .depth_at = drawing.scene.method.depth_at,
-                .offset = depth_offset_,
+                .offset =
+                    stages_.tests_depth ? depth_offset(drawing) : SampleOffset<DepthOf<Scalar>>(),
                 .sink = sink};
     }
 
 private:
+    static SampleOffset<DepthOf<Scalar>>
+    depth_offset(const SceneDrawing<Scalar, OfPixels>& drawing) {
+        const SampleOffset<Scalar>& offset = drawing.grid.offset();
+        return {depth_scalar(offset.x()), depth_scalar(offset.y())};
+    }
+
     PixelStages stages_;
     Color flat_;
     std::optional<MixedColors<OfPixels>> mixed_;
     std::optional<TriangleDepth<DepthOf<Scalar>>> depth_;
     std::optional<DepthPlane<DepthOf<Scalar>>> plane_;
-    SampleOffset<DepthOf<Scalar>> depth_offset_;
 };
 
 /// Draws a point, a line, a circle, or the three lines of an outline. `painter_of(side)` makes the

@@ -13,12 +13,10 @@
 #include <rastertrace/core/numbers/vec.h>
 #include <rastertrace/core/raster/canvas.h>
 
-#include <concepts>
-
 namespace rastertrace {
 
-/// From the integer point of a pixel to its sample, in the scene's x and y. Numbers that are not floating
-/// keep their form, and what they cost, where that is 0.
+/// From the integer point of a pixel to its sample, in the scene's x and y. Where that is 0, numbers keep
+/// their form, and cost nothing.
 template <typename Scalar> class SampleOffset {
 public:
     /// Samples at integer points.
@@ -46,10 +44,10 @@ public:
 
 private:
     static Scalar sum(const Scalar& a, const Scalar& b, bool moves) {
-        return std::floating_point<Scalar> || moves ? Scalar(a + b) : a;
+        return moves ? Scalar(a + b) : a;
     }
     static Scalar difference(const Scalar& a, const Scalar& b, bool moves) {
-        return std::floating_point<Scalar> || moves ? Scalar(a - b) : a;
+        return moves ? Scalar(a - b) : a;
     }
 
     Scalar x_;
