@@ -32,7 +32,7 @@ namespace {
 
 using number_text::is_digit;
 
-constexpr Color white(255, 255, 255);
+constexpr Color uncolored(255, 255, 255);
 
 /// Room for every double written out in full: a sign, a point, and 1074 places behind it. The time
 /// for a number grows faster than its length, so longer ones are refused.
@@ -232,7 +232,7 @@ private:
         if (count == 4 || !mesh_.weights.empty())
             put_last(mesh_.weights, count == 4 ? std::move(behind[0]) : Number(1), Number(1));
         if (count == 6 || !mesh_.colors.empty())
-            put_last(mesh_.colors, count == 6 ? color_of(behind, words) : white, white);
+            put_last(mesh_.colors, count == 6 ? color_of(behind, words) : uncolored, uncolored);
     }
 
     /// Gives the last vertex a value; those before it that have none get the usual one.

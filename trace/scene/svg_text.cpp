@@ -28,7 +28,7 @@ namespace rastertrace {
 
 namespace {
 
-constexpr std::string_view blanks = " \t\r\n";
+constexpr std::string_view xml_blanks = " \t\r\n";
 
 /// An attribute, and where its value stands in the file.
 struct Attribute {
@@ -134,7 +134,7 @@ private:
             const std::string_view name = given[0];
             std::size_t at = element.find(name);
             while (at != std::string_view::npos &&
-                   (blanks.find(element[at - 1]) == std::string_view::npos ||
+                   (xml_blanks.find(element[at - 1]) == std::string_view::npos ||
                     element.find_first_not_of("= \t\r\n", at + name.size()) == at + name.size()))
                 at = element.find(name, at + 1);
             const std::size_t quote = element.find_first_of("\"'", at);
@@ -198,8 +198,8 @@ private:
     }
 
     static std::string_view trimmed(std::string_view text) {
-        text.remove_prefix(std::min(text.find_first_not_of(blanks), text.size()));
-        return text.substr(0, text.find_last_not_of(blanks) + 1);
+        text.remove_prefix(std::min(text.find_first_not_of(xml_blanks), text.size()));
+        return text.substr(0, text.find_last_not_of(xml_blanks) + 1);
     }
 
     void set_style(Style& style, const Attribute& attribute) const {
@@ -238,7 +238,7 @@ private:
         return value->exact();
     }
 
-    /// Numbers with blanks, commas or only signs between.
+    /// Numbers with xml_blanks, commas or only signs between.
     std::vector<Rational> numbers(const Attribute& attribute) const {
         std::vector<Rational> found;
         constexpr std::string_view separators = ", \t\r\n";
