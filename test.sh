@@ -15,7 +15,7 @@ fi
 scripts/install-packages.sh g++ cmake ninja-build binutils libglm-dev nlohmann-json3-dev \
     libfmt-dev libagg-dev libcli11-dev libexpat1-dev libgif-dev libgmp-dev libpng-dev libstb-dev libunistring-dev zlib1g-dev libgtest-dev libgmock-dev \
     librapidcheck-dev libtinyobjloader-dev tmux git
-[ "$all" = OFF ] || scripts/install-packages.sh asciinema chromium clang fonts-dejavu-core gdb libbenchmark-dev librsvg2-bin mkdocs \
+[ "$all" = OFF ] || scripts/install-packages.sh asciinema chromium clang fonts-dejavu-core gdb libbenchmark-dev libosmesa6-dev librsvg2-bin mkdocs \
     poppler-utils python3-jsonschema python3-pil python3-pymdownx texlive-latex-base texlive-pictures
 [ "$all" = OFF ] || command -v npm >/dev/null || scripts/install-packages.sh nodejs npm
 [ -f build/test/build.ninja ] || cmake --preset test -G Ninja -DCMAKE_UNITY_BUILD=ON
@@ -30,7 +30,7 @@ Left out, as they
 - build other projects: Consumer.*, Algorithms.ANewOneIsMissedInEveryTable
 - renew whole pages: docs-are-up-to-date, stress
 - need another compiler: BitmapsAreTheSameByAnyCompiler, ClangAcceptsTheSources, NullSinkCostsNothing.clang++, wasm-*
-- need other programs: schemas (jsonschema), walk (gdb), benchmarks, figures-in-other-programs, figures-in-tex, pages, site
+- need other programs: schemas (jsonschema), walk (gdb), benchmarks, against-mesa-*, figures-in-other-programs, figures-in-tex, pages, site
 ./test.sh --all installs what these need (also a browser, TeX and Emscripten), and runs all tests.
 END
 fi
