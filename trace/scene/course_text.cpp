@@ -139,13 +139,13 @@ protected:
         return value;
     }
 
-    /// A channel of 0 to 1 as one of 0 to 255, the nearest.
+    /// A channel of 0 to 1 as one of 0 to 255, cut off.
     std::uint8_t channel(const Word& word) const {
         const std::string text = number(word);
         const Rational value = std::get<Number>(parse_number(text)).exact();
         if (value < 0 || value > 1)
             fail_at(word, "a channel from 0 to 1");
-        return level_of(Rational(value * 255), ColorRounding::nearest);
+        return level_of(Rational(value * 255), ColorRounding::truncate);
     }
 
     void set_canvas(const Words& words) {

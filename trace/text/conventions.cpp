@@ -108,11 +108,12 @@ std::span<const ConventionRow> convention_rows() {
                        {"rows", "half-open"},
                        {"rounding", "half-open"},
                        {"lerp", "incremental"},
+                       {"color_rounding", "truncate"},
                        {"depth", "none"}},
                       &cs418_view,
                       "UIUC CS418, machine problem Rasterizer: DDA by rows",
                       "a pixel is a whole number: left and top ends belong to a triangle, right "
-                      "and bottom ends do not; y points down"},
+                      "and bottom ends do not; y points down; colors are cut off"},
         ConventionRow{Convention::ucr130,
                       "ucr130",
                       "UCR CS130 and CS230, the minigl and driver_state projects",
