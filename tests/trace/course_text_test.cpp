@@ -39,7 +39,7 @@ TEST(CourseText, OfCs418IsTheSceneThatItSays) {
         R"({"canvas":{"width":20,"height":14,"origin":"top-left"},"vertices":{"A":[-1,-0.8,0,1],)"
         R"("B":[1.6,-1,0.4,2],"C":[0,0.9,0,1]},"colors":{"A":"#ffffff","B":"red","C":"red"},)"
         R"("triangles":["ABC"],"viewport":{"pixels":"edges","y":"down"},"method":{"rows":"half-open",)"
-        R"("rounding":"half-open","lerp":"incremental","depth":"none","shade":"affine"}})";
+        R"("rounding":"half-open","lerp":"incremental","color_rounding":"truncate","depth":"none","shade":"affine"}})";
     EXPECT_TRUE(is_foreign_scene({"t", text}));
     EXPECT_FALSE(is_foreign_scene({"t", scene}));
     EXPECT_TRUE(colors_of(text) == colors_of(scene));

@@ -119,6 +119,8 @@ TEST(ObjScene, IsInClipSpaceIfItsVerticesHaveAW) {
         R"({"canvas":{"width":64,"height":48},"vertices":{"A":[-1,-0.8,0,1],"B":[1.6,-1,0.4,2],"C":[0,0.9,0,1]},)"
         R"("triangles":["ABC"]})";
     EXPECT_TRUE(is_foreign_scene({"t", obj}));
+    EXPECT_FALSE(is_foreign_scene({"t", "v screen: 2, 5"})); // a claim
+    EXPECT_FALSE(is_foreign_scene({"t", ""}));
     EXPECT_TRUE(colors_of(obj) == colors_of(scene));
 }
 

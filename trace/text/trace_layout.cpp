@@ -59,7 +59,13 @@ bool begins_obj(std::string_view statement) {
 
 bool is_foreign_scene(const Source& source) {
     const std::string_view first = first_statement(source);
-    return first == "png" || first == "size" || first.starts_with('<') || begins_obj(first);
+    if (first == "png" || first == "size" || first.starts_with('<'))
+        return true;
+    // A claim about a vertex v has a colon: `v screen: 2, 5`.
+    const std::string_view text = source.view();
+    const std::string_view rest = text.substr(static_cast<std::size_t>(first.data() - text.data()));
+    const std::string_view line = rest.substr(0, rest.find('\n'));
+    return begins_obj(first) && line.find(": ") == std::string_view::npos;
 }
 
 bool is_trace(const Source& source) {
