@@ -235,24 +235,30 @@ TEST(Tolerance, WidensTheEndsOfRows) {
     }
 }
 
+/// The pixels whose samples have no weight below `least` in a triangle.
+Pixels pixels_by_weights(const std::vector<Point>& t, const Point& offset, const Rational& least) {
+    const Rational area = cross(t[0], t[1], t[2]);
+    Pixels pixels;
+    for (Index y = 0; y < size; ++y)
+        for (Index x = 0; x < size; ++x) {
+            const Point p{x + offset[0], y + offset[1]};
+            if (cross(t[1], t[2], p) / area >= least && cross(t[2], t[0], p) / area >= least &&
+                cross(t[0], t[1], p) / area >= least)
+                pixels.insert({x, y});
+        }
+    return pixels;
+}
+
 TEST(Tolerance, LetsWeightsBeBelowZero) {
     Random random(4);
     const Rational least(-3, 20);
     for (int run = 0; run < 80; ++run) {
         const auto t = random_triangle(random);
-        const Rational area = cross(t[0], t[1], t[2]);
-        if (area == 0)
+        if (cross(t[0], t[1], t[2]) == 0)
             continue;
-        Pixels expected;
-        for (Index y = 0; y < size; ++y)
-            for (Index x = 0; x < size; ++x) {
-                const Point p{Rational(x), Rational(y)};
-                if (cross(t[1], t[2], p) / area >= least && cross(t[2], t[0], p) / area >= least &&
-                    cross(t[0], t[1], p) / area >= least)
-                    expected.insert({x, y});
-            }
         expect_pixels(t, R"("triangles":["ABC"])", true,
-                      R"("fill":"barycentric","inside_tolerance":0.15)", expected);
+                      R"("fill":"barycentric","inside_tolerance":0.15)",
+                      pixels_by_weights(t, {0, 0}, least));
     }
 }
 
@@ -333,22 +339,13 @@ TEST(SamplePlaces, AreWhereWeightsAreTested) {
     Random random(9);
     for (int run = 0; run < 100; ++run) {
         const auto t = random_triangle(random);
-        const Rational area = cross(t[0], t[1], t[2]);
-        if (area == 0)
+        if (cross(t[0], t[1], t[2]) == 0)
             continue;
         const bool is_y_down = random.chance(2);
         const SamplePlace place = random_place(random);
-        const Point& offset = place.offset(is_y_down);
-        Pixels expected;
-        for (Index y = 0; y < size; ++y)
-            for (Index x = 0; x < size; ++x) {
-                const Point p{x + offset[0], y + offset[1]};
-                if (cross(t[1], t[2], p) / area >= 0 && cross(t[2], t[0], p) / area >= 0 &&
-                    cross(t[0], t[1], p) / area >= 0)
-                    expected.insert({x, y});
-            }
         expect_pixels(t, R"("triangles":["ABC"])", is_y_down,
-                      place.method() + R"(,"fill":"barycentric")", expected);
+                      place.method() + R"(,"fill":"barycentric")",
+                      pixels_by_weights(t, place.offset(is_y_down), 0));
     }
 }
 

@@ -5,6 +5,7 @@
 #include "load.h"
 
 #include <rastertrace/trace/scene/course_text.h>
+#include <rastertrace/trace/text/json_document.h>
 #include <rastertrace/trace/text/trace_layout.h>
 
 #include <memory>
@@ -42,6 +43,8 @@ public:
             if (!scene)
                 throw scene.problem();
             source = std::move(scene.value());
+        } else if (const auto json = parse_json(source); !json) {
+            throw json.problem();
         }
         print(source.view());
         return exit_fine;
