@@ -30,10 +30,14 @@ template <typename T> struct BlankAllocator {
     T* allocate(std::size_t count) {
         if (count > std::numeric_limits<std::size_t>::max() / sizeof(T))
             throw std::bad_array_new_length();
-        void* const memory = std::calloc(count, sizeof(T));
-        if (memory == nullptr)
-            throw std::bad_alloc();
-        return static_cast<T*>(memory);
+        for (;;) { // as operator new
+            if (void* const memory = std::calloc(count, sizeof(T)))
+                return static_cast<T*>(memory);
+            const std::new_handler handler = std::get_new_handler();
+            if (handler == nullptr)
+                throw std::bad_alloc();
+            handler();
+        }
     }
     void deallocate(T* memory, std::size_t) { std::free(memory); }
 
