@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Scenes in the texts of courses: the scene that they become, and what is wrong with them.
 
+#include "drawn_colors.h"
 #include "traces.h"
 
-#include <rastertrace/core/draw/draw.h>
 #include <rastertrace/trace/scene/course_text.h>
 #include <rastertrace/trace/text/trace_layout.h>
 
@@ -14,22 +14,6 @@
 
 namespace rastertrace {
 namespace {
-
-std::vector<Color> colors_of(const std::string& text) {
-    const auto read = read_scene({"scene", text});
-    if (!read) {
-        ADD_FAILURE() << to_text(read.problem());
-        return {};
-    }
-    const Image image = draw(read.value().scene, read.value().plan);
-    return {image.colors().begin(), image.colors().end()};
-}
-
-/// `line:column: message` of what a text is refused with; "" if it is a scene.
-std::string fault_of(const std::string& text) {
-    const auto read = read_scene({"t", text});
-    return read ? "" : to_text(read.problem()).substr(2, to_text(read.problem()).find('\n') - 2);
-}
 
 TEST(CourseText, OfCs418IsTheSceneThatItSays) {
     const std::string text = "\xEF\xBB\xBF# a comment\r\npng 20 14 out.png\r\n\txyzw -1 -.8 0 1\r\n"

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 // SVG and OBJ files as scenes: the scene that they become, and what is wrong with them.
 
+#include "drawn_colors.h"
 #include "traces.h"
 
-#include <rastertrace/core/draw/draw.h>
 #include <rastertrace/trace/scene/course_text.h>
 #include <rastertrace/trace/text/trace_layout.h>
 
@@ -15,21 +15,10 @@
 namespace rastertrace {
 namespace {
 
-std::vector<Color> colors_of(const std::string& text) {
-    const auto read = read_scene({"scene", text});
-    if (!read) {
-        ADD_FAILURE() << to_text(read.problem());
-        return {};
-    }
-    const Image image = draw(read.value().scene, read.value().plan);
-    return {image.colors().begin(), image.colors().end()};
-}
-
 /// `line:column: message` of what an SVG of 9 x 9 pixels is refused with; "" if it is a scene.
-std::string fault_of(const std::string& inside, const std::string& more = {}) {
+std::string fault_in_svg(const std::string& inside, const std::string& more = {}) {
     const std::string text = "<svg width=\"9\" height=\"9\"" + more + ">\n" + inside + "</svg>";
-    const auto read = read_scene({"t", text});
-    return read ? "" : to_text(read.problem()).substr(2, to_text(read.problem()).find('\n') - 2);
+    return fault_of(text);
 }
 
 TEST(SvgText, IsTheSceneThatItSays) {
@@ -70,30 +59,31 @@ TEST(SvgText, OfTrianglesIsFilledBySamples) {
 
 TEST(SvgText, FaultsHaveTheirPlaces) {
     const std::string rect = R"(<rect width="2" height="2"/>)";
-    EXPECT_EQ(fault_of(rect), "");
-    EXPECT_EQ(fault_of("<script>x</script>"), "2:1: expected an element out of svg, which contains "
-                                              "all, g, polygon, polyline, rect, line, found "
-                                              "\"script\"");
-    EXPECT_EQ(fault_of("<g\ttransform='scale(2)'/>"),
+    EXPECT_EQ(fault_in_svg(rect), "");
+    EXPECT_EQ(fault_in_svg("<script>x</script>"),
+              "2:1: expected an element out of svg, which contains "
+              "all, g, polygon, polyline, rect, line, found "
+              "\"script\"");
+    EXPECT_EQ(fault_in_svg("<g\ttransform='scale(2)'/>"),
               "2:15: expected coordinates without a transform, found \"scale(2)\"");
-    EXPECT_EQ(fault_of("<polygon points=\"1,2 3,4 x,6\"/>"),
+    EXPECT_EQ(fault_in_svg("<polygon points=\"1,2 3,4 x,6\"/>"),
               "2:26: expected a number, found \"x\"");
-    EXPECT_EQ(fault_of("<polygon points=\"1,2 3\"/>"),
+    EXPECT_EQ(fault_in_svg("<polygon points=\"1,2 3\"/>"),
               "2:18: expected an x and a y for each point, found 3 numbers");
-    EXPECT_EQ(fault_of("<rect y=\"1e400\"/>"), "2:10: expected a number, found \"1e400\"");
-    EXPECT_EQ(fault_of("<rect rx=\"1\"/>"),
+    EXPECT_EQ(fault_in_svg("<rect y=\"1e400\"/>"), "2:10: expected a number, found \"1e400\"");
+    EXPECT_EQ(fault_in_svg("<rect rx=\"1\"/>"),
               "2:11: expected a rect without round corners, found \"1\"");
-    EXPECT_EQ(fault_of("<g style=\"fill:url(#a)\"/>"),
+    EXPECT_EQ(fault_in_svg("<g style=\"fill:url(#a)\"/>"),
               "2:11: expected none, a color like #f00, or a name of CSS 2.1, found \"url(#a)\"");
-    EXPECT_EQ(fault_of(rect, " opacity=\".5\""),
+    EXPECT_EQ(fault_in_svg(rect, " opacity=\".5\""),
               "1:36: expected opaque colors, an opacity of 1, found \".5\"");
-    EXPECT_EQ(fault_of("<rect"),
+    EXPECT_EQ(fault_in_svg("<rect"),
               "2:6: expected well-formed XML, found: not well-formed (invalid token)");
-    EXPECT_EQ(fault_of("&lt;&x;"), "2:5: expected well-formed XML, found: undefined entity");
-    EXPECT_EQ(fault_of("<svg/>").substr(0, 15), "2:1: expected a");
-    EXPECT_EQ(fault_of(""), "2:7: expected a polygon, polyline, rect or line, found none");
-    EXPECT_EQ(fault_of("<polygon points='0 0 5 0 5 5 0 5'/>"
-                       "<polygon fill-rule='evenodd' points='0 0 5 0 5 5 0 5'/>"),
+    EXPECT_EQ(fault_in_svg("&lt;&x;"), "2:5: expected well-formed XML, found: undefined entity");
+    EXPECT_EQ(fault_in_svg("<svg/>").substr(0, 15), "2:1: expected a");
+    EXPECT_EQ(fault_in_svg(""), "2:7: expected a polygon, polyline, rect or line, found none");
+    EXPECT_EQ(fault_in_svg("<polygon points='0 0 5 0 5 5 0 5'/>"
+                           "<polygon fill-rule='evenodd' points='0 0 5 0 5 5 0 5'/>"),
               "2:36: expected one fill-rule for all polygons, found both");
     for (const std::string whole :
          {"<svg width='9'/>", "<svg width='0' height='9'/>", "<svg viewBox='0 0 9'/>", "<",
@@ -109,8 +99,8 @@ TEST(SvgText, GroupsMayBeNestedAsDeepAsTheyAre) {
     deep += R"(<rect width="2" height="2"/>)";
     for (int i = 0; i < 200'000; ++i)
         deep += "</g>";
-    EXPECT_EQ(fault_of(deep), "");
-    EXPECT_NE(fault_of(deep + "</g>"), "");
+    EXPECT_EQ(fault_in_svg(deep), "");
+    EXPECT_NE(fault_in_svg(deep + "</g>"), "");
 }
 
 TEST(ObjScene, IsInClipSpaceIfItsVerticesHaveAW) {
