@@ -15,8 +15,8 @@ mpq_class quotient_of(const mpz_class& above, const mpz_class& below) {
 
 namespace {
 
-/// Numbers below are whole multiples of 2^-bits. With most_bits, the smallest double still has 200.
-constexpr unsigned most_bits = 1344;
+/// Numbers below are whole multiples of 2^-bits. With most_bits, the smallest double still has 600.
+constexpr unsigned most_bits = 1728;
 
 mpz_class fixed_one(unsigned bits) {
     return mpz_class(1) << bits;
@@ -53,10 +53,10 @@ mpz_class alternating_series(const mpz_class& first, const mpz_class& x, unsigne
     return sum;
 }
 
-/// So many bits that the smaller of sine and cosine of a share of a quarter turn has at least 256.
-unsigned bits_for(const mpq_class& share) {
+/// So many bits that the smaller of sine and cosine of a share of a quarter turn has enough of them.
+unsigned bits_for(const mpq_class& share, RootDigits digits) {
     constexpr unsigned in_limb = 64;
-    constexpr unsigned needed = 256;
+    const unsigned needed = digits == RootDigits::many ? many_binary_digits + in_limb : 256;
     const mpq_class smaller = std::min(share, mpq_class(1 - share));
     const auto size = [](const mpz_class& whole) {
         return static_cast<unsigned>(mpz_sizeinbase(whole.get_mpz_t(), 2));
@@ -67,26 +67,29 @@ unsigned bits_for(const mpq_class& share) {
     return std::min(most_bits, (needed + zeros + in_limb - 1) / in_limb * in_limb);
 }
 
-/// The sine of an angle: exact where it is 0, 1 or -1, else with many more bits than a double.
-mpq_class sine(const mpq_class& degrees) {
+/// The sine of an angle: exact where it is a fraction (0, 1/2, 1 and their opposites), else with more bits than are
+/// asked for.
+mpq_class sine(const mpq_class& degrees, RootDigits digits) {
     // Quarter turns are taken off exactly; an angle from 0 to 90 degrees is left.
     mpz_class quarters;
     const mpq_class in_quarters = degrees / 90;
     mpz_fdiv_q(quarters.get_mpz_t(), in_quarters.get_num_mpz_t(), in_quarters.get_den_mpz_t());
     const mpq_class rest = in_quarters - quarters;
-    const unsigned bits = bits_for(rest);
+    const auto quadrant = mpz_fdiv_ui(quarters.get_mpz_t(), 4);
+    const bool is_cosine = quadrant % 2 != 0;    // of the rest
+    if (rest == mpq_class(is_cosine ? 2 : 1, 3)) // the sine of 30 degrees, the cosine of 60
+        return {quadrant < 2 ? 1 : -1, 2};
+    const unsigned bits = bits_for(rest, digits);
     const mpz_class pi = fixed_pi() >> (most_bits - bits);
     const mpz_class radians = pi * rest.get_num() / (2 * rest.get_den());
 
-    const auto quadrant = mpz_fdiv_ui(quarters.get_mpz_t(), 4);
-    const mpz_class size = quadrant % 2 == 0
-                               ? alternating_series(radians, radians, 2, bits)
-                               : alternating_series(fixed_one(bits), radians, 1, bits);
+    const mpz_class size = is_cosine ? alternating_series(fixed_one(bits), radians, 1, bits)
+                                     : alternating_series(radians, radians, 2, bits);
     return quotient_of(quadrant < 2 ? size : mpz_class(-size), fixed_one(bits));
 }
 
-mpq_class cosine(const mpq_class& degrees) {
-    return sine(degrees + 90);
+mpq_class rounded_to(RootDigits digits, const mpq_class& number) {
+    return digits == RootDigits::many ? number : mpq_class(nearest_double(number));
 }
 
 } // namespace
@@ -95,16 +98,20 @@ bool is_quarter_turn(const mpq_class& degrees) {
     return mpq_class(degrees / 90).get_den() == 1;
 }
 
-double sine_of_degrees(const mpq_class& degrees) {
-    return nearest_double(sine(degrees));
+mpq_class sine_of_degrees(const mpq_class& degrees, RootDigits digits) {
+    return rounded_to(digits, sine(degrees, digits));
 }
 
-double cosine_of_degrees(const mpq_class& degrees) {
-    return nearest_double(cosine(degrees));
+mpq_class cosine_of_degrees(const mpq_class& degrees, RootDigits digits) {
+    return sine_of_degrees(degrees + 90, digits);
 }
 
-double cotangent_of_degrees(const mpq_class& degrees) {
-    return nearest_double(cosine(degrees) / sine(degrees));
+mpq_class cotangent_of_degrees(const mpq_class& degrees, RootDigits digits) {
+    return rounded_to(digits, sine(degrees + 90, digits) / sine(degrees, digits));
+}
+
+mpq_class pi() {
+    return quotient_of(fixed_pi(), fixed_one(most_bits));
 }
 
 bool has_rational_root(const mpq_class& square) {
@@ -112,18 +119,19 @@ bool has_rational_root(const mpq_class& square) {
            mpz_perfect_square_p(square.get_den_mpz_t()) != 0;
 }
 
-mpq_class square_root(const mpq_class& square) {
+mpq_class square_root(const mpq_class& square, RootDigits digits) {
     if (has_rational_root(square))
         return {sqrt(square.get_num()), sqrt(square.get_den())};
 
-    // In units so small that the root has 128 bits or more, and is rounded once, to 53.
+    // In units so small that the root has twice the bits that are needed, and is rounded once.
+    const long needed = digits == RootDigits::many ? 2L * many_binary_digits : 128;
     const auto bits = [](const mpz_class& whole) {
         return static_cast<long>(mpz_sizeinbase(whole.get_mpz_t(), 2));
     };
-    const long shift = std::max(128 + (bits(square.get_den()) - bits(square.get_num())) / 2, 0L);
+    const long shift = std::max(needed + (bits(square.get_den()) - bits(square.get_num())) / 2, 0L);
     const auto scale = static_cast<mp_bitcnt_t>(shift);
     const mpz_class root = sqrt(mpz_class((square.get_num() << 2 * scale) / square.get_den()));
-    return mpq_class(nearest_double(quotient_of(root, mpz_class(1) << scale)));
+    return rounded_to(digits, quotient_of(root, mpz_class(1) << scale));
 }
 
 } // namespace rastertrace

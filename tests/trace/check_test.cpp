@@ -134,6 +134,102 @@ TEST(Check, DecimalsAreRoundedAndNotCutOff) {
     EXPECT_EQ(verdicts(check_claims(thirds, "y=1: 0.7, ?\ny=1: 0.6, ?\n")), "rw");
 }
 
+/// A triangle of unit vectors, with `more` keys of the scene.
+std::string unit_vectors(const std::string& more) {
+    return R"({"canvas":{"width":17,"height":14},
+ "vertices":{"A":[1,0,0],"B":[0,1,0],"C":[0,0,1]},"triangles":["ABC"],"method":{"scalar":"exact"},)" +
+           more + "}";
+}
+
+std::string turned(const std::string& axis, const std::vector<int>& degrees) {
+    std::string steps;
+    for (const int angle : degrees)
+        steps += fmt::format(R"({}{{"rotate":{{"axis":{},"degrees":{}}}}})",
+                             steps.empty() ? "" : ",", axis, angle);
+    return unit_vectors("\"model\":[" + steps + "]");
+}
+
+TEST(Check, TheSchoolsAnswerIsRightWhereSinesAreRounded) {
+    EXPECT_EQ(
+        verdicts(check_claims(turned("\"z\"", {45, 45}), "A world: 0, 1, 0\nB world: -1, 0, 0\n"
+                                                         "A screen: 0, 1\nA screen: 0.1, 1\n")),
+        "rrrw");
+    EXPECT_EQ(verdicts(check_claims(turned("[1,1,1]", {120}),
+                                    "A world: 0, 1, 0\nB world: 0, 0, 1\nC world: 1, 0, 0\n")),
+              "rrr");
+    EXPECT_EQ(
+        verdicts(check_claims(turned("\"x\"", {30, 60}), "B world: 0, 0, 1\nC world: 0, -1, 0\n")),
+        "rr");
+}
+
+TEST(Check, ARootIsRightInEveryNumberOfDigits) {
+    // The first 60 digits of the root of 1/2.
+    const std::string root = "0.707106781186547524400844362104849039284835937688474036588340";
+    const std::string scene = turned("\"z\"", {45});
+    for (std::size_t digits = 1; digits <= 58; ++digits) {
+        const std::string cut = root.substr(0, digits + 2);
+        const Checked checked = check_claims(scene, "A world: " + cut + ", sqrt(2)/2, 0\n");
+        EXPECT_EQ(verdicts(checked), "r") << cut;
+        const bool rounds_up = root[digits + 2] >= '5';
+        const std::string shortened = rounds_up ? "cut off behind" : "rounded to";
+        EXPECT_THAT(checked.claims[0].fields[0].remark, HasSubstr(shortened)) << cut;
+        // A last digit that is two off is wrong.
+        std::string wrong = cut;
+        wrong.back() = static_cast<char>(wrong.back() + (wrong.back() < '8' ? 2 : -2));
+        EXPECT_EQ(verdicts(check_claims(scene, "A world: " + wrong + ", sqrt(2)/2, 0\n")), "w")
+            << wrong;
+    }
+    EXPECT_EQ(verdicts(check_claims(scene, "A world: \u221A2/2, cos 45\u00B0, 0\n"
+                                           "B world: -1/sqrt(2), sin(pi/4), 0\n"
+                                           "A world: sqrt(3)/2, sqrt(2)/2, 0\n"
+                                           "A world: ~0.7, 0.7071.., 0\n")),
+              "rrwr");
+}
+
+TEST(Check, ACameraAndACosineHaveRoots) {
+    const std::string camera = unit_vectors(
+        R"("camera":{"position":[0,-3,1],"look_at":[0,0,0],"up":[0,0,1]},"projection":{"type":"pinhole","distance":1})");
+    EXPECT_EQ(verdicts(check_claims(camera, "A camera: 1, 0, 3.16227766\nA camera: 1, 0, sqrt(10)\n"
+                                            "A camera: 1, 0, 3.2\nA camera: 1, 0, 3.3\n")),
+              "rrrw");
+    // The normal (0, 0, 1) and the view (1, 0, 1) of T1.
+    const std::string angles = example_text("t1-hidden/three-angles.json");
+    EXPECT_EQ(verdicts(check_claims(angles, "cosine ABC: sqrt(2)/2\ncosine ABC: 1/sqrt(2)\n"
+                                            "cosine ABC: 0.70710678118654752440\n"
+                                            "cosine ABC: 0.70710678118654752442\n")),
+              "rrrw");
+}
+
+TEST(Check, ATieThatRootsDecideIsTold) {
+    // Turned by 45 degrees twice, the face is seen from its edge.
+    const std::string edge_on = R"({"canvas":{"width":17,"height":14},
+        "vertices":{"A":[0,0,0],"B":[1,0,0],"C":[0,1,0]},"triangles":["ABC"],
+        "model":[{"rotate":{"axis":"y","degrees":45}},{"rotate":{"axis":"y","degrees":45}}],
+        "method":{"scalar":"exact","cull":"back"}})";
+    const Checked checked = check_claims(edge_on, "dot ABC: 0\nABC: culled\n");
+    EXPECT_EQ(checked.claims[0].verdict, ClaimVerdict::right);
+    EXPECT_EQ(checked.claims[1].fields[0].remark,
+              "by the sines and roots as doubles; without rounding it is a tie");
+}
+
+TEST(Check, ANameAndNumbersAreWhatHasTheName) {
+    EXPECT_EQ(verdicts(check_claims(
+                  triangle, "AB: 3/4\nBA: 6/8\nBC: none\nedge BC: horizontal\nedge AB: none\n"
+                            "A = (2, 5)\nA: 2 5\nB: 4, 3\n")),
+              "rrrrwrrw");
+    EXPECT_EQ(problem_of_claims(turned("\"z\"", {90}), "A: 0, 1, 0\n"),
+              "claims:1:1: expected the space that A is in (object, world, camera), "
+              "found none\n"
+              "A: 0, 1, 0\n^\nhint: A camera: ...");
+}
+
+TEST(Check, AllNamesThatTheSceneDoesNotHaveAreToldInOneRun) {
+    EXPECT_EQ(
+        problem_of_claims(triangle, "edge AX: 1\ny=2: -1/4, 25/8\nD screen: 1, 2\n"),
+        "claims:1:6: expected an edge of the scene (AB, AC, BC), found \"AX\"\nedge AX: 1\n     ^\n"
+        "claims:3:1: expected a vertex of the scene (A, B, C), found \"D\"\nD screen: 1, 2\n^");
+}
+
 TEST(Check, OpenValuesAreCountedApart) {
     const Checked checked = check_claims(triangle, "y=2: ?, ? -> ?..?\ny=2: ?, 25/8\ny=2: ?, 3\n");
     EXPECT_EQ(verdicts(checked), "orw");

@@ -112,6 +112,35 @@ const std::vector<Form> forms{
     {"depth (3,2): ? ?", R"({"step":"depth","x":3,"y":2,"depth":null,"pass":null})"},
     {"order: ABC, ACD", R"({"step":"order","names":["ABC","ACD"]})"},
     {"order: ?", R"({"step":"order","names":null})"},
+    // As people write it.
+    {"y=2: -0,25, 3,125", R"({"step":"scanline","y":2,"left":-0.25,"right":3.125})"},
+    {"y=2: -0,25; 3,125", R"({"step":"scanline","y":2,"left":-0.25,"right":3.125})"},
+    {"Y = 2: \u2212\u00BC, 3\u215B", R"({"step":"scanline","y":2,"left":"-1/4","right":"25/8"})"},
+    {"row y=2: - 1 / 4, 25\u20448", R"({"step":"scanline","y":2,"left":"-1/4","right":"25/8"})"},
+    {"2: [-.25; +3 1/8 px]", R"({"step":"scanline","y":2,"left":-0.25,"right":"25/8"})"},
+    {"row 2: x from -1/4 to 25/8.", R"({"step":"scanline","y":2,"left":"-1/4","right":"25/8"})"},
+    {"1. y=2: (-1/4 ... 25/8)", R"({"step":"scanline","y":2,"left":"-1/4","right":"25/8"})"},
+    {"- y=2: xl = -1/4, xr = 5/2 + 5/8",
+     R"({"step":"scanline","y":2,"left":"-1/4","right":"25/8"})"},
+    {"y=2: 2 + 3/4 (2 - 5), 2 - 3/8 * (2-5) => -1 to 3",
+     R"({"step":"scanline","y":2,"left":"-1/4","right":"25/8","from":-1,"to":3})"},
+    {"y=2: -1/4|25/8 \u2192 -1, 0, 1, 2, 3",
+     R"({"step":"scanline","y":2,"left":"-1/4","right":"25/8","from":-1,"to":3})"},
+    {"y=5: 2, 2 -> 2", R"({"step":"scanline","y":5,"left":2,"right":2,"from":2,"to":2})"},
+    {"y=2: pixels -1\u20263", R"({"step":"scanline","y":2,"from":-1,"to":3})"},
+    {"y=2: 1\u20133", R"({"step":"scanline","y":2,"from":1,"to":3})"},
+    {"y=2: -1/4\u00A025/8", R"({"step":"scanline","y":2,"left":"-1/4","right":"25/8"})"},
+    {"(3|2): yes", R"({"step":"pixel","x":3,"y":2,"plotted":true})"},
+    {"pixel (3; 2) not drawn", R"({"step":"pixel","x":3,"y":2,"plotted":false})"},
+    {"(3,2): z 3,33", R"({"step":"pixel","x":3,"y":2,"z":3.33})"},
+    {"slope AB = 3 : 4", R"({"step":"edge","edge":"AB","dx_dy":"3/4"})"},
+    {"edge AB: dx/dy = 6 / 8", R"({"step":"edge","edge":"AB","dx_dy":"6/8"})"},
+    {"A screen = (2; 5)", R"({"step":"vertex","name":"A","space":"screen","at":[2,5]})"},
+    {"A screen: 2 5", R"({"step":"vertex","name":"A","space":"screen","at":[2,5]})"},
+    {"AB: [-1, 3, -3]", R"({"step":"decide","in":"AB","d":[-1,3,-3]})"},
+    {"order: ABC -> ACD", R"({"step":"order","names":["ABC","ACD"]})"},
+    {R"("A\u2212B" screen: 2, 5)",
+     R"({"step":"vertex","name":"A\u2212B","space":"screen","at":[2,5]})"},
     {R"("face 1, upper" y=2: -1..3)",
      R"({"step":"scanline","in":"face 1, upper","y":2,"from":-1,"to":3})"},
     {R"("edge" screen: 2, 5)", R"({"step":"vertex","name":"edge","space":"screen","at":[2,5]})"},
@@ -187,20 +216,29 @@ using Fault = std::pair<std::string, std::string>;
 
 TEST(Claims, FaultsOfATableArePointedAt) {
     const std::vector<Fault> faults{
-        {"\ny=2: -1/4 25/8",
-         "claims.txt:2:11: expected a comma between left and right, found 25/8\n"
-         "y=2: -1/4 25/8\n"
+        {"edge AB: 0,75\n\ny=2: -1,3",
+         "claims.txt:3:6: expected 2 numbers, found -1,3, which is -1.3, or -1 and 3\n"
+         "y=2: -1,3\n"
+         "     ^\n"
+         "hint: this file has decimal commas: a comma with a blank behind it, or a `;`, stands "
+         "between "
+         "two numbers"},
+        {"A screen: 2 1/2",
+         "claims.txt:1:11: expected commas between numbers, found 2 1/2, which is "
+         "5/2, or 2 and 1/2\n"
+         "A screen: 2 1/2\n"
          "          ^"},
-        {"y=2: -0,25, 3,125",
-         "claims.txt:1:11: expected `->` and the pixels, or the end of the line, found ,\n"
-         "y=2: -0,25, 3,125\n"
-         "          ^\n"
-         "hint: a decimal has a point: 0.25, not 0,25"},
-        {"(3,2): z 3,33",
-         "claims.txt:1:12: expected on, off, inside, outside, z, 1/z or color, found 33\n"
-         "(3,2): z 3,33\n"
-         "           ^\n"
-         "hint: a decimal has a point: 0.25, not 0,25"},
+        {"y=2: 1, 3 -> 1, 3, 4", "claims.txt:1:17: expected the next pixel of the row, or the "
+                                 "first and the last pixel, like "
+                                 "-1..3, found 3\n"
+                                 "y=2: 1, 3 -> 1, 3, 4\n"
+                                 "                ^"},
+        {"cosine ABC: cos 45", "claims.txt:1:13: expected a number, like 3.125 or 25/8, found cos\n"
+                               "cosine ABC: cos 45\n"
+                               "            ^"},
+        {"edge AB: 3 : 0", "claims.txt:1:14: expected a denominator other than 0, found 0\n"
+                           "edge AB: 3 : 0\n"
+                           "             ^"},
         {"y=2: x, 3", "claims.txt:1:6: expected a number, like 3.125 or 25/8, found x\n"
                       "y=2: x, 3\n"
                       "     ^"},
@@ -214,13 +252,6 @@ TEST(Claims, FaultsOfATableArePointedAt) {
          "claims.txt:1:3: expected 0 or a number from 4.941e-324 on, found 1e-400\n"
          "y=1e-400: 1, 3\n"
          "  ^"},
-        {"y=2: +1, 3", "claims.txt:1:6: expected a number without + in front, found +1\n"
-                       "y=2: +1, 3\n"
-                       "     ^"},
-        {"y=2: -.25, 3", "claims.txt:1:6: expected a digit before the point, like -0.25, found "
-                         "-.25\n"
-                         "y=2: -.25, 3\n"
-                         "     ^"},
         {"scene: a.json\n\nscene: b.json",
          "claims.txt:3:1: expected one line `scene:`, found another\n"
          "scene: b.json\n"
@@ -232,12 +263,14 @@ TEST(Claims, FaultsOfATableArePointedAt) {
         {"y=?: 1, 3", "claims.txt:1:3: expected a whole number, found ?\n"
                       "y=?: 1, 3\n"
                       "  ^"},
-        {"y=2: 1..2.5", "claims.txt:1:9: expected a whole number, found 2.5\n"
-                        "y=2: 1..2.5\n"
-                        "        ^"},
-        {"y=2: 1, 2 ->", "claims.txt:1:13: expected a value for from, found the end of the line\n"
-                         "y=2: 1, 2 ->\n"
-                         "            ^"},
+        {"y=2: -> 1..2.5", "claims.txt:1:12: expected a whole number, found 2.5\n"
+                           "y=2: -> 1..2.5\n"
+                           "           ^"},
+        {"y=2: 1, 2 ->",
+         "claims.txt:1:13: expected a number, like 3.125 or 25/8, found the end of the "
+         "line\n"
+         "y=2: 1, 2 ->\n"
+         "            ^"},
         {"y=2", "claims.txt:1:4: expected `:`, found the end of the line\n"
                 "y=2\n"
                 "   ^"},
@@ -252,11 +285,10 @@ TEST(Claims, FaultsOfATableArePointedAt) {
                                "norml ABC: 0, 0, 4\n"
                                "      ^\n"
                                "hint: did you mean normal?"},
-        {"A world: 2, 5",
-         "claims.txt:1:14: expected a comma and 3 numbers in all, found the end of "
-         "the line\n"
-         "A world: 2, 5\n"
-         "             ^"},
+        {"A world: 2, 5", "claims.txt:1:14: expected 3 numbers in all, found the end of "
+                          "the line\n"
+                          "A world: 2, 5\n"
+                          "             ^"},
         {"normal ABC: 0, 0, 4, 1", "claims.txt:1:20: expected the end of the line, found ,\n"
                                    "normal ABC: 0, 0, 4, 1\n"
                                    "                   ^"},
@@ -298,34 +330,61 @@ TEST(Claims, FaultsOfATableArePointedAt) {
         EXPECT_EQ(complaint(text), message) << text;
 }
 
-TEST(Claims, CharactersThatOnlyLookRightAreTold) {
-    const std::vector<Fault> faults{
-        {"y=2: \u22121/4, 25/8",
-         "claims.txt:1:6: expected a number, like 3.125 or 25/8, found \u22121/4\n"
-         "y=2: \u22121/4, 25/8\n"
-         "     ^\n"
-         "hint: a minus is -, not U+2212"},
-        {"y=2: -1/4,\u00A025/8",
-         "claims.txt:1:11: expected a number, like 3.125 or 25/8, found \u00A025/8\n"
-         "y=2: -1/4,\u00A025/8\n"
-         "          ^\n"
-         "hint: a blank is a plain space, not U+00A0"},
-        {"y=2: -1/4, 25/8 \u2192 -1..3",
-         "claims.txt:1:17: expected `->` and the pixels, or the end of the line, found \u2192\n"
-         "y=2: -1/4, 25/8 \u2192 -1..3\n"
-         "                ^\n"
-         "hint: an arrow is ->, not U+2192"},
-        {"y=2: 1, 3 -> 1\u20263", "claims.txt:1:14: expected a whole number, found 1\u20263\n"
-                                  "y=2: 1, 3 -> 1\u20263\n"
-                                  "             ^\n"
-                                  "hint: from the first to the last pixel is .., not U+2026"},
-    };
-    for (const auto& [text, message] : faults)
-        EXPECT_EQ(complaint(text), message) << text;
-    EXPECT_EQ(complaint("\"A\u2212B\" screen: x, 1"),
-              "claims.txt:1:15: expected a number, like 3.125 or 25/8, found x\n"
-              "\"A\u2212B\" screen: x, 1\n"
-              "              ^");
+TEST(Claims, AllFaultsOfATableAreToldInOneRun) {
+    EXPECT_EQ(
+        complaint("y=2: 1, 2 -> x\ny=1: -1, 7/2\n\u2192 2: \u2014\n"),
+        "claims.txt:1:14: expected a number, like 3.125 or 25/8, found x\n"
+        "y=2: 1, 2 -> x\n"
+        "             ^\n"
+        "claims.txt:3:1: expected a claim, found ->\n"
+        "\u2192 2: \u2014\n"
+        "^\n"
+        "hint: a line looks like `y=2: -1/4, 25/8 -> -1..3`, `y=2 depth: 1/3, 1/5`, `(3,2): on`, "
+        "`(3,2): z 10/3`, `A screen: 2, 5`, `normal ABC: 0, 0, -4`, `dot ABC: -12 culled`, "
+        "`AB: -1 3 -3`, `edge AB: 3/4`, `depth ACD (3,2): fails`, `order: ABC, ACD`, `picture:`");
+}
+
+TEST(Claims, ADecimalCommaIsThatOfTheWholeFile) {
+    // The first line could have two numbers in place of each.
+    EXPECT_EQ(
+        content_of(claims_in("normal ABC: 1,5, 2,5, 0\ny=2: -0,25, 3,125\n(3,2): on\n").claims),
+        "face name=<ABC> normal=[<1.5><2.5><0>\n"
+        "scanline y=<2> left=<-0.25> right=<3.125>\n"
+        "pixel x=<3> y=<2> plotted=<true>\n");
+    EXPECT_FALSE(claims_in("y=2: -1,3\nA screen: 2,5\n").has_decimal_comma);
+}
+
+/// A number as somebody types it, and as it is read.
+TEST(Claims, NumbersAreReadAsPeopleWriteThem) {
+    const std::vector<std::pair<std::string, std::string>> spellings{{"+3/4", "3/4"},
+                                                                     {"-3 1/8", "-25/8"},
+                                                                     {"3\u00BD", "7/2"},
+                                                                     {"-.25", "-0.25"},
+                                                                     {"6/8", "6/8"},
+                                                                     {"-4e-1", "-4e-1"},
+                                                                     {"(2 - 5)/(-4)", "3/4"},
+                                                                     {"0.5 / 2", "1/4"},
+                                                                     {"2 * 3", "6"},
+                                                                     {"2\u00B73", "6"},
+                                                                     {"\u2248 0.33", "~0.33"},
+                                                                     {"~= 3", "~3"},
+                                                                     {"0.33...", "0.33.."},
+                                                                     {"0.33 px", "0.33"},
+                                                                     {"45\u00B0", "45"},
+                                                                     {"sqrt(9/4)", "3/2"},
+                                                                     {"\u221A2/2", "sqrt 2/2"},
+                                                                     {"3\u03C0/4", "3pi/4"},
+                                                                     {"2 sqrt(2)", "2 sqrt(2)"},
+                                                                     {"-(1 + 2 (3 + 1))", "-9"}};
+    for (const auto& [typed, read] : spellings)
+        EXPECT_EQ(claims_in("edge AB: " + typed).claims.at(0).find("dx_dy")->values.at(0), read)
+            << typed;
+    for (const std::string typed :
+         {"1,2,3", "--", "1/", "sqrt(-1)", "sqrt", "(1", "2 +", "1e", "tan 90\u00B0", "x", "3x"})
+        EXPECT_NE(complaint("edge AB: " + typed), "") << typed;
+    // Brackets within brackets, and a sum of many terms, end.
+    EXPECT_NE(complaint("edge AB: " + repeated("(", 10'000) + "1" + repeated(")", 10'000)), "");
+    EXPECT_NE(complaint("edge AB: 1" + repeated(" * 1e300", 10'000)), "");
 }
 
 TEST(Claims, OfALongLineTheFirstWordTooManyIsRefused) {
@@ -362,9 +421,10 @@ TEST(Claims, ALineOfNoFormIsShownTheForms) {
 }
 
 TEST(Claims, FaultsOfJsonArePointedAt) {
-    const std::string kinds = "triangulate, matrix, vertex, order, primitive, face, light, clip, "
-                              "edge, half, crossings, scanline, along, decide, sample, depth, pixel, reject, "
-                              "skip, undecided";
+    const std::string kinds =
+        "triangulate, matrix, vertex, order, primitive, face, light, clip, "
+        "edge, half, crossings, scanline, along, decide, sample, depth, pixel, reject, "
+        "skip, undecided";
     const std::vector<Fault> faults{
         {R"({"claims": [{"step":"skanline","y":2}]})",
          "claims.txt:1:21: expected a kind of step (" + kinds +

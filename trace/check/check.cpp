@@ -6,8 +6,10 @@
 #include "picture_claim.h"
 #include "wrong_explainer.h"
 
+#include <rastertrace/core/numbers/number.h>
 #include <rastertrace/trace/record/traced_steps.h>
 #include <rastertrace/trace/tell/describe.h>
+#include <rastertrace/trace/tell/step_text.h>
 #include <rastertrace/trace/tell/working.h>
 #include <rastertrace/trace/text/text.h>
 
@@ -24,14 +26,42 @@ namespace rastertrace {
 
 namespace {
 
+/// A number with many digits, as a hand writes it: 3.16227766, and 1/3 as 0.3333333333.
+std::string in_ten_digits(const std::string& value) {
+    const auto number = number_in(value);
+    if (!number || number->get_den() < 1'000'000)
+        return value;
+    return abs(*number) <= error_of(*number) ? "0"
+                                             : fmt::format("{:.10g}", nearest_double(*number));
+}
+
+/// True if what a decision is made by lies so near its limit that many digits of roots do not tell on which side.
+bool is_at_tie(const Formula& formula) {
+    const auto is_zero = [](const Rational& number) { return abs(number) <= error_of(number); };
+    const auto is_end_at_tie = [](RoundedEnd end) {
+        const Rational error = error_of(end.x);
+        end.x -= error;
+        const Rational before = end.by(end.rule);
+        end.x += 2 * error;
+        return before != end.by(end.rule);
+    };
+    if (const auto* const end = std::get_if<RoundedEnd>(&formula.of))
+        return is_end_at_tie(*end);
+    if (const auto* const row = std::get_if<InRow>(&formula.of))
+        return is_end_at_tie(row->from) || is_end_at_tie(row->to);
+    if (const auto* const face = std::get_if<IsCulled>(&formula.of))
+        return is_zero(face->dot);
+    const auto* const test = std::get_if<DepthComparison>(&formula.of);
+    return test != nullptr && is_zero(test->depth - test->stored);
+}
+
 /// Checks the claims of one file.
 class Checker {
 public:
     Checker(const Truth& truth, const Claims& claims) : truth_(truth.index()), claims_(claims) {}
 
     Checked run() {
-        for (std::size_t i = 0; i < claims_.claims.size(); ++i)
-            compare_claim(i);
+        compare_claims();
         WrongExplainer explainer(wrong_);
         for (std::size_t i = 0; i < claims_.claims.size(); ++i)
             if (subjects_[i])
@@ -50,6 +80,19 @@ private:
         std::size_t line;
         bool is_right;
     };
+
+    /// What is wrong with the claims of a file is thrown as one Problem.
+    void compare_claims() {
+        std::vector<Problem> problems;
+        for (std::size_t i = 0; i < claims_.claims.size(); ++i)
+            try {
+                compare_claim(i);
+            } catch (Problem& problem) {
+                problems.push_back(std::move(problem));
+            }
+        if (!problems.empty())
+            throw first_of(std::move(problems));
+    }
 
     /// Compares each field with what is told.
     void compare_claim(std::size_t i) {
@@ -83,22 +126,81 @@ private:
         checked_.claims.push_back(std::move(checked));
     }
 
-    /// `ABC: ?` is Bresenham's d of a line, and the verdict of a face: what ABC is tells which.
+    /// A name and numbers are Bresenham's d of a line, the slope of an edge, or a vertex; a name and `?` may be the
+    /// verdict of a face, too. What has the name tells which.
     const Claim& as_meant(const Claim& claim) {
         const ClaimedField* const d = claim.find("d");
         const ClaimedField* const name = claim.find("in");
         if (claim.step != name_of(StepKind::decide) || d == nullptr || !d->is_list ||
-            d->values != std::vector<std::string>{std::string(open_value)} || name == nullptr ||
-            !names_face(name->values.front(), truth_))
+            name == nullptr)
+            return claim;
+        const bool is_open = d->values == std::vector<std::string>{std::string(open_value)};
+        const auto meant = meant_by(claim, name->values.front(), d->values.size(), is_open);
+        if (!meant)
             return claim;
         meant_.push_back(std::make_unique<Claim>(claim));
-        Claim& verdict = *meant_.back();
-        verdict.step = name_of(StepKind::face);
-        for (ClaimedField& field : verdict.fields) {
-            field.name = field.name == "in" ? "name" : "culled";
-            field.is_list = false;
+        Claim& other = *meant_.back();
+        other.step = name_of(meant->kind);
+        for (ClaimedField& field : other.fields) {
+            field.name = field.name == "in" ? meant->key : meant->field;
+            field.is_list = field.name == "at";
         }
-        return verdict;
+        if (!meant->space.empty())
+            other.fields.push_back({.name = "space", .values = {meant->space}});
+        return other;
+    }
+
+    /// What a claim about a name is meant to be, other than Bresenham's d.
+    struct Meant {
+        StepKind kind;
+        std::string key;
+        std::string field;
+        std::string space = {};
+    };
+
+    /// From either end.
+    static bool names_edge(const std::string& name, const StepIndex& told) {
+        const std::string turned(name.rbegin(), name.rend());
+        return !told.find(StepKind::edge, {{"edge", name}}).empty() ||
+               (name.size() == 2 && !told.find(StepKind::edge, {{"edge", turned}}).empty());
+    }
+
+    static bool names_vertex(const std::string& name, const StepIndex& told) {
+        if (!told.find(StepKind::vertex, {{"name", name}}).empty())
+            return true;
+        const auto& primitives = told.find(StepKind::primitive, {});
+        return std::any_of(primitives.begin(), primitives.end(), [&](std::size_t n) {
+            const auto names = told.trace().step(n).as<PrimitiveStep>().vertices.texts();
+            return std::find(names.begin(), names.end(), name) != names.end();
+        });
+    }
+
+    std::optional<Meant> meant_by(const Claim& claim, const std::string& name, std::size_t count,
+                                  bool is_open) const {
+        const StepIndex& told = truth_.exact();
+        if (!told.find(StepKind::decide, {{"in", name}}).empty())
+            return std::nullopt;
+        if (is_open && names_face(name, truth_))
+            return Meant{StepKind::face, "name", "culled"};
+        if (count == 1 && names_edge(name, told))
+            return Meant{StepKind::edge, "edge", "dx_dy"};
+        if (count == 1 || !names_vertex(name, told))
+            return std::nullopt;
+        // A scene without a pipeline tells where a vertex is drawn; of one with several spaces, that with so many numbers.
+        std::vector<std::string> spaces;
+        for (const std::size_t n : told.find(StepKind::vertex, {{"name", name}})) {
+            const auto vertex = told.trace().step(n).as<VertexStep>();
+            const std::string space = vertex.space.text();
+            if (vertex.at.values().size() == count &&
+                std::find(spaces.begin(), spaces.end(), space) == spaces.end())
+                spaces.push_back(space);
+        }
+        if (spaces.size() > 1)
+            throw problem_at(claims_.source, claim.offset,
+                             fmt::format("expected the space that {} is in ({}), found none",
+                                         printable(name), joined(spaces, ", ")),
+                             fmt::format("{} {}: ...", printable(name), spaces.back()));
+        return Meant{StepKind::vertex, "name", "at", spaces.empty() ? "screen" : spaces.front()};
     }
 
     /// Where a vertex is snapped, whole numbers are its pixel.
@@ -137,7 +239,7 @@ private:
         const std::vector<std::string>& right = decided ? *decided : *exact;
         checked.expected = joined(right, ", ");
         const bool is_vertex = subject.kind == StepKind::vertex;
-        const NumbersHeld held = numbers_held(subject, field);
+        const NumbersHeld held = numbers_held(subject);
         Comparison comparison = compare(field, right, held, is_vertex);
         if (decides && exact && decided != exact) {
             // A value that is still open is not given away.
@@ -149,7 +251,12 @@ private:
             if (!comparison.is_right)
                 comparison = compare(field, *exact, held, is_vertex);
         }
-        note_fit(comparison, checked);
+        const bool has_root = !decides && exact &&
+                              (!comparison.is_right || comparison.fit == Fit::truncated) &&
+                              compare_with_many_digits(field, comparison, checked);
+        if (decides && !has_open(field))
+            note_tie(subject, field, checked);
+        note_fit(comparison, has_root, checked);
         if (!comparison.is_right && !comparison.is_open)
             note_count(field, right, checked);
         if (!comparison.is_right && field.name == "culled" && subject.decided_step == 0)
@@ -160,6 +267,38 @@ private:
             checked.verdict = ClaimVerdict::wrong;
         note_number(field, right, order, comparison.fit, checked, claim);
         return checked;
+    }
+
+    /// Sines and roots are doubles in what is drawn. What somebody worked out is held against more digits of them.
+    /// False if there are none.
+    bool compare_with_many_digits(const ClaimedField& field, Comparison& comparison,
+                                  CheckedField& checked) {
+        const Subject& subject = *subjects_.back();
+        const auto other = with_many_digits(subject, truth_);
+        ToldValues told = cosine_with_many_digits(other.value_or(subject), field);
+        if (!told && other)
+            told = told_exactly(*other, field);
+        if (!told)
+            return false;
+        comparison =
+            compare(field, *told, NumbersHeld::many_digits, subject.kind == StepKind::vertex);
+        std::vector<std::string> digits;
+        for (const std::string& value : *told)
+            digits.push_back(in_ten_digits(value));
+        checked.expected = joined(digits, ", ");
+        return true;
+    }
+
+    /// A decision that the last bits of a root make: in exact numbers it is, or may be, a tie.
+    void note_tie(const Subject& subject, const ClaimedField& field, CheckedField& checked) const {
+        const auto other = with_many_digits(subject, truth_);
+        if (!other || !checked.remark.empty())
+            return;
+        for (const Formula& formula : formulas_of(*other, Numbers(*other->exact), field.name))
+            if (is_at_tie(formula)) {
+                checked.remark = "by the sines and roots as doubles; without rounding it is a tie";
+                return;
+            }
     }
 
     /// A value as the claims would have it.
@@ -188,7 +327,7 @@ private:
     }
 
     /// Says how a decimal was shortened. One that was cut off is right only where that is asked for.
-    void note_fit(Comparison& comparison, CheckedField& checked) const {
+    void note_fit(Comparison& comparison, bool has_root, CheckedField& checked) const {
         if (!comparison.is_right)
             return;
         const std::string digits =
@@ -198,7 +337,8 @@ private:
         if (comparison.fit != Fit::truncated)
             return;
         checked.remark = fmt::format("cut off behind {}, not rounded", digits);
-        comparison.is_right = claims_.truncates;
+        // A root has to be shortened, one way or the other.
+        comparison.is_right = claims_.truncates || has_root;
     }
 
     /// Says that a list has too few numbers, or too many.

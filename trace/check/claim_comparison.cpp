@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include "claim_comparison.h"
 
+#include "typed_number.h"
+
+#include <rastertrace/core/numbers/irrational.h>
 #include <rastertrace/core/numbers/number.h>
 #include <rastertrace/trace/tell/step_text.h>
 #include <rastertrace/trace/text/color_text.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <optional>
 #include <string_view>
@@ -15,31 +17,10 @@ namespace rastertrace {
 
 namespace {
 
-struct ClaimedNumber {
-    Rational value;
-    std::optional<int> places = {}; ///< digits behind the point, of a decimal
-};
-
-/// Nothing of a text that is no number.
-std::optional<ClaimedNumber> claimed_number(std::string_view text) {
-    const auto value = number_in(text);
-    if (!value)
-        return std::nullopt;
-    const std::size_t point = text.find('.');
-    if (point == std::string_view::npos)
-        return ClaimedNumber{*value};
-    // 1.25e-3 has five digits behind the point.
-    const std::size_t mark = std::min(text.find_first_of("eE"), text.size());
-    int exponent = 0;
-    const std::string_view power = text.substr(std::min(mark + 1, text.size()));
-    const std::size_t sign = power.starts_with('+') ? 1 : 0;
-    std::from_chars(power.data() + sign, power.data() + power.size(), exponent);
-    return ClaimedNumber{*value, static_cast<int>(mark - point - 1) - exponent};
-}
-
-/// How a claimed number is the true one.
-Fit fit_of(const ClaimedNumber& claimed, const Rational& truth) {
-    if (claimed.value == truth)
+/// How a claimed number is the true one, which lies within `error` of `truth`.
+Fit fit_of(const TypedValue& claimed, const Rational& truth, const Rational& error) {
+    const Rational difference = abs(claimed.value - truth);
+    if (difference <= error)
         return Fit::exact;
     constexpr int most_places = 1000; // more than anybody writes
     const int places = claimed.places.value_or(0);
@@ -47,19 +28,20 @@ Fit fit_of(const ClaimedNumber& claimed, const Rational& truth) {
         return Fit::none;
     mpz_class power;
     mpz_ui_pow_ui(power.get_mpz_t(), 10, static_cast<unsigned long>(places));
-    if (2 * abs(claimed.value - truth) * power <= 1)
+    if (2 * (difference - error) * power <= 1)
         return Fit::rounded;
-    const Rational scaled = truth * power;
-    const mpz_class cut = scaled.get_num() / scaled.get_den(); // toward 0
-    return claimed.value * power == cut ? Fit::truncated : Fit::none;
+    // Toward 0; a number that may be a whole one is not cut off.
+    const Rational scaled = (abs(truth) + error) * power;
+    const mpz_class cut = scaled.get_num() / scaled.get_den();
+    return abs(claimed.value) * power == cut && sgn(claimed.value) * sgn(truth) >= 0
+               ? Fit::truncated
+               : Fit::none;
 }
 
 /// True if two numbers are one as far as numbers that are no fractions tell.
 bool is_near(const Rational& a, const Rational& b, NumbersHeld held) {
-    if (held == NumbersHeld::fractions)
+    if (held == NumbersHeld::fractions || held == NumbersHeld::many_digits)
         return false;
-    if (held == NumbersHeld::nearest_doubles)
-        return nearest_double(a) == nearest_double(b);
     const double last_bits = held == NumbersHeld::floats ? 1e-6 : 1e-14;
     const double difference = std::abs(nearest_double(a - b));
     return difference <= last_bits * std::abs(nearest_double(b));
@@ -70,7 +52,7 @@ void compare_one(Comparison& comparison, const std::string& claimed, const std::
     if (claimed == open_value)
         return;
     comparison.is_open = false;
-    const auto number = claimed_number(claimed);
+    const auto number = typed_value(claimed);
     const auto truth = number_in(told);
     if (!number || !truth) {
         const auto color = parse_color(claimed);
@@ -78,7 +60,11 @@ void compare_one(Comparison& comparison, const std::string& claimed, const std::
         comparison.is_right = comparison.is_right && is_same;
         return;
     }
-    const Fit fit = is_near(number->value, *truth, held) ? Fit::exact : fit_of(*number, *truth);
+    const bool has_roots = held == NumbersHeld::many_digits || !number->is_exact;
+    const Rational error = has_roots ? error_of(*truth) : Rational(0);
+    Fit fit = is_near(number->value, *truth, held) ? Fit::exact : fit_of(*number, *truth, error);
+    if (fit == Fit::truncated && number->goes_on)
+        fit = Fit::rounded; // its author says that it goes on
     if (fit == Fit::none)
         comparison.is_right = false;
     if (fit != Fit::exact)
@@ -86,7 +72,16 @@ void compare_one(Comparison& comparison, const std::string& claimed, const std::
     comparison.fit = std::max(comparison.fit, fit);
 }
 
+std::optional<Rational> value_of_claim(const std::string& text) {
+    const auto typed = typed_value(text);
+    return typed ? std::optional(typed->value) : std::nullopt;
+}
+
 } // namespace
+
+Rational error_of(const Rational& number) {
+    return (abs(number) + 1) / Rational(mpz_class(1) << (many_binary_digits / 2));
+}
 
 Comparison compare(const ClaimedField& claimed, const std::vector<std::string>& told,
                    NumbersHeld held, bool may_lack_z) {
@@ -108,7 +103,7 @@ Values claimed_values(const ClaimedField& field, const std::vector<std::string>&
                                                     : field.name;
         const auto number = text == "true"    ? std::optional(Rational(1))
                             : text == "false" ? std::optional(Rational(0))
-                                              : number_in(text);
+                                              : value_of_claim(text);
         if (!number)
             return {};
         values.push_back(*number);
@@ -130,8 +125,9 @@ bool gives(const Values& values, const ClaimedField& claimed) {
                 return false;
             continue;
         }
-        const auto number = claimed_number(text);
-        if (!number || fit_of(*number, values[i]) == Fit::none)
+        const auto number = typed_value(text);
+        const Rational error = number && !number->is_exact ? error_of(values[i]) : Rational(0);
+        if (!number || fit_of(*number, values[i], error) == Fit::none)
             return false;
     }
     return true;

@@ -33,10 +33,13 @@ struct Comparison {
 /// What kind of numbers is told: where they are rounded, a fraction is right that rounds to them.
 enum class NumbersHeld {
     fractions,
-    nearest_doubles, ///< rounded once, at the end
-    doubles,         ///< rounded on the way
+    doubles,     ///< rounded on the way
     floats,
+    many_digits, ///< of sines and roots: within `error_of` of the true ones
 };
+
+/// How far a number with many digits of sines and roots may be from the true one.
+Rational error_of(const Rational& number);
 
 /// Compares a field with what is told of it. A vertex may be given without a z of 0.
 Comparison compare(const ClaimedField& claimed, const std::vector<std::string>& told,

@@ -3,7 +3,9 @@
 
 #include "claim_fields.h"
 
+#include <rastertrace/core/numbers/number.h>
 #include <rastertrace/trace/record/verdict_words.h>
+#include <rastertrace/trace/tell/step_text.h>
 #include <rastertrace/trace/text/text.h>
 
 #include <fmt/core.h>
@@ -11,7 +13,10 @@
 #include <algorithm>
 #include <array>
 #include <optional>
+#include <span>
+#include <string>
 #include <utility>
+#include <variant>
 #include <vector>
 
 namespace rastertrace {
@@ -48,11 +53,30 @@ constexpr std::array<FaceWord, 8> face_words{{{"normal", "face", "normal", 3},
                                               {"light", "light", "light", 3},
                                               {"intensity", "light", "intensity", 1}}};
 
-/// The words for true and false that only a table of claims has.
-constexpr std::array<VerdictWord, 4> words_of_table{{{"on", "plotted", "true"},
-                                                     {"off", "plotted", "false"},
-                                                     {"passes", "pass", "true"},
-                                                     {"fails", "pass", "false"}}};
+/// The words for true and false that only a table of claims has; of those that mean the same, the first is said.
+constexpr auto words_of_table = std::to_array<VerdictWord>({{"on", "plotted", "true"},
+                                                            {"drawn", "plotted", "true"},
+                                                            {"plotted", "plotted", "true"},
+                                                            {"filled", "plotted", "true"},
+                                                            {"black", "plotted", "true"},
+                                                            {"yes", "plotted", "true"},
+                                                            {"off", "plotted", "false"},
+                                                            {"empty", "plotted", "false"},
+                                                            {"blank", "plotted", "false"},
+                                                            {"white", "plotted", "false"},
+                                                            {"no", "plotted", "false"},
+                                                            {"passes", "pass", "true"},
+                                                            {"fails", "pass", "false"}});
+
+/// What people call a row, a pixel and an edge before they say which.
+constexpr auto row_words = std::to_array<std::string_view>({"row", "scanline", "line"});
+constexpr auto pixel_words = std::to_array<std::string_view>({"pixel", "point"});
+constexpr auto edge_words = std::to_array<std::string_view>({"edge", "slope"});
+
+bool is_one_of(const ClaimWord& word, std::span<const std::string_view> known) {
+    return std::any_of(known.begin(), known.end(),
+                       [&word](std::string_view one) { return word.is(one); });
+}
 
 /// What fields are called by who has not seen their names, because in a table they have none.
 struct FieldWords {
@@ -96,18 +120,19 @@ public:
 
     void read() {
         const ClaimWord first = line_.peek();
-        const auto face_word =
+        const ClaimWord second = line_.peek(1);
+        const auto* const face_word =
             std::find_if(face_words.begin(), face_words.end(),
                          [&first](const FaceWord& known) { return first.is(known.word); });
-        if (first.is("("))
+        if (first.is("(") || (is_one_of(first, pixel_words) && second.is("(")))
             read_pixel();
         else if (first.is("depth"))
             read_depth();
         else if (first.is("order"))
             read_order();
-        else if (first.is("y") && line_.peek(1).is("="))
+        else if (is_row_at(0))
             read_row({});
-        else if (first.is("edge"))
+        else if (is_one_of(first, edge_words))
             read_edge({});
         else if (face_word != face_words.end())
             read_face(*face_word);
@@ -119,15 +144,36 @@ public:
     }
 
 private:
+    /// True if a row is named there: y=2, row 2, row y=2; or 2 at the beginning of the line.
+    bool is_row_at(std::size_t ahead) const {
+        const ClaimWord word = line_.peek(ahead);
+        const ClaimWord second = line_.peek(ahead + 1);
+        const auto is_number = [](const ClaimWord& one) {
+            return !one.is_quoted && std::holds_alternative<Number>(parse_number(one.text));
+        };
+        // 01 is the name of a line from 0 to 1.
+        const bool is_plain = word.text == "0" || !word.text.starts_with('0');
+        return ((word.is("y") || word.is("Y")) && second.is("=")) ||
+               (is_one_of(word, row_words) &&
+                (second.is("y") || second.is("Y") || is_number(second))) ||
+               (ahead == 0 && is_plain && is_number(word) && second.is(":"));
+    }
+
+    /// Between what a claim is about and what it says: a colon, an equals sign, or nothing where no name can follow.
+    void go_to_value() {
+        if (!line_.take("="))
+            line_.expect(":", "`:`");
+    }
+
     /// What begins with the name of a primitive or a vertex.
     void read_named(const ClaimWord& name) {
         const ClaimWord second = line_.peek();
-        if (second.is("y"))
+        if (is_row_at(0))
             read_row(name);
-        else if (second.is("edge"))
+        else if (is_one_of(second, edge_words))
             read_edge(name);
-        else if (second.is(":"))
-            read_line_or_verdict(name);
+        else if (second.is(":") || second.is("="))
+            read_of_name(name);
         else if (second.is_name())
             read_vertex(name);
         else
@@ -137,64 +183,84 @@ private:
     /// [ABC ]y=2: -1/4, 25/8 -> -1..3, or the ends of all spans of a polygon in the row.
     void read_row(const std::optional<ClaimWord>& primitive) {
         begin("scanline", primitive);
-        line_.next();
-        line_.expect("=", "`=` and the row");
-        put("y", line_.next());
+        if (is_one_of(line_.peek(), row_words))
+            line_.next();
+        if (line_.take("y") || line_.take("Y"))
+            line_.expect("=", "`=` and the row");
+        put("y", line_.key());
         const bool is_depth = line_.take("depth");
         line_.expect(":", "`:`");
         if (is_depth)
-            return read_ends("left_depth", "right_depth", line_.next());
-        if (!line_.take("->")) {
-            if (has_more_ends())
-                return read_crossings();
-            const ClaimWord first = line_.next();
-            if (line_.peek().is(".."))
-                return read_pixels_of_row(first);
-            read_ends("left", "right", first);
-            if (line_.at_end())
-                return;
-            line_.expect("->", "`->` and the pixels, or the end of the line");
-        }
-        read_pixels_of_row(line_.next());
+            return put_ends("left_depth", "right_depth", line_.numbers(2));
+        if (line_.take("->") || is_pixels_word())
+            return read_pixels_of_row();
+        // x from -1/4 to 25/8 are the ends, -1 to 3 the pixels.
+        if (line_.peek(1).is("from"))
+            line_.take("x");
+        const bool says_x = line_.peek().is("from") || line_.peek(1).is("=");
+        const std::vector<ClaimWord> ends = line_.numbers(0, 2);
+        const bool are_pixels = ends.size() == 2 && !says_x && are_apart_by_dots(ends) &&
+                                is_whole(ends[0]) && is_whole(ends[1]);
+        if (are_pixels)
+            return put_ends("from", "to", ends);
+        if (ends.size() == 1)
+            line_.fail(line_.peek(), "a comma between left and right");
+        if (ends.size() > 2)
+            return put_crossings(ends);
+        put_ends("left", "right", ends);
+        if (line_.at_end())
+            return;
+        line_.expect("->", "`->` and the pixels, or the end of the line");
+        is_pixels_word();
+        read_pixels_of_row();
     }
 
-    void read_ends(std::string_view left, std::string_view right, const ClaimWord& first) {
-        put(left, first);
-        line_.expect(",", fmt::format("a comma between {} and {}", left, right));
-        put(right, line_.next());
+    /// Goes behind a word that says that pixels follow.
+    bool is_pixels_word() {
+        return line_.take("pixels") || line_.take("pixel") || line_.take("px");
     }
 
-    /// True if more than two ends follow. A comma without a space behind it may be that of a decimal.
-    bool has_more_ends() {
-        std::size_t commas = 0;
-        for (; line_.peek(2 * commas + 1).is(","); ++commas)
-            if (line_.peek(2 * commas + 1).offset + 1 == line_.peek(2 * commas + 2).offset)
-                return false;
-        return commas > 1;
+    static bool is_whole(const ClaimWord& number) {
+        return number.text.find_first_of("./") == std::string::npos;
+    }
+
+    /// True of -1..3 and of -1 to 3.
+    bool are_apart_by_dots(const std::vector<ClaimWord>& ends) const {
+        return line_.between(ends[0], ends[1]).find_first_not_of(" \t.to") == std::string::npos;
+    }
+
+    void put_ends(std::string_view left, std::string_view right,
+                  const std::vector<ClaimWord>& ends) {
+        put(left, ends.front());
+        put(right, ends.back());
     }
 
     /// The ends of all spans of a polygon in a row.
-    void read_crossings() {
+    void put_crossings(const std::vector<ClaimWord>& ends) {
         claim_.step = "crossings";
-        std::vector<ClaimWord> ends{line_.next()};
-        while (line_.take(","))
-            ends.push_back(line_.next());
         put_list("x", ends);
     }
 
-    void read_pixels_of_row(const ClaimWord& from) {
-        put("from", from);
-        line_.expect("..", "the first and the last pixel, like -1..3");
-        put("to", line_.next());
+    /// -1..3, or all of them: -1, 0, 1, 2, 3
+    void read_pixels_of_row() {
+        const std::vector<ClaimWord> pixels = line_.numbers(0);
+        for (std::size_t i = 1; pixels.size() > 2 && i < pixels.size(); ++i)
+            if (number_in(pixels[i].text) != *number_in(pixels[i - 1].text) + 1)
+                line_.fail(pixels[i], "the next pixel of the row, or the first and the last pixel, "
+                                      "like -1..3");
+        put_ends("from", "to", pixels);
     }
 
     /// (3,2): on, z 10/3
     void read_pixel() {
         begin("pixel", {});
+        if (!line_.peek().is("("))
+            line_.next();
         read_place();
-        if (!line_.peek().is(":"))
+        if (line_.peek().is_name() && !is_of_pixel(line_.peek()) && line_.peek(1).is(":"))
             return read_in_primitive(line_.next());
-        line_.next();
+        if (!line_.take(":"))
+            line_.take("=");
         if (find_verdict(line_.peek(), "inside"))
             return read_verdict("inside", "inside or outside");
         do
@@ -202,15 +268,24 @@ private:
         while (line_.take(","));
     }
 
+    static bool is_of_pixel(const ClaimWord& word) {
+        return find_verdict(word, "plotted") != nullptr || find_verdict(word, "inside") != nullptr;
+    }
+
     void read_of_pixel(const ClaimWord& word) {
-        if (const VerdictWord* const verdict = find_verdict(word, "plotted"))
-            return put_value(*verdict, word);
+        const bool is_not = word.is("not");
+        const ClaimWord said = is_not ? line_.next() : word;
+        if (const VerdictWord* const verdict = find_verdict(said, "plotted"))
+            return is_not ? put_value({{}, "plotted", verdict->value == "true" ? "false" : "true"},
+                                      word)
+                          : put_value(*verdict, word);
         if (word.is(open_value))
             return put("plotted", word);
-        for (const auto& [name, field] :
-             {std::pair{"z", "z"}, std::pair{"1/z", "inverse_z"}, std::pair{"color", "color"}})
+        for (const auto& [name, field] : {std::pair{"z", "z"}, std::pair{"1/z", "inverse_z"}})
             if (word.is(name))
-                return put(field, line_.next());
+                return put(field, line_.one_number());
+        if (word.is("color"))
+            return put("color", line_.next());
         line_.fail(word, "on, off, inside, outside, z, 1/z or color",
                    did_you_mean(word.text, {"on", "off", "inside", "outside", "color"}));
     }
@@ -229,7 +304,7 @@ private:
         read_place();
         line_.expect(":", "`:`");
         if (!find_verdict(line_.peek(), "pass"))
-            put("depth", line_.next());
+            put("depth", line_.one_number());
         if (!line_.at_end())
             read_verdict("pass", "passes or fails");
     }
@@ -237,9 +312,10 @@ private:
     /// (3,2)
     void read_place() {
         line_.expect("(", "a pixel, like (3,2)");
-        put("x", line_.next());
-        line_.expect(",", "a comma between x and y");
-        put("y", line_.next());
+        put("x", line_.key());
+        if (!line_.take(";") && !line_.take("|"))
+            line_.expect(",", "a comma between x and y");
+        put("y", line_.key());
         line_.expect(")", "`)` behind x and y");
     }
 
@@ -251,7 +327,7 @@ private:
         std::vector<ClaimWord> names;
         do
             names.push_back(line_.next());
-        while (line_.take(","));
+        while (line_.take(",") || line_.take("->"));
         put_list("names", names);
     }
 
@@ -260,8 +336,35 @@ private:
         begin("edge", primitive);
         line_.next();
         put("edge", line_.next());
-        line_.expect(":", "`:`");
-        put("dx_dy", line_.next());
+        go_to_value();
+        line_.take("dx/dy", "=");
+        read_slope();
+    }
+
+    /// 3/4, 3 : 4, or none
+    void read_slope() {
+        if (is_no_slope())
+            return put_no_slope();
+        ClaimWord slope = line_.one_number();
+        if (line_.take(":")) {
+            const ClaimWord below = line_.one_number();
+            slope.text = typed_quotient(slope.text, below.text);
+            if (slope.text.empty())
+                line_.fail(below, "a denominator other than 0");
+        }
+        put("dx_dy", slope);
+    }
+
+    bool is_no_slope() const {
+        return line_.peek().is("none") || line_.peek().is("horizontal") ||
+               (line_.peek().is("no") && line_.peek(1).is("slope"));
+    }
+
+    void put_no_slope() {
+        const ClaimWord word = line_.next();
+        if (word.is("no"))
+            line_.next();
+        put("dx_dy", {.text = std::string(no_slope), .offset = word.offset});
     }
 
     /// normal ABC: 0, 0, -4
@@ -269,33 +372,33 @@ private:
         begin(about.step, {});
         line_.next();
         put("name", line_.next());
-        line_.expect(":", "`:`");
-        put_list(about.field, numbers(about.numbers));
+        go_to_value();
+        put_list(about.field, line_.numbers(about.numbers));
         if (about.word == "dot" && !line_.at_end())
             read_verdict("culled", "culled or drawn");
     }
 
-    /// AB: -1 3 -3 1 -5, or ABC: culled
-    void read_line_or_verdict(const ClaimWord& name) {
+    /// AB: -1 3 -3 1 -5, or ABC: culled. What AB is says whether it is Bresenham's d, a slope or a vertex (check.cpp).
+    void read_of_name(const ClaimWord& name) {
         line_.next();
         if (find_verdict(line_.peek(), "culled")) {
             begin("face", {});
             put("name", name);
             return read_verdict("culled", "culled or drawn");
         }
+        if (is_no_slope()) {
+            begin("edge", {});
+            put("edge", name);
+            return put_no_slope();
+        }
         begin("decide", name);
-        std::vector<ClaimWord> values;
-        do {
-            values.push_back(line_.next());
-            line_.take(",");
-        } while (!line_.at_end());
-        put_list("d", values);
+        put_list("d", line_.numbers(0));
     }
 
     /// A screen: -10/3, 10/3 -> -4, 3
     void read_vertex(const ClaimWord& name) {
         const ClaimWord second = line_.next();
-        const auto space =
+        const auto* const space =
             std::find_if(space_names.begin(), space_names.end(),
                          [&second](const SpaceName& known) { return second.is(known.name); });
         if (space == space_names.end())
@@ -303,10 +406,10 @@ private:
         begin("vertex", {});
         put("name", name);
         put("space", second);
-        line_.expect(":", "`:`");
-        put_list("at", numbers(space->coordinates));
+        go_to_value();
+        put_list("at", line_.numbers(space->coordinates));
         if (space->name == "screen" && line_.take("->"))
-            put_list("snapped", numbers(space->coordinates));
+            put_list("snapped", line_.numbers(space->coordinates));
     }
 
     /// Either the space has a typing error, or the word before the name of a face.
@@ -321,18 +424,6 @@ private:
                    !near_space.empty()  ? near_space
                    : !near_word.empty() ? near_word
                                         : std::string(forms));
-    }
-
-    /// So many numbers with commas between, or `?` for all of them.
-    std::vector<ClaimWord> numbers(std::size_t count) {
-        std::vector<ClaimWord> words{line_.next()};
-        if (words.front().is(open_value) && !line_.peek().is(","))
-            return words;
-        while (words.size() < count) {
-            line_.expect(",", fmt::format("a comma and {} numbers in all", count));
-            words.push_back(line_.next());
-        }
-        return words;
     }
 
     void read_verdict(std::string_view field, std::string_view expected) {
@@ -366,7 +457,11 @@ private:
         for (const ClaimWord& word : words) {
             if (word.is_mark || word.text.empty())
                 line_.fail(word, fmt::format("a value for {}", name));
-            if (const auto expected = expected_instead(field, word.text))
+            // That a quantity is a number has been seen when it was read.
+            const auto expected = field.type == FieldType::quantity
+                                      ? std::nullopt
+                                      : expected_instead(field, word.text);
+            if (expected)
                 line_.fail(word, *expected);
             claimed.values.push_back(word.text);
         }

@@ -3,17 +3,22 @@
 
 #include <rastertrace/core/numbers/number.h>
 #include <rastertrace/trace/text/json_scanner.h>
+#include <rastertrace/trace/text/number_fault.h>
 #include <rastertrace/trace/text/text.h>
 
 #include <fmt/core.h>
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <utility>
+#include <variant>
 
 namespace rastertrace {
 
 namespace {
+
+using number_text::is_digit;
 
 constexpr std::string_view blanks = " \t\r";
 
@@ -22,7 +27,8 @@ constexpr std::size_t shown_of_word = 40;
 
 /// The mark at the front of `text`, or "".
 std::string_view mark_at(std::string_view text) {
-    constexpr std::array<std::string_view, 7> marks{"->", "..", "(", ")", ",", ":", "="};
+    constexpr std::array<std::string_view, 12> marks{"->", "..", "(", ")", "[", "]",
+                                                     ",",  ";",  "|", ":", "=", "~"};
     for (const std::string_view mark : marks)
         if (text.starts_with(mark))
             return mark;
@@ -38,82 +44,135 @@ std::size_t word_length(std::string_view text) {
     return length;
 }
 
-/// A character that looks like a mark or a blank of a table of claims, and what to type instead.
-struct LookAlike {
-    std::string_view character;
-    std::string_view hint;
+/// Characters of a line, and the plain ones that are read in their place. Of two that begin alike, the longer is first.
+struct Spelling {
+    std::string_view typed;
+    std::string_view read;
 };
-constexpr std::array<LookAlike, 9> look_alikes{
-    {{"\u2212", "a minus is -, not U+2212"},
-     {"\u2013", "a minus is -, not U+2013"},
-     {"\u00A0", "a blank is a plain space, not U+00A0"},
-     {"\u202F", "a blank is a plain space, not U+202F"},
-     {"\u2009", "a blank is a plain space, not U+2009"},
-     {"\u2192", "an arrow is ->, not U+2192"},
-     {"\u2026", "from the first to the last pixel is .., not U+2026"},
-     {"\u201C", "a quote is \", not U+201C"},
-     {"\u201D", "a quote is \", not U+201D"}}};
-
-/// The hint for the first look-alike of the list that a word has, or "".
-std::string hint_for_look_alike(const ClaimWord& word) {
-    for (const LookAlike& known : look_alikes)
-        if (!word.is_quoted && word.text.find(known.character) != std::string::npos)
-            return std::string(known.hint);
-    return {};
-}
-
-/// True if a comma stands between two digits, as in 0,25.
-bool has_decimal_comma(std::string_view text) {
-    using number_text::is_digit;
-    for (std::size_t at = text.find(','); at != std::string_view::npos; at = text.find(',', at + 1))
-        if (0 < at && at + 1 < text.size() && is_digit(text[at - 1]) && is_digit(text[at + 1]))
-            return true;
-    return false;
-}
+constexpr auto spellings = std::to_array<Spelling>({
+    {"=>", "->"},        {"~=", "~"},       {"...", ".."},      {"\u2026", ".."},
+    {"\u2192", "->"},    {"\u21D2", "->"},  {"\u2212", "-"},    {"\u2013", "-"},
+    {"\u2014", "-"},     {"\u2248", "~"},   {"\u2243", "~"},    {"\u00A0", " "},
+    {"\u202F", " "},     {"\u2009", " "},   {"\u201C", "\""},   {"\u201D", "\""},
+    {"\u221A", "sqrt "}, {"\u03C0", "pi"},  {"\u00B0", " deg"}, {"\u2044", "/"},
+    {"\u2215", "/"},     {"\u00B7", "*"},   {"\u00D7", "*"},    {"\u22C5", "*"},
+    {"\u00BC", "1/4"},   {"\u00BD", "1/2"}, {"\u00BE", "3/4"},  {"\u2153", "1/3"},
+    {"\u2154", "2/3"},   {"\u2155", "1/5"}, {"\u2156", "2/5"},  {"\u2157", "3/5"},
+    {"\u2158", "4/5"},   {"\u2159", "1/6"}, {"\u215A", "5/6"},  {"\u215B", "1/8"},
+    {"\u215C", "3/8"},   {"\u215D", "5/8"}, {"\u215E", "7/8"},
+});
 
 } // namespace
 
-ClaimLine::ClaimLine(const Source& source, std::size_t begin, std::size_t end)
-    : source_(source),
+ClaimLine::ClaimLine(const Source& source, std::size_t begin, std::size_t end, CommaUse& commas)
+    : source_(source), commas_(commas),
       raw_(without_blanks(std::string_view(source.text).substr(begin, end - begin))), text_(raw_) {
+    spell();
+    leave_out_numbering();
     read_words();
 }
 
+/// Copies the line up to its comment, with plain characters in place of those that mean the same. What stands in quotes
+/// stays as it is.
+void ClaimLine::spell() {
+    std::size_t at = 0;
+    while (at < raw_.size()) {
+        // Behind the word color, # is no comment.
+        if (raw_[at] == '#' && !without_blanks(spelled_).ends_with("color"))
+            break;
+        const std::size_t quoted_from = at;
+        spell_character(at);
+        if (spelled_.back() != '"')
+            continue;
+        while (at < raw_.size() && raw_[at] != '"' && !raw_.substr(at).starts_with("\u201D"))
+            for (std::size_t i = raw_[at] == '\\' ? 2 : 1; i > 0 && at < raw_.size(); --i) {
+                spelled_ += raw_[at];
+                places_.push_back(at++);
+            }
+        if (at == raw_.size())
+            throw problem_at(source_, offset_of_raw(quoted_from),
+                             "expected a closing quote, found none");
+        spell_character(at);
+    }
+    text_ = without_blanks(raw_.substr(0, at));
+    // A sentence ends with a full stop; a number that goes on has two of them.
+    const std::string_view sentence = without_blanks(spelled_);
+    if (sentence.ends_with('.') && !sentence.ends_with("..") && sentence.size() > 1)
+        spelled_.resize(sentence.size() - 1);
+}
+
+void ClaimLine::spell_character(std::size_t& at) {
+    const std::string_view rest = raw_.substr(at);
+    const auto* const known =
+        std::find_if(spellings.begin(), spellings.end(),
+                     [rest](const Spelling& one) { return rest.starts_with(one.typed); });
+    std::string_view read = known == spellings.end() ? rest.substr(0, 1) : known->read;
+    const std::string_view typed = known == spellings.end() ? read : known->typed;
+    const bool is_behind_digit = !spelled_.empty() && is_digit(spelled_.back());
+    if (typed == "\u2013" && is_behind_digit && rest.size() > typed.size() &&
+        is_digit(rest[typed.size()]))
+        read = ".."; // from 1 to 3 is 1–3
+    if (is_behind_digit && is_digit(read.front()) && known != spellings.end()) { // 3⅛
+        spelled_ += ' ';
+        places_.push_back(at);
+    }
+    spelled_ += read;
+    places_.insert(places_.end(), read.size(), at);
+    at += typed.size();
+}
+
+/// `- y=2: ...` and `1. y=2: ...` are lines of a list.
+void ClaimLine::leave_out_numbering() {
+    const std::string_view line = spelled_;
+    std::size_t end = 0;
+    for (const std::string_view bullet : {"- ", "* ", "\u2022 "})
+        if (line.starts_with(bullet))
+            end = bullet.size();
+    const std::size_t digits = std::min(line.find_first_not_of("0123456789"), line.size());
+    const bool is_letter =
+        line.size() > 1 && std::isalpha(static_cast<unsigned char>(line[0])) != 0 && line[1] == ')';
+    const std::size_t label = is_letter ? 1 : digits;
+    if (label > 0 && label + 1 < line.size() && (line[label] == '.' || line[label] == ')') &&
+        line[label + 1] == ' ')
+        end = label + 2;
+    spelled_.erase(0, end);
+    places_.erase(places_.begin(), places_.begin() + static_cast<std::ptrdiff_t>(end));
+}
+
 void ClaimLine::read_words() {
-    for (std::size_t at = 0; at < raw_.size();) {
-        const bool is_color = !words_.empty() && words_.back().is("color");
-        if (blanks.find(raw_[at]) != std::string_view::npos) {
+    for (std::size_t at = 0; at < spelled_.size();) {
+        const std::string_view rest = std::string_view(spelled_).substr(at);
+        if (blanks.find(rest.front()) != std::string_view::npos) {
             ++at;
-        } else if (raw_[at] == '#' && !is_color) {
-            text_ = without_blanks(raw_.substr(0, at));
-            return;
-        } else {
-            at = raw_[at] == '"' ? read_quoted(at) : read_word(at);
+            continue;
         }
+        if (rest.front() == '"') {
+            read_quoted(at);
+            continue;
+        }
+        const std::string_view mark = mark_at(rest);
+        const std::size_t length = mark.empty() ? word_length(rest) : mark.size();
+        add({.text = std::string(rest.substr(0, length)),
+             .offset = offset_of(at),
+             .is_mark = !mark.empty(),
+             .begin = at,
+             .end = at + length});
+        at += length;
     }
 }
 
-std::size_t ClaimLine::read_word(std::size_t at) {
-    const std::string_view mark = mark_at(raw_.substr(at));
-    const std::size_t length = mark.empty() ? word_length(raw_.substr(at)) : mark.size();
-    add({.text = std::string(raw_.substr(at, length)),
-         .offset = offset_of(raw_.substr(at)),
-         .is_mark = !mark.empty()});
-    return at + length;
-}
-
 /// A string as in JSON.
-std::size_t ClaimLine::read_quoted(std::size_t at) {
+void ClaimLine::read_quoted(std::size_t& at) {
     std::size_t end = at + 1;
-    while (end < raw_.size() && raw_[end] != '"')
-        end += raw_[end] == '\\' ? 2 : 1;
-    if (end >= raw_.size())
-        throw problem_at(source_, offset_of(raw_.substr(at)),
-                         "expected a closing quote, found none");
-    add({.text = plain_text(raw_.substr(at, end + 1 - at)),
-         .offset = offset_of(raw_.substr(at)),
-         .is_quoted = true});
-    return end + 1;
+    while (end < spelled_.size() && spelled_[end] != '"')
+        end += spelled_[end] == '\\' ? 2 : 1;
+    end = std::min(end + 1, spelled_.size());
+    add({.text = plain_text(std::string_view(spelled_).substr(at, end - at)),
+         .offset = offset_of(at),
+         .is_quoted = true,
+         .begin = at,
+         .end = end});
+    at = end;
 }
 
 void ClaimLine::add(ClaimWord word) {
@@ -124,14 +183,22 @@ void ClaimLine::add(ClaimWord word) {
     words_.push_back(std::move(word));
 }
 
-std::size_t ClaimLine::offset_of(std::string_view part) const {
-    return static_cast<std::size_t>(part.data() - source_.text.data());
+/// In the source, of a byte of the line as it is read; of its end, behind the last one.
+std::size_t ClaimLine::offset_of(std::size_t at) const {
+    return at < spelled_.size() ? offset_of_raw(places_[at]) : offset_of_raw(0) + text_.size();
+}
+
+std::size_t ClaimLine::offset_of_raw(std::size_t at) const {
+    return static_cast<std::size_t>(raw_.data() - source_.text.data()) + at;
 }
 
 ClaimWord ClaimLine::peek(std::size_t ahead) const {
     if (next_ + ahead < words_.size())
         return words_[next_ + ahead];
-    return {.text = {}, .offset = offset_of(text_) + text_.size()};
+    return {.text = {},
+            .offset = offset_of(spelled_.size()),
+            .begin = spelled_.size(),
+            .end = spelled_.size()};
 }
 
 ClaimWord ClaimLine::next() {
@@ -162,10 +229,120 @@ void ClaimLine::expect_end() const {
         fail(peek(), "the end of the line");
 }
 
-std::string_view ClaimLine::text_behind_colon() const {
-    const auto colon = std::find_if(words_.begin(), words_.end(),
-                                    [](const ClaimWord& word) { return word.is(":"); });
-    return colon == words_.end() ? "" : text_.substr(colon->offset - offset_of(text_));
+std::optional<ClaimWord> ClaimLine::take_number(const NumberSpelling& spelling) {
+    const ClaimWord first = peek();
+    if (first.is(open_value))
+        return next();
+    if (first.is_quoted)
+        return std::nullopt;
+    const auto read = number_at(std::string_view(spelled_).substr(first.begin), spelling);
+    if (const auto* const fault = std::get_if<NumberFault>(&read)) {
+        if (*fault != NumberFault::malformed)
+            fail(first, expected_instead_of(*fault));
+        return std::nullopt;
+    }
+    last_ = std::get<TypedNumber>(read);
+    // It ends where a word does.
+    const std::size_t end = first.begin + last_.length;
+    std::size_t behind = next_;
+    while (behind < words_.size() && words_[behind].begin < end)
+        ++behind;
+    if (words_[behind - 1].end > end)
+        return std::nullopt;
+    next_ = behind;
+    return ClaimWord{.text = last_.text, .offset = first.offset, .begin = first.begin, .end = end};
+}
+
+ClaimWord ClaimLine::number(const NumberSpelling& spelling) {
+    auto word = take_number(spelling);
+    if (!word)
+        fail(peek(), "a number, like 3.125 or 25/8");
+    return std::move(*word);
+}
+
+/// The next one of a list, perhaps with its name before it: xl = -1/4.
+ClaimWord ClaimLine::value_of_list() {
+    if (peek().is_name() && peek(1).is("="))
+        next_ += 2;
+    return number({.has_decimal_comma = commas_.is_decimal});
+}
+
+bool ClaimLine::take_separator() {
+    for (const std::string_view mark : {",", ";", "|", "..", "to", "and"})
+        if (take(mark))
+            return true;
+    return false;
+}
+
+/// Commas both with and without a blank behind them, or beside semicolons, are those of decimals and those between
+/// numbers. So is the only comma where one number belongs.
+void ClaimLine::note_commas(bool takes_one) {
+    std::size_t tight = 0;
+    std::size_t loose = 0;
+    for (std::size_t i = next_; i < words_.size() && !words_[i].is("->"); ++i) {
+        const bool is_tight =
+            words_[i].is(",") && 0 < i && i + 1 < words_.size() &&
+            words_[i - 1].end == words_[i].begin && words_[i].end == words_[i + 1].begin &&
+            is_digit(spelled_[words_[i].begin - 1]) && is_digit(spelled_[words_[i].end]);
+        tight += is_tight ? 1 : 0;
+        loose += !is_tight && (words_[i].is(",") || words_[i].is(";")) ? 1 : 0;
+    }
+    if (tight > 0 && (loose > 0 || takes_one))
+        commas_.is_decimal = commas_.is_seen = true;
+}
+
+std::vector<ClaimWord> ClaimLine::numbers(std::size_t count, std::size_t usual) {
+    if (count + usual > 0)
+        note_commas(count == 1);
+    const std::size_t begin = next_;
+    const bool is_list = peek().is("[") || (peek().is("(") && !take_number({}));
+    next_ = begin + (is_list ? 1 : 0);
+    const std::string_view closing = is_list && words_[begin].is("[") ? "]" : ")";
+    std::vector<ClaimWord> values;
+    std::optional<ClaimWord> with_comma;
+    std::optional<ClaimWord> mixed;
+    bool is_by_blanks = false;
+    bool has_more = true;
+    while (has_more) {
+        take("from");
+        values.push_back(value_of_list());
+        if (last_.has_comma)
+            with_comma = values.back();
+        if (last_.is_mixed)
+            mixed = values.back();
+        has_more = values.size() != count && take_separator();
+        if (values.size() != count && !has_more) {
+            const std::size_t behind = next_;
+            has_more = is_by_blanks = take_number({}).has_value();
+            next_ = behind;
+        }
+    }
+    // What can be read in two ways is not guessed.
+    const bool has_too_few = values.size() < std::max(count, usual);
+    if (with_comma && has_too_few)
+        refuse_two_readings(*with_comma, fmt::format("{} numbers", std::max(count, usual)),
+                            "this file has decimal commas: a comma with a blank behind it, or a "
+                            "`;`, stands between two numbers");
+    if (mixed && count != 1 && (is_by_blanks || has_too_few))
+        refuse_two_readings(*mixed, "commas between numbers", "");
+    if (is_list)
+        expect(closing, fmt::format("`{}`", closing));
+    const bool is_open = values.size() == 1 && values.front().is(open_value);
+    if (values.size() < count && !is_open)
+        fail(peek(), fmt::format("{} numbers in all", count));
+    return values;
+}
+
+/// -1,3 and 2 1/2 are one number each, or two.
+void ClaimLine::refuse_two_readings(const ClaimWord& number, std::string_view expected,
+                                    std::string hint) const {
+    const std::string typed = spelled_.substr(number.begin, number.end - number.begin);
+    const std::size_t between = typed.find_first_of(", ");
+    throw problem_at(source_, number.offset,
+                     fmt::format("expected {}, found {}, which is {}, or {} and {}", expected,
+                                 typed, number.text, typed.substr(0, between),
+                                 without_blanks(std::string_view(typed).substr(between + 1))),
+                     std::move(hint));
 }
 
 std::string ClaimLine::rest() {
@@ -175,15 +352,11 @@ std::string ClaimLine::rest() {
         return first.text;
     }
     next_ = words_.size();
-    return std::string(text_.substr(first.offset - offset_of(text_)));
+    return std::string(text_.substr(first.offset - offset_of_raw(0)));
 }
 
 void ClaimLine::fail(const ClaimWord& word, std::string_view expected, std::string hint) const {
     const bool is_end = word.text.empty() && !word.is_quoted;
-    if (const std::string look_alike = hint_for_look_alike(word); !look_alike.empty())
-        hint = look_alike;
-    else if (hint.empty() && has_decimal_comma(text_behind_colon()))
-        hint = "a decimal has a point: 0.25, not 0,25";
     throw problem_at(
         source_, word.offset,
         fmt::format("expected {}, found {}", expected,
@@ -192,13 +365,17 @@ void ClaimLine::fail(const ClaimWord& word, std::string_view expected, std::stri
 }
 
 void ClaimLine::fail_at_begin(std::string message, std::string hint) const {
-    throw problem_at(source_, offset_of(raw_), std::move(message), std::move(hint));
+    throw problem_at(source_, offset_of_raw(0), std::move(message), std::move(hint));
 }
 
 bool is_one_word(std::string_view text) {
+    const bool is_spelled_alike =
+        std::none_of(spellings.begin(), spellings.end(), [text](const Spelling& one) {
+            return text.find(one.typed) != std::string_view::npos;
+        });
     return !text.empty() && text.front() != '"' && text.front() != '#' &&
            blanks.find(text.front()) == std::string_view::npos && mark_at(text).empty() &&
-           word_length(text) == text.size();
+           word_length(text) == text.size() && is_spelled_alike && !text.ends_with('.');
 }
 
 } // namespace rastertrace

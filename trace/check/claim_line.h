@@ -1,28 +1,34 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// A line of a table of claims, word by word.
+// A line of a table of claims, word by word. Characters that mean the same are read alike: a minus of any kind, an
+// arrow, dots, a vulgar fraction.
 //
-//     ClaimLine line(source, begin, end);   // y=2: -1/4, 25/8
+//     ClaimLine line(source, begin, end, commas);   // y=2: −¼, 25/8
 //     line.next().text;                     // "y"
 //     line.expect("=", "`=`");
+
+#include "typed_number.h"
 
 #include <rastertrace/core/raster/canvas.h>
 #include <rastertrace/trace/text/problem.h>
 
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 namespace rastertrace {
 
-/// A word, a number, or a mark between them: ( ) , : = -> ..
+/// A word, a number, or a mark between them: ( ) [ ] , ; | : = -> .. ~
 struct ClaimWord {
     std::string text; ///< without quotes; empty at the end of the line
     std::size_t offset = 0;
     bool is_quoted = false;
     bool is_mark = false;
+    std::size_t begin = 0; ///< in the line as it is read
+    std::size_t end = 0;
 
     /// True of the word or the mark itself, not of the same in quotes.
     bool is(std::string_view plain) const { return !is_quoted && text == plain; }
@@ -34,12 +40,18 @@ struct ClaimWord {
 /// The most words and marks of a line: twice those of Bresenham's d, with commas, along the longest line.
 inline constexpr std::size_t most_words = 4 * std::size_t{largest_canvas_side};
 
+/// How the commas of a file are read: one between two digits is that of a decimal, if any line says so.
+struct CommaUse {
+    bool is_decimal = false;
+    bool is_seen = false; ///< a line that can only have decimal commas has been read
+};
+
 /// What is wrong is thrown as a Problem that points at it.
 class ClaimLine {
 public:
-    /// The bytes of a source from `begin` to `end`, which hold one line. A # begins a comment. More than
-    /// `most_words` are refused.
-    ClaimLine(const Source& source, std::size_t begin, std::size_t end);
+    /// The bytes of a source from `begin` to `end`, which hold one line. A # begins a comment; a bullet or a number
+    /// before the line, and a full stop behind it, are left out. More than `most_words` are refused.
+    ClaimLine(const Source& source, std::size_t begin, std::size_t end, CommaUse& commas);
 
     bool at_end() const { return next_ == words_.size(); }
 
@@ -55,6 +67,27 @@ public:
     void expect(std::string_view mark, std::string expected);
     void expect_end() const;
 
+    /// Goes behind a number, which becomes one as scenes spell it (typed_number.h), or behind a `?`.
+    std::optional<ClaimWord> take_number(const NumberSpelling& spelling);
+
+    /// The same, or fails.
+    ClaimWord number(const NumberSpelling& spelling);
+
+    /// A number beside which a comma parts it from the next: that of a row or a pixel.
+    ClaimWord key() { return number({.has_mixed = false}); }
+
+    /// One number; a comma in it is that of a decimal.
+    ClaimWord one_number() { return numbers(1).front(); }
+
+    /// So many numbers, 0 for any, with commas or blanks between them, perhaps in brackets; or one `?` for all. `usual`
+    /// is how many there are of them as a rule.
+    std::vector<ClaimWord> numbers(std::size_t count, std::size_t usual = 0);
+
+    /// What stands between two words that were read.
+    std::string_view between(const ClaimWord& first, const ClaimWord& second) const {
+        return std::string_view(spelled_).substr(first.end, second.begin - first.end);
+    }
+
     /// What follows as it stands, without quotes around it, to the end of the line.
     std::string rest();
 
@@ -69,18 +102,29 @@ public:
     [[noreturn]] void fail_at_begin(std::string message, std::string hint = {}) const;
 
 private:
-    std::size_t offset_of(std::string_view part) const;
-    std::string_view text_behind_colon() const;
+    void spell();
+    void spell_character(std::size_t& at);
+    void leave_out_numbering();
     void read_words();
-    std::size_t read_word(std::size_t at);
-    std::size_t read_quoted(std::size_t at);
+    void read_quoted(std::size_t& at);
     void add(ClaimWord word);
+    std::size_t offset_of(std::size_t at) const;
+    std::size_t offset_of_raw(std::size_t at) const;
+    bool take_separator();
+    void note_commas(bool takes_one);
+    ClaimWord value_of_list();
+    [[noreturn]] void refuse_two_readings(const ClaimWord& number, std::string_view expected,
+                                          std::string hint) const;
 
     const Source& source_;
+    CommaUse& commas_;
     std::string_view raw_;
     std::string_view text_;
+    std::string spelled_;             ///< as it is read
+    std::vector<std::size_t> places_; ///< in `raw_`, of each byte of `spelled_`
     std::vector<ClaimWord> words_;
     std::size_t next_ = 0;
+    TypedNumber last_; ///< that was read
 };
 
 /// True if `text` is read as one word that is no mark.

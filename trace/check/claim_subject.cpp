@@ -31,6 +31,31 @@ const StepIndex& TruthIndex::faces() const {
     return faces_ ? *faces_ : exact();
 }
 
+const StepIndex* TruthIndex::with_many_digits(const StepIndex& index) const {
+    const auto [place, is_new] = with_many_digits_.try_emplace(&index);
+    if (is_new)
+        if (const Trace* const drawn = draw_many_digits_(index.trace()))
+            place->second.emplace(*drawn);
+    return place->second ? &*place->second : nullptr;
+}
+
+std::optional<Subject> with_many_digits(const Subject& subject, const TruthIndex& truth) {
+    const StepIndex* const index = truth.with_many_digits(*subject.exact);
+    if (index == nullptr || subject.step == 0)
+        return std::nullopt;
+    // The steps come in the same order, unless the roots decide it.
+    const auto& steps = subject.exact->find(subject.kind, subject.keys);
+    const auto& others = index->find(subject.kind, subject.keys);
+    const auto at = static_cast<std::size_t>(std::find(steps.begin(), steps.end(), subject.step) -
+                                             steps.begin());
+    if (steps.size() != others.size() || at >= others.size())
+        return std::nullopt;
+    Subject other = subject;
+    other.exact = other.decided = index;
+    other.step = other.decided_step = others[at];
+    return other;
+}
+
 namespace {
 
 bool is_key(StepKind kind, std::string_view name) {
@@ -99,9 +124,11 @@ private:
                  fmt::format("expected one value of {}, which says what the claim is about",
                              field.name));
         const std::string& value = field.values.front();
+        const std::string turned(value.rbegin(), value.rend());
         const bool is_turned = field.name == "edge" && value.size() == 2 &&
-                               index_.find(StepKind::edge, {{"edge", value}}).empty();
-        return is_turned ? std::string{value[1], value[0]} : value;
+                               index_.find(StepKind::edge, {{"edge", value}}).empty() &&
+                               !index_.find(StepKind::edge, {{"edge", turned}}).empty();
+        return is_turned ? turned : value;
     }
 
     /// Without its keys, nobody knows what a claim is about. All decisions of a line have no place.

@@ -10,6 +10,7 @@
 
 #include <cstddef>
 #include <functional>
+#include <map>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -21,9 +22,14 @@ namespace rastertrace {
 /// The traces that claims are held against, each with its index.
 class TruthIndex {
 public:
+    /// A trace in exact numbers, drawn again with many digits of sines and roots; nullptr if it has none.
+    using DrawManyDigits = std::function<const Trace*(const Trace&)>;
+
     /// No `exact`: the decided one is. `draw_faces` gives the trace that has every face tested, or nullptr.
-    TruthIndex(const Trace& decided, const Trace* exact, std::function<const Trace*()> draw_faces)
-        : decided_(decided), draw_faces_(std::move(draw_faces)) {
+    TruthIndex(const Trace& decided, const Trace* exact, std::function<const Trace*()> draw_faces,
+               DrawManyDigits draw_many_digits)
+        : decided_(decided), draw_faces_(std::move(draw_faces)),
+          draw_many_digits_(std::move(draw_many_digits)) {
         if (exact != nullptr)
             exact_.emplace(*exact);
     }
@@ -34,11 +40,16 @@ public:
     /// The one that has the tests of all faces, toward the eye: the exact one, if it has any.
     const StepIndex& faces() const;
 
+    /// The same steps with many digits of sines and roots; nullptr if there are none.
+    const StepIndex* with_many_digits(const StepIndex& index) const;
+
 private:
     StepIndex decided_;
     std::optional<StepIndex> exact_;
     std::function<const Trace*()> draw_faces_;
+    DrawManyDigits draw_many_digits_;
     mutable std::optional<StepIndex> faces_;
+    mutable std::map<const StepIndex*, std::optional<StepIndex>> with_many_digits_;
 };
 
 /// What a claim is about: a step, in the exact trace and in that of the scene's own method and scalar; or a
@@ -74,11 +85,17 @@ ToldValues told_in(const StepIndex& index, std::size_t step, const ClaimedField&
 /// By exact arithmetic.
 ToldValues told_exactly(const Subject& subject, const ClaimedField& field);
 
+/// The same subject where sines and roots have many digits; nothing if the scene has none, or no such step there.
+std::optional<Subject> with_many_digits(const Subject& subject, const TruthIndex& truth);
+
+/// A cosine or an intensity by its formula, with many digits; nothing of any other field.
+ToldValues cosine_with_many_digits(const Subject& subject, const ClaimedField& field);
+
 /// By the scene's own method and scalar.
 ToldValues told_as_decided(const Subject& subject, const ClaimedField& field);
 
-/// What kind of numbers the exact trace tells a field in. A cosine is a double, though all else is a fraction.
-NumbersHeld numbers_held(const Subject& subject, const ClaimedField& field);
+/// What kind of numbers the exact trace tells.
+NumbersHeld numbers_held(const Subject& subject);
 
 /// The formulas that a field can be worked out by, see derivation.h.
 std::vector<Formula> formulas_of(const Subject& subject, const Numbers& numbers,

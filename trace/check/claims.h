@@ -10,6 +10,8 @@
 // A line of a table is read as the JSON that says the same, so there is one kind of claim: a step of
 // the trace of which fields are left out.
 
+#include "typed_number.h"
+
 #include <rastertrace/trace/text/problem.h>
 
 #include <cstddef>
@@ -28,9 +30,6 @@ struct ClaimedField {
     std::size_t offset = 0; ///< of the value in the file
 };
 
-/// A value that is left open: nobody has worked it out yet.
-inline constexpr std::string_view open_value = "?";
-
 /// What one line says.
 struct Claim {
     std::size_t line = 0;             ///< in its file, from 1
@@ -47,10 +46,11 @@ struct Claim {
 /// A file of claims.
 struct Claims {
     Source source;
-    std::string scene;      ///< the file that they are about, as it is written there; may be empty
+    std::string scene = {}; ///< the file that they are about, as it is written there; may be empty
     bool is_table = false;  ///< not JSON
     bool truncates = false; ///< "round": "truncate": decimals may be cut off instead of rounded
-    std::vector<Claim> claims;
+    bool has_decimal_comma = false; ///< a table in which 0,25 is 1/4
+    std::vector<Claim> claims = {};
 };
 
 /// Reads claims in either layout, found by its content: one that begins with `{` is JSON. Claims about

@@ -16,28 +16,46 @@ namespace rastertrace {
 
 namespace {
 
-/// Reads the lines of a table. What is wrong is thrown as a Problem.
+/// Reads the lines of a table. What is wrong with them is thrown as one Problem.
 class TableReader {
 public:
     explicit TableReader(Claims& claims) : claims_(claims) {}
 
+    /// Faults of all lines are told together.
     void read() {
-        const std::string_view text = claims_.source.text;
-        std::size_t begin = text.starts_with("\xEF\xBB\xBF") ? 3 : 0;
-        for (std::size_t number = 1; begin < text.size(); ++number) {
-            const std::size_t end = std::min(text.find('\n', begin), text.size());
-            read_line(number, begin, end);
-            begin = end + 1;
+        read_lines();
+        if (commas_.is_seen) { // by a line that others may stand before
+            claims_ = {.source = std::move(claims_.source),
+                       .is_table = true,
+                       .has_decimal_comma = commas_.is_decimal};
+            problems_.clear();
+            has_round_ = false;
+            read_lines();
         }
-        if (in_picture_)
-            read_row(text.size(), text.size());
+        if (!problems_.empty())
+            throw first_of(std::move(problems_));
     }
 
 private:
+    void read_lines() {
+        const std::string_view text = claims_.source.text;
+        std::size_t begin = text.starts_with("\xEF\xBB\xBF") ? 3 : 0;
+        for (std::size_t number = 1; begin < text.size() || in_picture_; ++number) {
+            const std::size_t end = std::min(text.find('\n', begin), text.size());
+            try {
+                read_line(number, std::min(begin, text.size()), end);
+            } catch (Problem& problem) {
+                problems_.push_back(std::move(problem));
+                in_picture_ = in_picture_ && begin < text.size();
+            }
+            begin = end + 1;
+        }
+    }
+
     void read_line(std::size_t number, std::size_t begin, std::size_t end) {
         if (in_picture_)
             return read_row(begin, end);
-        ClaimLine line(claims_.source, begin, end);
+        ClaimLine line(claims_.source, begin, end, commas_);
         if (line.at_end())
             return;
         if (line.take("scene", ":"))
@@ -100,6 +118,8 @@ private:
     }
 
     Claims& claims_;
+    CommaUse commas_;
+    std::vector<Problem> problems_;
     bool in_picture_ = false;
     bool has_round_ = false;
 };

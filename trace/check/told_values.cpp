@@ -85,6 +85,8 @@ ToldValues told_in(const StepIndex& index, std::size_t step, const ClaimedField&
     if (view.kind() == StepKind::depth && (field.name == "z" || field.name == "inverse_z"))
         return told_z(index, step, field.name == "inverse_z");
     const auto json = view.field(field.name);
+    if (json == "null" && field.name == "dx_dy")
+        return std::vector{std::string(no_slope)};
     if (json && json->starts_with("[[")) {
         std::vector<std::string> values;
         for (const auto& row : text_rows(TracedList<TracedList<TracedValue>>(*json)))
@@ -199,6 +201,17 @@ ToldValues told_exactly(const Subject& subject, const ClaimedField& field) {
     return told(*subject.exact, subject.step, subject, field);
 }
 
+ToldValues cosine_with_many_digits(const Subject& subject, const ClaimedField& field) {
+    if (field.name != "cosine" && field.name != "intensity")
+        return std::nullopt;
+    for (const Formula& formula : formulas_of(subject, Numbers(*subject.exact), field.name))
+        if (const auto* const face = std::get_if<FaceCosine>(&formula.of))
+            if (const auto cosine = face->value(RootDigits::many))
+                return std::vector{
+                    (face->is_intensity ? std::max(*cosine, Rational(0)) : *cosine).get_str()};
+    return std::nullopt;
+}
+
 ToldValues told_as_decided(const Subject& subject, const ClaimedField& field) {
     // Where nothing is culled, no face is tested: all are drawn.
     if (subject.kind == StepKind::face && field.name == "culled" && subject.decided_step == 0)
@@ -206,17 +219,11 @@ ToldValues told_as_decided(const Subject& subject, const ClaimedField& field) {
     return told(*subject.decided, subject.decided_step, subject, field);
 }
 
-NumbersHeld numbers_held(const Subject& subject, const ClaimedField& field) {
-    const Trace& trace = subject.exact->trace();
-    const std::string scalar = trace.method_value("scalar");
-    if (scalar != "exact" && scalar != "fixed")
-        return scalar == "float" ? NumbersHeld::floats : NumbersHeld::doubles;
-    // Fractions are told in quotes.
-    const auto json = subject.step == 0 ? std::nullopt : trace.step(subject.step).field(field.name);
-    const StepField* const known = field_of(subject.kind, field.name);
-    const bool is_double =
-        json && !json->starts_with('"') && known != nullptr && known->type == FieldType::quantity;
-    return is_double ? NumbersHeld::nearest_doubles : NumbersHeld::fractions;
+NumbersHeld numbers_held(const Subject& subject) {
+    const std::string scalar = subject.exact->trace().method_value("scalar");
+    return scalar == "exact" || scalar == "fixed" ? NumbersHeld::fractions
+           : scalar == "float"                    ? NumbersHeld::floats
+                                                  : NumbersHeld::doubles;
 }
 
 std::string name_of_number(const Subject& subject, const ClaimedField& field) {

@@ -2,13 +2,41 @@
 #include "check.h"
 #include "claim_subject.h"
 
+#include <rastertrace/core/draw/plan/plan.h>
 #include <rastertrace/trace/scene/scene_file.h>
 #include <rastertrace/trace/text/stage_name.h>
 
+#include <map>
 #include <optional>
 #include <utility>
+#include <variant>
+#include <vector>
 
 namespace rastertrace {
+
+namespace {
+
+/// Gives the sines and roots of a scene's matrices many digits; false if it has none.
+bool give_many_digits(Scene& scene) {
+    bool has_any = false;
+    for (SceneObject& object : scene.objects) {
+        std::vector<ModelStep> steps = object.model.steps();
+        for (ModelStep& step : steps) {
+            has_any = has_any || is_rounded(step);
+            if (auto* const rotate = std::get_if<Rotate>(&step))
+                rotate->digits = RootDigits::many;
+        }
+        object.model = Model(std::move(steps));
+    }
+    if (scene.camera) {
+        has_any = has_any || is_rounded(*scene.camera);
+        scene.camera->digits = RootDigits::many;
+    }
+    scene.projection.digits = RootDigits::many;
+    return has_any || is_rounded(scene.projection);
+}
+
+} // namespace
 
 /// A scene, and its traces once someone has asked; or one trace, which is all there is.
 struct Truth::State {
@@ -19,12 +47,16 @@ struct Truth::State {
     std::optional<Trace> decided = {};
     std::optional<Trace> exact = {};
     std::optional<Trace> with_faces = {};
+    std::map<const Trace*, std::optional<Trace>> with_many_digits = {};
     std::vector<Problem> remarks = {};
     std::optional<TruthIndex> index = {};
 
     /// Draws the scene with more choices than it has. Every stage runs: it changes no picture, and each
     /// vertex is told in every space.
-    Trace draw(const MethodOverrides& more) {
+    Trace draw(const MethodOverrides& more) { return *draw(more, RootDigits::of_double); }
+
+    /// Nothing if many digits are asked for and the scene has no sine and no root.
+    std::optional<Trace> draw(const MethodOverrides& more, RootDigits digits) {
         MethodOverrides all = overrides;
         for (const std::string_view stage : stage_names())
             all.emplace_back("keep", stage);
@@ -32,8 +64,13 @@ struct Truth::State {
         Result<PlannedScene> read = read_scene(*scene, all, limits, frames);
         if (!read)
             throw read.problem();
-        const PlannedScene& planned = read.value();
+        PlannedScene& planned = read.value();
         remarks = planned.remarks;
+        if (digits == RootDigits::many) {
+            if (!give_many_digits(planned.scene))
+                return std::nullopt;
+            planned.plan = plan_for(planned.scene);
+        }
         return drawn_trace(planned.scene, planned.plan, scene->name, limits.steps);
     }
 
@@ -44,6 +81,18 @@ struct Truth::State {
         if (!exact)
             exact = draw({{"scalar", "exact"}});
         return &*exact;
+    }
+
+    /// The exact trace, or the one with every face tested, with many digits of sines and roots; nullptr if it has none.
+    const Trace* drawn_with_many_digits(const Trace& trace) {
+        const auto [place, is_new] = with_many_digits.try_emplace(&trace);
+        if (is_new && scene) {
+            MethodOverrides all{{"scalar", "exact"}};
+            if (with_faces && &trace == &*with_faces)
+                all.emplace_back("cull", "back");
+            place->second = draw(all, RootDigits::many);
+        }
+        return place->second ? &*place->second : nullptr;
     }
 
     /// The same with every face tested; nullptr if there is no scene.
@@ -87,8 +136,12 @@ const Trace* Truth::with_faces() const {
 
 const TruthIndex& Truth::index() const {
     if (!state_->index)
-        state_->index.emplace(decided(), state_->drawn_exactly(),
-                              [state = state_.get()] { return state->drawn_with_faces(); });
+        state_->index.emplace(
+            decided(), state_->drawn_exactly(),
+            [state = state_.get()] { return state->drawn_with_faces(); },
+            [state = state_.get()](const Trace& trace) {
+                return state->drawn_with_many_digits(trace);
+            });
     return *state_->index;
 }
 

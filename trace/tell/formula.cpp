@@ -190,11 +190,11 @@ std::string FaceDot::written_out() const {
                        product(normal.z, view.z), text(value()));
 }
 
-std::optional<Rational> FaceCosine::value() const {
+std::optional<Rational> FaceCosine::value(RootDigits digits) const {
     const Rational squares = FaceDot{normal, normal}.value() * FaceDot{view, view}.value();
     if (!std::isnormal(nearest_double(squares)))
         return std::nullopt;
-    return Rational(dot.value_or(FaceDot{normal, view}.value()) / square_root(squares));
+    return Rational(dot.value_or(FaceDot{normal, view}.value()) / square_root(squares, digits));
 }
 
 std::string FaceCosine::written_out(std::string_view name_of_view) const {

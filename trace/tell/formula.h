@@ -9,6 +9,7 @@
 //     end.written_out(end.value());  // "(-4 - 2)/(-3 - 5) (2 - 5) + 2 = 3/4 (-3) + 2 = -1/4"
 
 #include <rastertrace/core/numbers/conversion.h>
+#include <rastertrace/core/numbers/irrational.h>
 #include <rastertrace/core/numbers/vec.h>
 #include <rastertrace/core/raster/rounding.h>
 
@@ -145,7 +146,7 @@ struct FaceCosine {
     bool is_intensity = false;
 
     /// Nothing where a length is 0, or what no double holds.
-    std::optional<Rational> value() const;
+    std::optional<Rational> value(RootDigits digits = RootDigits::of_double) const;
 
     /// -12 / (|normal| |view|) = -0.948683
     std::string written_out(std::string_view name_of_view) const;

@@ -16,6 +16,7 @@
 #include <algorithm>
 #include <array>
 #include <cerrno>
+#include <iterator>
 #include <system_error>
 #include <utility>
 
@@ -110,7 +111,19 @@ std::string to_text(const Problem& problem) {
         text += "\n" + problem.excerpt + "\n" + std::string(problem.caret, ' ') + "^";
     if (!problem.hint.empty())
         text += "\nhint: " + printable(problem.hint);
+    constexpr std::size_t most_further = 20;
+    for (std::size_t i = 0; i < std::min(problem.further.size(), most_further); ++i)
+        text += "\n" + to_text(problem.further[i]);
+    if (problem.further.size() > most_further)
+        text += fmt::format("\nand {} more", problem.further.size() - most_further);
     return text;
+}
+
+Problem first_of(std::vector<Problem> problems) {
+    Problem first = std::move(problems.front());
+    first.further.assign(std::make_move_iterator(problems.begin() + 1),
+                         std::make_move_iterator(problems.end()));
+    return first;
 }
 
 Problem::Cause cause_of_open_error(int error) {

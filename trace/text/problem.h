@@ -17,6 +17,7 @@
 #include <string_view>
 #include <utility>
 #include <variant>
+#include <vector>
 
 namespace rastertrace {
 
@@ -47,10 +48,16 @@ struct Problem {
     std::string excerpt;    ///< the line, made safe to print; may be empty
     std::size_t caret = 0;  ///< how many characters of the excerpt stand before the place
     std::string hint;       ///< may be empty
+
+    std::vector<Problem> further = {}; ///< more of the same file, of one that is read to its end
 };
 
-/// The whole message, without a newline at its end. Safe to print: no control characters.
+/// The whole message, and those of further problems behind it, without a newline at its end. Safe to print: no control
+/// characters.
 std::string to_text(const Problem& problem);
+
+/// The first of some problems of one file, with the others behind it.
+Problem first_of(std::vector<Problem> problems);
 
 /// A problem at a byte of a source.
 Problem problem_at(const Source& source, std::size_t offset, std::string message,

@@ -46,16 +46,17 @@ Matrix<Rational> product_of(std::span<const MatrixFactor<Rational>> factors) {
 
 namespace {
 
-/// number / sqrt(square): exactly if the root is rational, else the nearest double.
-Rational over_root(const Rational& number, const Rational& square) {
-    return sgn(number) * square_root(number * number / square);
+/// number / sqrt(square): exactly if the root is rational.
+Rational over_root(const Rational& number, const Rational& square, RootDigits digits) {
+    return sgn(number) * square_root(number * number / square, digits);
 }
 
 /// A vector of length 1 in the direction of `vector`, which must not be 0: exactly if its length is
-/// rational, else each component is the nearest double.
-Vec<Rational, 3> unit_vector(const Vec<Rational, 3>& vector) {
+/// rational.
+Vec<Rational, 3> unit_vector(const Vec<Rational, 3>& vector, RootDigits digits) {
     const Rational square = dot(vector, vector);
-    return {over_root(vector.x, square), over_root(vector.y, square), over_root(vector.z, square)};
+    return {over_root(vector.x, square, digits), over_root(vector.y, square, digits),
+            over_root(vector.z, square, digits)};
 }
 
 bool has_irrational_length(const Vec<Rational, 3>& vector) {
@@ -75,8 +76,9 @@ MatrixFactor<Rational> factor_of(const Translate& translate) {
 MatrixFactor<Rational> factor_of(const Rotate& rotate) {
     const Rational degrees = rotate.degrees.exact();
     const Vec<Rational, 3> axis = exact(rotate.axis);
-    return {"rotate", rotation<Rational>(axis, unit_vector(axis), sine_of_degrees(degrees),
-                                         cosine_of_degrees(degrees))};
+    return {"rotate", rotation<Rational>(axis, unit_vector(axis, rotate.digits),
+                                         sine_of_degrees(degrees, rotate.digits),
+                                         cosine_of_degrees(degrees, rotate.digits))};
 }
 
 MatrixFactor<Rational> factor_of(const Shear& by) {
@@ -125,7 +127,8 @@ bool is_rounded(const Camera& camera) {
 
 MatrixFactors<Rational> factors_of(const Camera& camera, ViewAxis axis) {
     const auto& [right, up, back] = axes_of(camera);
-    return view<Rational>({unit_vector(right), unit_vector(up), unit_vector(back)},
+    return view<Rational>({unit_vector(right, camera.digits), unit_vector(up, camera.digits),
+                           unit_vector(back, camera.digits)},
                           exact(camera.position), axis);
 }
 
@@ -136,7 +139,7 @@ Matrix<Rational> view_matrix(const Camera& camera, ViewAxis axis) {
     const std::array rows{axes.right, axes.up,
                           axis == ViewAxis::minus_z ? axes.back : Vec<Rational, 3>{} - axes.back};
     for (std::size_t i = 0; i < rows.size(); ++i)
-        view.rows[i][3] = over_root(-dot(rows[i], position), dot(rows[i], rows[i]));
+        view.rows[i][3] = over_root(-dot(rows[i], position), dot(rows[i], rows[i]), camera.digits);
     return view;
 }
 
@@ -173,8 +176,9 @@ MatrixFactors<Rational> factors_of(const Projection& projection, const Canvas& c
     case ProjectionType::frustum:
         if (projection.fov_y)
             return {{"perspective",
-                     frustum_of_view<Rational>(cotangent_of_degrees(projection.fov_y->exact() / 2),
-                                               Rational(canvas.width) / canvas.height, range)}};
+                     frustum_of_view<Rational>(
+                         cotangent_of_degrees(projection.fov_y->exact() / 2, projection.digits),
+                         Rational(canvas.width) / canvas.height, range)}};
         return {{"perspective", frustum(sides, range)}};
     case ProjectionType::clip_space:
     case ProjectionType::none:

@@ -2,13 +2,14 @@
 #pragma once
 
 // What a scene says of its spaces: models, a camera, a projection and a viewport, and the matrices
-// of transform/ for them in exact numbers. What is irrational in a matrix is the nearest double;
-// each Scalar then rounds each entry once.
+// of transform/ for them in exact numbers. What is irrational in a matrix is the nearest double, or
+// has as many `digits` as are asked for; each Scalar then rounds each entry once.
 //
 //     Model({Scale{{2, 2, 2}}, Translate{{0, 0, 4}}}).matrix();  // scales first, then moves
 //     view_matrix({.position = {0, 0, 4}}, ViewAxis::minus_z);   // moves the world by (0, 0, -4)
 
 #include <rastertrace/core/numbers/conversion.h>
+#include <rastertrace/core/numbers/irrational.h>
 #include <rastertrace/core/raster/canvas.h>
 #include <rastertrace/core/raster/clip.h>
 #include <rastertrace/core/transform/camera.h>
@@ -61,6 +62,7 @@ struct Translate {
 struct Rotate {
     Numbers3 axis; ///< of any length but 0
     Number degrees;
+    RootDigits digits = RootDigits::of_double; ///< of the matrix
     friend bool operator==(const Rotate&, const Rotate&) = default;
 };
 
@@ -98,7 +100,8 @@ private:
 struct Camera {
     Numbers3 position{0, 0, 0};
     Numbers3 look_at{0, 0, -1};
-    Numbers3 up{0, 1, 0}; ///< any direction that is not the view's
+    Numbers3 up{0, 1, 0};                      ///< any direction that is not the view's
+    RootDigits digits = RootDigits::of_double; ///< of the matrix
 };
 
 /// The axes of a camera, of any length.
@@ -140,6 +143,7 @@ struct Projection {
     std::optional<Number> near = {}; ///< orthographic: none clips nothing
     std::optional<Number> far = {};  ///< none is infinitely far
     bool z_from_zero = false;        ///< clip space: 0 <= z <= w is in view, not -w <= z <= w
+    RootDigits digits = RootDigits::of_double; ///< of the matrix
 };
 
 inline bool is_perspective(ProjectionType type) {
