@@ -227,6 +227,7 @@ TEST(Check, AllNamesThatTheSceneDoesNotHaveAreToldInOneRun) {
     EXPECT_EQ(
         problem_of_claims(triangle, "edge AX: 1\ny=2: -1/4, 25/8\nD screen: 1, 2\n"),
         "claims:1:6: expected an edge of the scene (AB, AC, BC), found \"AX\"\nedge AX: 1\n     ^\n"
+        "hint: did you mean AB?\n"
         "claims:3:1: expected a vertex of the scene (A, B, C), found \"D\"\nD screen: 1, 2\n^");
 }
 
@@ -419,20 +420,43 @@ TEST(Check, BresenhamsDecisions) {
     EXPECT_THAT(slips_of(lines, "OP: -2 1 -1 2 0\n"), Contains("factor-2-dropped"));
 }
 
-TEST(Check, ThatAListHasTooFewOrTooManyNumbersIsTold) {
-    const std::string octant = example_text("tutorial/lines/octant-6.json");
-    const auto remark = [&](const std::string& claim) {
-        const Checked checked = check_claims(octant, claim);
-        return checked.claims.at(0).fields.at(0).remark;
+TEST(Check, ARightBeginningOfAListIsRight) {
+    const std::string lines = example_text("t2-lines/worked-lines.json"); // AB: 4 0 12 8 4 0 12 8
+    const auto field = [&](const std::string& claim) {
+        return check_claims(lines, claim).claims.at(0).fields.at(0);
     };
-    const std::string all = first_wrong(check_claims(octant, "AB: 0\n")).expected;
-    EXPECT_EQ(remark("AB: " + all), "");
-    EXPECT_EQ(remark("AB: " + all + ", 1"), "8 values, where 7 belong");
-    EXPECT_EQ(remark("AB: " + all.substr(0, all.rfind(','))), "6 values, where 7 belong");
-    EXPECT_EQ(remark("AB: 0"), "1 value, where 7 belong");
-    EXPECT_EQ(remark("AB: ?"), "");
-    // As many as belong, but others.
-    EXPECT_EQ(remark("AB: 100 1 1 1 1 1 1"), "");
+    EXPECT_EQ(field("AB: 4 0 12").verdict, ClaimVerdict::right);
+    EXPECT_EQ(field("AB: 4 0 12").remark, "the first 3 of 8");
+    EXPECT_EQ(field("AB: 4 0 12 8 4 0 12 8").remark, "");
+    EXPECT_EQ(field("AB: 4 0 12 8 4 0 12 8 4").remark, "9 values, where 8 belong");
+    EXPECT_EQ(field("AB: ?").verdict, ClaimVerdict::open);
+}
+
+TEST(Check, TheFirstWrongPlaceOfAListIsNamed) {
+    const std::string lines = example_text("t2-lines/worked-lines.json");
+    // 12 + 12 where d = 0 goes straight on to 12, and 12 - 4 behind it.
+    const Checked checked = check_claims(lines, "AB: 4 0 13 9 5 1\nAB: 4 1 12\n");
+    const CheckedField& third = checked.claims[0].fields[0];
+    EXPECT_EQ(third.place, 3U);
+    EXPECT_EQ(third.expected, "12");
+    EXPECT_EQ(third.found, "13");
+    EXPECT_EQ(third.remark, "what stands behind it follows from it");
+    // d = 0 is followed by 12: the working of the step before it.
+    EXPECT_THAT(checked.claims[0].working, Contains(HasSubstr("next d = 0 + 12 = 12")));
+    EXPECT_EQ(checked.claims[1].fields[0].place, 2U);
+    EXPECT_EQ(checked.claims[1].fields[0].remark,
+              "number 3 does not follow from the one before it");
+}
+
+TEST(Check, CoordinatesOfOneVertexOnSeveralLinesDoNotContradict) {
+    const Checked checked =
+        check_claims(triangle, "A screen: 3, ?\nA screen: ?, 5\nA screen: 2, ?\n");
+    EXPECT_EQ(verdicts(checked), "wrr");
+    EXPECT_THAT(checked.claims[1].remarks, IsEmpty());
+    EXPECT_THAT(checked.claims[2].remarks, ElementsAre("contradicts line 1"));
+}
+
+TEST(Check, AListMayHaveTooFewNumbers) {
     // A vertex may be given without its z of 0, though wrong.
     const Checked vertex = check_claims(triangle, R"({"claims":[
         {"step":"vertex","name":"A","space":"object","at":[1, 5]},

@@ -54,6 +54,9 @@ std::string content_of(const std::vector<Claim>& claims) {
     return text;
 }
 
+/// A text, and the whole message about it.
+using Fault = std::pair<std::string, std::string>;
+
 /// A line of a table, and the claim that it stands for.
 using Form = std::pair<std::string, std::string>;
 
@@ -211,9 +214,6 @@ TEST(Claims, AreToldFromScenesAndTraces) {
     EXPECT_FALSE(is_claims({"", ""}));
 }
 
-/// A text, and the whole message about it.
-using Fault = std::pair<std::string, std::string>;
-
 TEST(Claims, FaultsOfATableArePointedAt) {
     const std::vector<Fault> faults{
         {"edge AB: 0,75\n\ny=2: -1,3",
@@ -326,6 +326,64 @@ TEST(Claims, FaultsOfATableArePointedAt) {
                                 "hint: a picture ends with a blank line"},
         {"picture:\n", "claims.txt:2:1: expected the rows of a picture, found none"},
     };
+    for (const auto& [text, message] : faults)
+        EXPECT_EQ(complaint(text), message) << text;
+}
+
+const std::string two_rows =
+    "scanline y=<2> left=<-1/4> right=<25/8>\nscanline y=<1> left=<-1> right=<7/2>\n";
+
+TEST(Claims, ColumnsSayWhatTheirHeadsSay) {
+    const std::vector<Form> tables{
+        {"y,left,right\n2,-1/4,25/8\n1,-1,7/2\n", two_rows},
+        {"y;x_L;x_R\r\n2;-1/4;25/8\r\n1;-1;7/2\r\n", two_rows},
+        {"Row\tXL\tXR\n2\t-1/4\t3 1/8\n1\t-1\t3 1/2\n", two_rows},
+        {"| y | left | right |\n|---|-----:|:------|\n| 2 | \u2212\u00BC | 3\u215B |\n| 1 | -1 | "
+         "3\u00BD |\n",
+         two_rows},
+        {"\\begin{tabular}{rrr}\n$y$ & $x_L$ & $x_R$ \\\\ \\hline\n"
+         "2 & $-\\frac{1}{4}$ & $\\frac{25}{8}$ \\\\\n1 & $-1$ & $\\frac72$ \\\\\n\\end{tabular}\n",
+         two_rows},
+        {"\\begin{tabular}{rrr}\n$y$ & $x_L$ & $x_R$ \\\\ \\hline\n"
+         "2 & $-\\frac{1}{4}$ & $\\frac{25}{8}$ \\\\\n1 & $-1$ & $\\dfrac{7}{2}$ "
+         "\\\\\n\\end{tabular}\n",
+         two_rows},
+        {"y;left;right\n2;-0,25;3,125\n", "scanline y=<2> left=<-0.25> right=<3.125>\n"},
+        {"y,left,right\n2,\"-0,25\",?\n", "scanline y=<2> left=<-0.25> right=<?>\n"},
+        {"k | p_k | (x, y)\n0 | 4 | (2,5)\n1 | 0 | (1,4)\n",
+         "pixel x=<2> y=<5> plotted=<true>\ndecide d=[<4><0>\npixel x=<1> y=<4> plotted=<true>\n"},
+        {"## AB\n\nk,d\n0,4\n1,0\n2,\n", "decide in=<AB> d=[<4><0>\n"},
+        {"ABC\ny,pixels\n2,-1..3\n\nACD:\ny,pixels\n2,3\n",
+         "scanline in=<ABC> y=<2> from=<-1> to=<3>\nscanline in=<ACD> y=<2> from=<3> to=<3>\n"},
+        {"vertex,space,x,y\nA,screen,2,5\n", "vertex name=<A> space=<screen> at=[<2><5>\n"},
+        {"world\nvertex,x,y,z\nA,2,5,1\n", "vertex space=<world> name=<A> at=[<2><5><1>\n"},
+        {"edge,slope\nAB,3/4\nBC,none\n\nedge AC: -3/8\n",
+         "edge edge=<AB> dx_dy=<3/4>\nedge edge=<BC> dx_dy=<none>\nedge edge=<AC> dx_dy=<-3/8>\n"},
+        {"face,normal,dot,culled\nABC,\"(0, 0, -4)\",-12,culled\n",
+         "face name=<ABC> normal=[<0><0><-4> dot=<-12> culled=<true>\n"},
+        {"x,y,drawn\n3,2,yes\n4,2,no\n",
+         "pixel x=<3> y=<2> plotted=<true>\npixel x=<4> y=<2> plotted=<false>\n"}};
+    for (const auto& [table, content] : tables)
+        EXPECT_EQ(content_of(claims_in(table).claims), content) << table;
+}
+
+TEST(Claims, FaultsOfColumnsArePointedAt) {
+    const std::vector<Fault> faults{
+        {"y,lefft,right\n2,1,2\n3,1,2\n\ny=2: x, 1\n",
+         "claims.txt:1:3: expected what the column holds, like y, left, right, p_k or (x, y), "
+         "found lefft\n"
+         "y,lefft,right\n  ^\nhint: did you mean left?\n"
+         "claims.txt:5:6: expected a number, like 3.125 or 25/8, found x\ny=2: x, 1\n     ^"},
+        {"y,left\n2,1,2\n3,x\n",
+         "claims.txt:2:1: expected 2 cells, as the head of the table has, found 3\n"
+         "2,1,2\n^\n"
+         "claims.txt:3:3: expected a number, like 3.125 or 25/8, found x\n3,x\n  ^"},
+        {"y,k\n2,1\n",
+         "claims.txt:1:1: expected columns that say what was worked out, like `y, left, right`, "
+         "`k, p_k, (x, y)` or `vertex, x, y`, found others\ny,k\n^"},
+        {std::string("PK\x03\x04\0\0", 6),
+         "claims.txt: expected text, found a file of a spreadsheet, or an archive\n"
+         "hint: in the spreadsheet, save it as CSV"}};
     for (const auto& [text, message] : faults)
         EXPECT_EQ(complaint(text), message) << text;
 }

@@ -76,10 +76,27 @@ public:
 private:
     /// What was claimed of a number first.
     struct Said {
-        Values values;
+        std::vector<std::optional<Rational>> values; ///< nothing of what is open
         std::size_t line;
         bool is_right;
+
+        /// True if both have the same place with different numbers.
+        bool contradicts(const Said& other) const {
+            for (std::size_t i = 0; i < std::min(values.size(), other.values.size()); ++i)
+                if (values[i] && other.values[i] && values[i] != other.values[i])
+                    return true;
+            return false;
+        }
     };
+
+    static std::vector<std::optional<Rational>> values_said(const ClaimedField& field,
+                                                            const Values& values) {
+        std::vector<std::optional<Rational>> said(values.begin(), values.end());
+        for (std::size_t i = 0; i < std::min(said.size(), field.values.size()); ++i)
+            if (field.values[i] == open_value)
+                said[i].reset();
+        return said;
+    }
 
     /// What is wrong with the claims of a file is thrown as one Problem.
     void compare_claims() {
@@ -213,7 +230,8 @@ private:
             return;
         for (const ClaimedField*& field : subject.fields) {
             const auto is_whole = [](const std::string& value) {
-                return value.find_first_of("./") == std::string::npos;
+                return value == open_value ||
+                       value.find_first_not_of("-0123456789") == std::string::npos;
             };
             if (field->name == "at" &&
                 std::all_of(field->values.begin(), field->values.end(), is_whole)) {
@@ -257,7 +275,9 @@ private:
         if (decides && !has_open(field))
             note_tie(subject, field, checked);
         note_fit(comparison, has_root, checked);
-        if (!comparison.is_right && !comparison.is_open)
+        if (is_by_place(field))
+            note_place(field, right, held, checked);
+        else if (!comparison.is_right && !comparison.is_open)
             note_count(field, right, checked);
         if (!comparison.is_right && field.name == "culled" && subject.decided_step == 0)
             claim.remarks.emplace_back("the scene culls nothing");
@@ -341,6 +361,51 @@ private:
         comparison.is_right = claims_.truncates || has_root;
     }
 
+    /// Says how much of a list is claimed, or which place is the first that is wrong.
+    void note_place(const ClaimedField& field, const std::vector<std::string>& right,
+                    NumbersHeld held, CheckedField& checked) const {
+        const std::size_t count = field.values.size();
+        std::size_t place = 0;
+        while (place < count && place < right.size() &&
+               is_right_at(field.values[place], right[place], held))
+            ++place;
+        if (place == count) {
+            if (count < right.size())
+                checked.remark = fmt::format("the first {} of {}", count, right.size());
+            return;
+        }
+        if (place == right.size()) {
+            note_count(field, right, checked);
+            return;
+        }
+        checked.place = place + 1;
+        checked.expected = right[place];
+        checked.found = field.values[place];
+        checked.remark = what_follows(field, place);
+    }
+
+    static bool is_right_at(const std::string& claimed, const std::string& told, NumbersHeld held) {
+        return compare({.name = {}, .values = {claimed}}, {told}, held, false).is_right;
+    }
+
+    /// What is to be said of the places behind the first wrong one of Bresenham's d: whether each goes on from the one
+    /// before it.
+    std::string what_follows(const ClaimedField& field, std::size_t place) const {
+        const auto formulas =
+            formulas_of(*subjects_.back(), Numbers(*subjects_.back()->exact), field.name);
+        const auto* const line =
+            formulas.empty() ? nullptr : std::get_if<BresenhamDecisions>(&formulas.front().of);
+        for (std::size_t i = place + 1; line != nullptr && i < field.values.size(); ++i) {
+            const auto before = typed_value(field.values[i - 1]);
+            const auto after = typed_value(field.values[i]);
+            if (before && after && line->next(before->value) != after->value)
+                return fmt::format("number {} does not follow from the one before it", i + 1);
+        }
+        return place + 1 < field.values.size() && line != nullptr
+                   ? "what stands behind it follows from it"
+                   : "";
+    }
+
     /// Says that a list has too few numbers, or too many.
     static void note_count(const ClaimedField& field, const std::vector<std::string>& right,
                            CheckedField& checked) {
@@ -364,11 +429,12 @@ private:
             return;
         const std::size_t line = claims_.claims[order].line;
         const bool is_right = checked.verdict == ClaimVerdict::right;
-        const auto [place, is_new] = claimed_.try_emplace(name, Said{values, line, is_right});
+        const Said said{values_said(field, values), line, is_right};
+        const auto [place, is_new] = claimed_.try_emplace(name, said);
         const Said& first = place->second;
         const std::string remark = fmt::format("contradicts line {}", first.line);
         // Two roundings of one number are no contradiction.
-        if (!is_new && first.values != values && first.line != line &&
+        if (!is_new && first.contradicts(said) && first.line != line &&
             !(first.is_right && is_right) &&
             std::find(claim.remarks.begin(), claim.remarks.end(), remark) == claim.remarks.end())
             claim.remarks.push_back(remark);
@@ -413,7 +479,12 @@ private:
                 std::find_if(claim.fields.begin(), claim.fields.end(), [](const auto& field) {
                     return field.verdict == ClaimVerdict::wrong;
                 });
-            if (const std::size_t step = step_of(*subjects_[i], wrong->name); step != 0)
+            std::size_t step = step_of(*subjects_[i], wrong->name);
+            if (wrong->place > 1) // d is worked out from the one before it
+                if (const auto steps = decisions_from(*subjects_[i]->exact, step);
+                    wrong->place - 2 < steps.size())
+                    step = steps[wrong->place - 2];
+            if (step != 0)
                 by_step[{subjects_[i]->exact, step}].push_back(&claim);
         }
         std::optional<Replay> replay;

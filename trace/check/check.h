@@ -88,6 +88,8 @@ struct CheckedField {
     ClaimVerdict verdict = ClaimVerdict::right;
     std::string expected = {}; ///< as it would be written: "-1/4", "2, 5"
     std::string found = {};
+    std::size_t place =
+        0; ///< of a list, the first that is wrong, from 1; then `expected` and `found` are that one
     std::string remark =
         {}; ///< "rounded to 2 digits", or what the scalar decides otherwise; may be empty
 

@@ -83,12 +83,16 @@ Rational error_of(const Rational& number) {
     return (abs(number) + 1) / Rational(mpz_class(1) << (many_binary_digits / 2));
 }
 
+bool is_by_place(const ClaimedField& field) {
+    return field.is_list && field.name == "d";
+}
+
 Comparison compare(const ClaimedField& claimed, const std::vector<std::string>& told,
                    NumbersHeld held, bool may_lack_z) {
     Comparison comparison;
     const std::size_t count = claimed.values.size();
-    comparison.is_right =
-        count == told.size() || (may_lack_z && count == 2 && told.size() == 3 && told[2] == "0");
+    comparison.is_right = count == told.size() || (is_by_place(claimed) && count < told.size()) ||
+                          (may_lack_z && count == 2 && told.size() == 3 && told[2] == "0");
     for (std::size_t i = 0; i < count; ++i)
         compare_one(comparison, claimed.values[i], i < told.size() ? told[i] : std::string(), held);
     return comparison;
@@ -114,7 +118,8 @@ Values claimed_values(const ClaimedField& field, const std::vector<std::string>&
 bool gives(const Values& values, const ClaimedField& claimed) {
     const std::size_t count = claimed.values.size();
     const bool lacks_only_z = count == 2 && values.size() == 3 && sgn(values[2]) == 0;
-    if (count != values.size() && !lacks_only_z)
+    const bool is_beginning = is_by_place(claimed) && count < values.size();
+    if (count != values.size() && !lacks_only_z && !is_beginning)
         return false;
     for (std::size_t i = 0; i < claimed.values.size(); ++i) {
         const std::string& text = claimed.values[i];

@@ -33,13 +33,16 @@ struct Comparison {
 /// What kind of numbers is told: where they are rounded, a fraction is right that rounds to them.
 enum class NumbersHeld {
     fractions,
-    doubles,     ///< rounded on the way
+    doubles, ///< rounded on the way
     floats,
     many_digits, ///< of sines and roots: within `error_of` of the true ones
 };
 
 /// How far a number with many digits of sines and roots may be from the true one.
 Rational error_of(const Rational& number);
+
+/// True of a list that is judged place by place: a right beginning of it is right.
+bool is_by_place(const ClaimedField& field);
 
 /// Compares a field with what is told of it. A vertex may be given without a z of 0.
 Comparison compare(const ClaimedField& claimed, const std::vector<std::string>& told,

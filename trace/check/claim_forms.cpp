@@ -143,7 +143,41 @@ public:
         line_.expect_end();
     }
 
+    void read_cell(std::string_view field) {
+        if (field == "pixels")
+            read_pixels_of_row();
+        else if (field == "dx_dy")
+            read_slope();
+        else
+            read_field(field_named(field));
+        line_.expect_end();
+    }
+
+    /// (3,2) or 3, 2
+    void read_pixel_cell() {
+        if (line_.peek().is("(")) {
+            read_place();
+        } else {
+            const auto place = line_.numbers(2);
+            put("x", place[0]);
+            put("y", place[1]);
+        }
+        line_.expect_end();
+    }
+
 private:
+    void read_field(const ClaimField& field) {
+        const bool is_number = field.type == FieldType::quantity || field.type == FieldType::whole;
+        if (is_number && field.is_list)
+            put_list(field.name, line_.numbers(0));
+        else if (is_number)
+            put(field.name, line_.one_number());
+        else if (field.type == FieldType::boolean)
+            read_verdict(field.name, field.name == "culled" ? "culled or drawn" : "on or off");
+        else
+            put(field.name, line_.next());
+    }
+
     /// True if a row is named there: y=2, row 2, row y=2; or 2 at the beginning of the line.
     bool is_row_at(std::size_t ahead) const {
         const ClaimWord word = line_.peek(ahead);
@@ -492,6 +526,21 @@ std::vector<std::string_view> first_words() {
 
 void read_claim(ClaimLine& line, Claim& claim) {
     ClaimReader(line, claim).read();
+}
+
+void read_cell(ClaimLine& cell, Claim& claim, std::string_view field) {
+    ClaimReader(cell, claim).read_cell(field);
+}
+
+void read_pixel_cell(ClaimLine& cell, Claim& claim) {
+    ClaimReader(cell, claim).read_pixel_cell();
+}
+
+std::size_t coordinates_in_space(std::string_view name) {
+    const auto* const known =
+        std::find_if(space_names.begin(), space_names.end(),
+                     [name](const SpaceName& space) { return space.name == name; });
+    return known == space_names.end() ? 0 : known->coordinates;
 }
 
 std::string_view words_for_field(std::string_view field) {

@@ -9,6 +9,7 @@
 #include "claim_line.h"
 #include "claims.h"
 
+#include <cstddef>
 #include <string_view>
 #include <vector>
 
@@ -16,6 +17,15 @@ namespace rastertrace {
 
 /// Reads what a line claims. What is wrong is thrown as a Problem.
 void read_claim(ClaimLine& line, Claim& claim);
+
+/// Reads what a cell of a table says of a field; of `pixels`, the first and the last of a row. What is wrong is thrown.
+void read_cell(ClaimLine& cell, Claim& claim, std::string_view field);
+
+/// Reads the pixel (3,2), which is drawn.
+void read_pixel_cell(ClaimLine& cell, Claim& claim);
+
+/// How many coordinates a vertex has in the space of that name; 0 if there is none.
+std::size_t coordinates_in_space(std::string_view name);
 
 /// The words that a line of the table can begin with, besides names.
 std::vector<std::string_view> first_words();

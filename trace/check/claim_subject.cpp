@@ -255,8 +255,10 @@ private:
     std::size_t nearest_span(const StepIndex& index, const std::vector<std::size_t>& steps) const {
         const auto claimed_end = [this](std::string_view name) -> std::optional<Rational> {
             const ClaimedField* const field = claim_.find(name);
-            return field == nullptr || field->values.empty() ? std::nullopt
-                                                             : number_in(field->values.front());
+            const auto typed = field == nullptr || field->values.empty()
+                                   ? std::nullopt
+                                   : typed_value(field->values.front());
+            return typed ? std::optional(typed->value) : std::nullopt;
         };
         const std::size_t owner = index.primitive_of(steps.front());
         if (kind_ != StepKind::scanline ||
@@ -283,11 +285,19 @@ private:
     /// True of a claim about all of a line's decisions.
     bool is_whole_line() const {
         const ClaimedField* const d = claim_.find("d");
-        return d != nullptr && d->is_list && claim_.find("in") != nullptr;
+        return d != nullptr && d->is_list;
     }
 
     /// The first step of the line that is named, rather than of a side of that name.
     std::size_t first_of_line(const StepIndex& index, const std::vector<std::size_t>& steps) const {
+        if (claim_.find("in") == nullptr) {
+            const bool is_only_line = std::all_of(steps.begin(), steps.end(), [&](std::size_t n) {
+                return index.primitive_of(n) == index.primitive_of(steps.front());
+            });
+            if (!is_only_line)
+                refuse_several(index, steps);
+            return steps.empty() ? 0 : steps.front();
+        }
         for (const std::size_t n : steps)
             if (const std::size_t owner = index.primitive_of(n);
                 owner != 0 &&

@@ -75,6 +75,9 @@ Subject subject_of(const Claim& claim, const Claims& claims, const TruthIndex& t
 /// lines, a name that nothing has is taken for that of a face.
 bool names_face(const std::string& name, const TruthIndex& truth);
 
+/// The `decide` steps of the line that begins at a step, in order.
+std::vector<std::size_t> decisions_from(const StepIndex& index, std::size_t first);
+
 /// What is told of a field, as the trace writes it; of a list, or a list of lists, each element. Fields of
 /// check.h are worked out. nullopt if nothing is.
 using ToldValues = std::optional<std::vector<std::string>>;

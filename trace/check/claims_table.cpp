@@ -5,16 +5,31 @@
 
 #include "claim_fields.h"
 #include "claim_forms.h"
+#include "claims_columns.h"
 
 #include <rastertrace/trace/text/text.h>
 
 #include <algorithm>
+#include <array>
+#include <optional>
+#include <string>
 #include <utility>
 #include <vector>
 
 namespace rastertrace {
 
 namespace {
+
+constexpr std::string_view caption = "\\caption{";
+
+/// True of a line of Markdown or LaTeX that says how a table looks.
+bool is_layout(std::string_view line) {
+    constexpr std::array<std::string_view, 9> commands{"\\begin{",    "\\end{",    "\\hline",
+                                                       "\\toprule",   "\\midrule", "\\bottomrule",
+                                                       "\\centering", "\\label{",  "```"};
+    return std::any_of(commands.begin(), commands.end(),
+                       [line](std::string_view command) { return line.starts_with(command); });
+}
 
 /// Reads the lines of a table. What is wrong with them is thrown as one Problem.
 class TableReader {
@@ -30,6 +45,8 @@ public:
                        .has_decimal_comma = commas_.is_decimal};
             problems_.clear();
             has_round_ = false;
+            table_.reset();
+            is_in_unknown_table_ = false;
             read_lines();
         }
         if (!problems_.empty())
@@ -55,6 +72,23 @@ private:
     void read_line(std::size_t number, std::size_t begin, std::size_t end) {
         if (in_picture_)
             return read_row(begin, end);
+        const std::string_view text = claims_.source.text;
+        if (table_ && table_->read_row(claims_.source, begin, end, number, commas_, claims_.claims))
+            return;
+        table_.reset();
+        if (is_layout(without_blanks(text.substr(begin, end - begin))))
+            return;
+        const bool is_blank = without_blanks(text.substr(begin, end - begin)).empty();
+        if (is_blank || is_in_unknown_table_) {
+            is_in_unknown_table_ = is_in_unknown_table_ && !is_blank;
+            return;
+        }
+        is_in_unknown_table_ = true; // unless its head is known, or there is none
+        table_ = ClaimColumns::headed(claims_.source, begin, end, title_);
+        is_in_unknown_table_ = false;
+        title_ = title_over_table(begin, end);
+        if (table_ || !title_.empty())
+            return;
         ClaimLine line(claims_.source, begin, end, commas_);
         if (line.at_end())
             return;
@@ -76,6 +110,28 @@ private:
             read_claim(line, claim);
         }
         claims_.claims.push_back(std::move(claim));
+    }
+
+    /// The name that stands alone in the line over a table, as a heading or the caption of LaTeX; "" if there is none.
+    std::string title_over_table(std::size_t begin, std::size_t end) const {
+        const std::string_view text = claims_.source.text;
+        std::string_view name = without_blanks(text.substr(begin, end - begin));
+        name.remove_prefix(std::min(name.find_first_not_of("# "), name.size()));
+        if (name.starts_with(caption) && name.ends_with('}'))
+            name = name.substr(caption.size(), name.size() - caption.size() - 1);
+        if (name.ends_with(':'))
+            name.remove_suffix(1);
+        if (!is_one_word(name))
+            return "";
+        for (std::size_t next = end + 1; next < text.size();) {
+            const std::size_t behind = std::min(text.find('\n', next), text.size());
+            const std::string_view line = without_blanks(text.substr(next, behind - next));
+            if (!line.empty() && !is_layout(line))
+                return ClaimColumns::headed(claims_.source, next, behind, "") ? std::string(name)
+                                                                              : "";
+            next = behind + 1;
+        }
+        return "";
     }
 
     /// A row of a picture; a blank line ends it.
@@ -119,6 +175,9 @@ private:
 
     Claims& claims_;
     CommaUse commas_;
+    std::optional<ClaimColumns> table_; ///< that the last line belongs to
+    std::string title_;                 ///< of the table that begins in the next line
+    bool is_in_unknown_table_ = false;  ///< its head was refused: to a blank line, nothing is read
     std::vector<Problem> problems_;
     bool in_picture_ = false;
     bool has_round_ = false;

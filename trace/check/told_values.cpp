@@ -17,25 +17,26 @@
 
 namespace rastertrace {
 
-namespace {
-
-/// d before each step of the line that begins here.
-std::vector<std::string> decisions_from(const StepIndex& index, std::size_t first) {
-    std::vector<std::string> decisions;
+std::vector<std::size_t> decisions_from(const StepIndex& index, std::size_t first) {
+    std::vector<std::size_t> decisions;
     for (std::size_t n = first; n <= index.trace().size(); ++n) {
         const auto kind = index.trace().kind_of(n);
         if (kind == StepKind::edge || kind == StepKind::primitive || kind == StepKind::ray)
             break;
         if (kind == StepKind::decide)
-            decisions.push_back(index.trace().step(n).as<DecideStep>().d.text());
+            decisions.push_back(n);
     }
     return decisions;
 }
 
-/// The same of the whole line, of which the canvas may have a part: that part, if as many are claimed.
+namespace {
+
+/// d before each step of a whole line, of which the canvas may have a part: of that part, if as many are claimed.
 std::vector<std::string> told_decisions(const StepIndex& index, std::size_t first,
                                         std::size_t claimed) {
-    std::vector<std::string> on_canvas = decisions_from(index, first);
+    std::vector<std::string> on_canvas;
+    for (const std::size_t n : decisions_from(index, first))
+        on_canvas.push_back(index.trace().step(n).as<DecideStep>().d.text());
     const auto formulas = formulas_of(Numbers(index), first, "d");
     if (on_canvas.size() == claimed || formulas.empty())
         return on_canvas;
@@ -52,26 +53,6 @@ ToldValues told_z(const StepIndex& index, std::size_t test, bool is_inverse) {
     if (!depth || (is_inverse != holds_inverse && sgn(*depth) == 0))
         return std::nullopt;
     return std::vector{(is_inverse == holds_inverse ? *depth : Rational(1 / *depth)).get_str()};
-}
-
-/// True of a cosine or an intensity that is a fraction.
-bool is_fraction(const FaceCosine& face) {
-    return has_rational_root(dot(face.normal, face.normal) * dot(face.view, face.view));
-}
-
-/// One value that the trace tells; a cosine that a double is told of, as the fraction that it is, if it is one.
-std::string told_value(const StepIndex& index, std::size_t step, const std::string& field,
-                       const std::string& told) {
-    const auto number = number_in(told);
-    if (!number || (field != "cosine" && field != "intensity"))
-        return told;
-    for (const Formula& formula : formulas_of(Numbers(index), step, field)) {
-        const auto* const face = std::get_if<FaceCosine>(&formula.of);
-        const Values values = face && is_fraction(*face) ? value_of(formula) : Values{};
-        if (values.size() == 1 && nearest_double(values.front()) == nearest_double(*number))
-            return values.front().get_str();
-    }
-    return told;
 }
 
 } // namespace
@@ -94,9 +75,8 @@ ToldValues told_in(const StepIndex& index, std::size_t step, const ClaimedField&
         return values;
     }
     if (json)
-        return json->starts_with('[')
-                   ? TracedList<TracedValue>(*json).texts()
-                   : std::vector{told_value(index, step, field.name, plain_text(*json))};
+        return json->starts_with('[') ? TracedList<TracedValue>(*json).texts()
+                                      : std::vector{plain_text(*json)};
     const auto formulas = formulas_of(Numbers(index), step, field.name);
     if (formulas.empty())
         return std::nullopt;

@@ -168,12 +168,39 @@ private:
             return std::nullopt;
         ++depth_;
         auto term = take("(")           ? bracket()
+                    : take_word("frac") ? fraction()
                     : take_word("sqrt") ? root()
                     : take_word("pi")
                         ? std::optional(Term{.value = pi(), .is_exact = false, .has_pi = true})
                         : ratio_of_circle();
         --depth_;
         return term;
+    }
+
+    /// LaTeX's \frac{25}{8} and \frac14, which are read as frac (25)/(8) and frac 14.
+    std::optional<Term> fraction() {
+        skip_blanks();
+        const bool has_brackets = peek() == '(';
+        const auto part = [&] { return has_brackets && take("(") ? bracket() : digit(); };
+        const auto above = part();
+        const bool has_bar = !has_brackets || take("/");
+        const auto below = above && has_bar ? part() : std::nullopt;
+        if (!below)
+            return std::nullopt;
+        count_operator();
+        if (sgn(below->value) == 0) {
+            fault_ = NumberFault::zero_denominator;
+            return std::nullopt;
+        }
+        return Term{.value = above->value / below->value,
+                    .is_exact = above->is_exact && below->is_exact};
+    }
+
+    std::optional<Term> digit() {
+        if (!is_digit(peek()))
+            return std::nullopt;
+        literals_.emplace_back(1, peek());
+        return Term{.value = Rational(text_[at_++] - '0')};
     }
 
     std::optional<Term> bracket() {

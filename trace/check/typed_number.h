@@ -9,6 +9,7 @@
 // product = factor { ("*" | "/") factor | factor }     the latter with a root, pi or a bracket: 2 sqrt(3)
 // factor  = [ "+" | "-" ] primary
 // primary = decimal [ "deg" ] | whole fraction | "(" sum ")" | "sqrt" primary | "pi" | ("sin" | "cos" | "tan") primary
+//         | "frac" ( "(" sum ")/(" sum ")" | digit digit )
 
 #include <rastertrace/core/numbers/number.h>
 #include <rastertrace/core/numbers/rational.h>

@@ -95,6 +95,10 @@ std::optional<Problem> zero_byte_in(const Source& source) {
     const std::size_t at = source.view().find('\0');
     if (at == std::string::npos)
         return std::nullopt;
+    if (source.view().starts_with("PK\x03\x04")) // a zip archive
+        return problem_of(source.name,
+                          "expected text, found a file of a spreadsheet, or an archive",
+                          "in the spreadsheet, save it as CSV");
     return problem_at(source, at, "expected text, found a zero byte");
 }
 

@@ -44,6 +44,9 @@ public:
     CheckedFile check(Source source) {
         CheckedFile file{.name = source.name};
         file.claims = value_or_throw(read_claims(std::move(source)));
+        if (file.claims.claims.empty())
+            throw problem_of(file.name, "expected claims, found none",
+                             "rastertrace sheet SCENE writes a sheet to fill in");
         file.checked = rastertrace::check(truth_for(file.claims), file.claims);
         return file;
     }

@@ -137,8 +137,9 @@ std::string CheckedFile::difference(const CheckedField& field, std::string_view 
     const auto as_written = [&](std::string_view value) {
         return claims.is_table ? word_for_value(field.name, value) : value;
     };
-    return fmt::format("{}: expected {}, found {}", in_words(field.name), as_written(expected),
-                       as_written(found));
+    const std::string place = field.place == 0 ? "" : fmt::format(", number {}", field.place);
+    return fmt::format("{}{}: expected {}, found {}", in_words(field.name), place,
+                       as_written(expected), as_written(found));
 }
 
 std::string_view name_of(ClaimVerdict verdict) {
