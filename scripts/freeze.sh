@@ -26,7 +26,7 @@ mkdir "$folder/scenes" "$folder/faults"
 {
     find examples -name '*.json' | sort | while read -r scene; do
         for call in trace show 'show --all --working --max-steps 500' plan 'explain --step last' 'explain --pixel 1,2' \
-            'explain --scanline 1' stats 'check --template' 'figure -o - --format svg'; do
+            'explain --scanline 1' stats sheet 'figure -o - --format svg'; do
             echo "$call $scene"
         done
     done

@@ -352,7 +352,7 @@ TEST(Claims, ColumnsSayWhatTheirHeadsSay) {
         {"y,left,right\n2,\"-0,25\",?\n", "scanline y=<2> left=<-0.25> right=<?>\n"},
         {"k | p_k | (x, y)\n0 | 4 | (2,5)\n1 | 0 | (1,4)\n",
          "pixel x=<2> y=<5> plotted=<true>\ndecide d=[<4><0>\npixel x=<1> y=<4> plotted=<true>\n"},
-        {"## AB\n\nk,d\n0,4\n1,0\n2,\n", "decide in=<AB> d=[<4><0>\n"},
+        {"## AB\n\nk,d\n0,4\n1,0\n2,\n", "decide in=<AB> d=[<4><0><?>\n"},
         {"ABC\ny,pixels\n2,-1..3\n\nACD:\ny,pixels\n2,3\n",
          "scanline in=<ABC> y=<2> from=<-1> to=<3>\nscanline in=<ACD> y=<2> from=<3> to=<3>\n"},
         {"vertex,space,x,y\nA,screen,2,5\n", "vertex name=<A> space=<screen> at=[<2><5>\n"},

@@ -143,8 +143,15 @@ public:
         line_.expect_end();
     }
 
+    /// What an empty cell holds has not been worked out yet.
     void read_cell(std::string_view field) {
-        if (field == "pixels")
+        const bool is_pixels = field == "pixels";
+        if (line_.at_end() && (is_pixels || !field_named(field).is_key)) {
+            put(is_pixels ? "from" : field,
+                {.text = std::string(open_value), .offset = line_.peek().offset});
+            return;
+        }
+        if (is_pixels)
             read_pixels_of_row();
         else if (field == "dx_dy")
             read_slope();

@@ -258,12 +258,12 @@ bool ClaimColumns::read_row(const Source& source, std::size_t begin, std::size_t
         CommaUse in_cell{.is_decimal = separator_ != ',' || commas.is_decimal};
         ClaimLine cell(source, cells[i].begin, cells[i].end, in_cell);
         const std::string_view field = columns_[i].field;
-        if (field.empty() || cell.at_end())
+        if (field.empty() || (cell.at_end() && field == "place"))
             continue;
         Claim pixel = new_claim("pixel");
         Claim& about = field == "place" && step_ == "decide" ? pixel : claim;
         if (step_ == "vertex" && field.size() == 1)
-            coordinates.push_back(cell.one_number().text);
+            coordinates.push_back(cell.at_end() ? std::string(open_value) : cell.one_number().text);
         else if (field == "place")
             read_pixel_cell(cell, about);
         else

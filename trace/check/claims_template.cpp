@@ -192,7 +192,103 @@ private:
     StepKind last_group_ = StepKind::triangulate;
 };
 
+/// A cell of a table: in quotes where a comma or a quote is in it.
+std::string cell(const std::string& text) {
+    if (text.find_first_of(",\"") == std::string::npos)
+        return text;
+    std::string quoted = "\"";
+    for (const char c : text)
+        quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
+    return quoted + '"';
+}
+
+/// Tables with empty cells: one of each kind for each primitive, in the order in which the trace comes to them.
+class TableWriter {
+public:
+    explicit TableWriter(const Trace& trace) : trace_(trace) {}
+
+    std::string write() {
+        std::string primitive;
+        for (std::size_t n = 1; n <= trace_.size(); ++n) {
+            const StepView step = trace_.step(n);
+            if (const auto kind = step.kind()) {
+                if (*kind == StepKind::primitive)
+                    primitive = name_in(step).text();
+                add(*kind, step, primitive);
+            }
+        }
+        std::string text;
+        for (const Table& table : tables_) {
+            text += text.empty() ? "" : "\n";
+            text += (table.title.empty() ? "" : table.title + "\n") + table.head + "\n";
+            for (const std::string& row : table.rows)
+                text += row + "\n";
+        }
+        return text;
+    }
+
+private:
+    struct Table {
+        std::string title;
+        std::string head;
+        std::vector<std::string> rows;
+    };
+
+    void add(StepKind kind, const StepView& step, const std::string& primitive) {
+        switch (kind) {
+        case StepKind::vertex: {
+            const auto vertex = step.as<VertexStep>();
+            const std::size_t count = vertex.at.values().size();
+            if (vertex.space != Space::object)
+                add_row(std::string(vertex.space.text()),
+                        std::string("vertex,x,y,z,w")
+                            .substr(0, std::string("vertex").size() + 2 * count),
+                        vertex.name.text(), count);
+            return;
+        }
+        case StepKind::face:
+            return add_row("", "face,normal,view,dot,culled", name_in(step).text(), 4);
+        case StepKind::edge:
+            return add_row(primitive, "edge,dx/dy", step.as<EdgeStep>().edge.text(), 1);
+        case StepKind::scanline: {
+            const auto row = step.as<ScanlineStep>();
+            const bool has_depth = row.left_depth.has_number();
+            return add_row(primitive,
+                           has_depth ? "y,left,right,from,to,left depth,right depth"
+                                     : "y,left,right,from,to",
+                           std::to_string(row.y), has_depth ? 6 : 4);
+        }
+        case StepKind::decide:
+            return add_row(primitive, "k,d", "", 1);
+        default:
+            return;
+        }
+    }
+
+    void add_row(const std::string& title, const std::string& head, const std::string& key,
+                 std::size_t empty_cells) {
+        const auto place = std::find_if(tables_.begin(), tables_.end(), [&](const Table& table) {
+            return table.title == cell(title) && table.head == head;
+        });
+        Table& table =
+            place == tables_.end() ? tables_.emplace_back(Table{cell(title), head, {}}) : *place;
+        // Bresenham's steps are counted from 0.
+        const std::string first = key.empty() ? std::to_string(table.rows.size()) : cell(key);
+        const std::string row = first + std::string(empty_cells, ',');
+        if (table.rows.size() < most_lines &&
+            std::find(table.rows.begin(), table.rows.end(), row) == table.rows.end())
+            table.rows.push_back(row);
+    }
+
+    const Trace& trace_;
+    std::vector<Table> tables_;
+};
+
 } // namespace
+
+std::string claims_template_in_columns(const Trace& trace) {
+    return TableWriter(trace).write();
+}
 
 std::string claims_template(const Trace& trace) {
     return TemplateWriter(trace).write();

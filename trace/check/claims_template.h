@@ -18,6 +18,9 @@ namespace rastertrace {
 /// long trace the first lines, and how many more there would be.
 std::string claims_template(const Trace& trace);
 
+/// The same as tables with empty cells, in CSV.
+std::string claims_template_in_columns(const Trace& trace);
+
 /// The line of a table that names its scene, and a comment that tells where it is looked for.
 std::string scene_line(std::string_view path);
 

@@ -8,8 +8,6 @@
 #include "option_values.h"
 #include "shared_options.h"
 
-#include <rastertrace/trace/check/claims_template.h>
-
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -116,25 +114,10 @@ ExitStatus status_of(const std::vector<CheckedFile>& files) {
                : exit_fine;
 }
 
-/// The claims file of a scene with everything left open.
-ExitStatus print_template(const CheckCommand& command, Source source) {
-    if (is_claims(source))
-        throw problem_of(source.name, "--template: expected a scene or a trace, found claims");
-    const std::string& path = command.files.front();
-    InputFrames input(
-        path, std::move(source),
-        {.method = command.method, .limits = command.input, .frames = command.frames});
-    const Trace trace = input.trace(input.first());
-    print((path == "-" ? "" : scene_line(path) + "\n") + claims_template(trace));
-    return report_damage(trace);
-}
-
 } // namespace
 
 int run(const CheckCommand& command) {
     Source first = load_scene_trace_or_claims(command.files.front(), command.input);
-    if (command.is_template)
-        return print_template(command, std::move(first));
 
     // The scene comes first, or the claims say which one it is.
     ClaimsChecker checker(command);
@@ -148,7 +131,7 @@ int run(const CheckCommand& command) {
         checker.hold_against(std::move(first)); // or tells why it is no scene, as of broken JSON
     if (!is_scene_named && rest.empty())
         throw problem_of(first_name, "expected claims behind the scene, found none",
-                         "--template writes a file of claims to fill in");
+                         "rastertrace sheet SCENE writes a sheet to fill in");
 
     std::vector<CheckedFile> files;
     if (command.files.size() == (is_scene_named ? 1U : 2U))
@@ -185,8 +168,6 @@ public:
         options.flag("--json", is_json_, "Short for --format json");
         options.flag("--no-answers", has_no_answers_,
                      "Tell only which claims are right and which are wrong");
-        options.flag("--template", command_.is_template,
-                     "Write the claims file of a scene with ? in place of every number");
         options.language();
         drawing_.add_to(options, Holds::steps);
     }
@@ -208,12 +189,6 @@ private:
         const std::vector<std::string_view> names{"text", "json", "junit", "csv"};
         command_.format =
             value_of<CheckFormat>("--format", format_, names).value_or(CheckFormat::text);
-        if (!command_.is_template)
-            return;
-        if (command_.files.size() > 1)
-            refuse_value("--template", "one scene, without claims", command_.files[1]);
-        if (has_no_answers_ || !format_.empty())
-            refuse_value("--template", "no --format, --json or --no-answers beside it", format_);
     }
 
     CheckCommand command_;

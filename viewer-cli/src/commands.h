@@ -145,7 +145,6 @@ struct CheckCommand {
         files; ///< a scene or a trace, then claims; or claims that name their scenes
     CheckFormat format = CheckFormat::text;
     bool has_answers = true;  ///< false: only what is right and what is wrong
-    bool is_template = false; ///< write what can be claimed of the only file
     MethodOverrides method;
     InputLimits input;
     FrameChoice frames;
