@@ -7,6 +7,7 @@
 #include "wrong_explainer.h"
 
 #include <rastertrace/core/numbers/number.h>
+#include <rastertrace/trace/explain/explain.h>
 #include <rastertrace/trace/record/traced_steps.h>
 #include <rastertrace/trace/tell/describe.h>
 #include <rastertrace/trace/tell/step_text.h>
@@ -468,6 +469,28 @@ private:
                                                     : checked_.open);
     }
 
+    /// Why a pixel is drawn or not, as `explain` says it: by the primitive that is named, or those that came nearest.
+    std::vector<std::string> why_pixel(const Subject& subject) const {
+        constexpr std::size_t most_told = 3;
+        const auto told =
+            explain(truth_.decided().trace(),
+                    {.about = Topic::pixel, .pixel = pixel_of(subject), .most_why_not = most_told});
+        if (!told)
+            return {};
+        std::vector<std::string> lines{told.value().answer};
+        const auto* const in =
+            std::find_if(subject.keys.data(), subject.keys.data() + subject.keys.size(),
+                         [](const auto& key) { return key.first == "in"; });
+        const bool names_one = in != subject.keys.data() + subject.keys.size();
+        for (const WhyNot& why : told.value().why_not) {
+            if (why.sentence.empty() || (names_one && why.primitive != in->second))
+                continue;
+            lines.push_back(why.sentence);
+            lines.insert(lines.end(), why.working.begin(), why.working.end());
+        }
+        return lines;
+    }
+
     /// The working of each wrong claim's step. A replay goes forward once.
     void write_workings() {
         std::map<std::pair<const StepIndex*, std::size_t>, std::vector<CheckedClaim*>> by_step;
@@ -479,6 +502,10 @@ private:
                 std::find_if(claim.fields.begin(), claim.fields.end(), [](const auto& field) {
                     return field.verdict == ClaimVerdict::wrong;
                 });
+            if (wrong->name == "plotted" || wrong->name == "inside") {
+                claim.working = why_pixel(*subjects_[i]);
+                continue;
+            }
             std::size_t step = step_of(*subjects_[i], wrong->name);
             if (wrong->place > 1) // d is worked out from the one before it
                 if (const auto steps = decisions_from(*subjects_[i]->exact, step);

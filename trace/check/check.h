@@ -30,6 +30,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace rastertrace {
@@ -92,6 +93,10 @@ struct CheckedField {
         0; ///< of a list, the first that is wrong, from 1; then `expected` and `found` are that one
     std::string remark =
         {}; ///< "rounded to 2 digits", or what the scalar decides otherwise; may be empty
+
+    /// Of a wrong one: the rule that it comes of, and its formula in letters; empty if there is none.
+    std::string_view rule = {};
+    std::string_view formula = {};
 
     /// Of a wrong one: most likely first, which is the one that explains most of the wrong fields.
     std::vector<LikelySlip> slips = {};

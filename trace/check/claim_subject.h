@@ -97,6 +97,9 @@ ToldValues cosine_with_many_digits(const Subject& subject, const ClaimedField& f
 /// By the scene's own method and scalar.
 ToldValues told_as_decided(const Subject& subject, const ClaimedField& field);
 
+/// Which pixel a claim is about.
+Pixel pixel_of(const Subject& subject);
+
 /// What kind of numbers the exact trace tells.
 NumbersHeld numbers_held(const Subject& subject);
 

@@ -94,6 +94,8 @@ const std::string& value_of_key(const Subject& subject, std::string_view field) 
         ->second;
 }
 
+} // namespace
+
 Pixel pixel_of(const Subject& subject) {
     const auto coordinate = [&](std::string_view axis) {
         return static_cast<int>(
@@ -101,6 +103,8 @@ Pixel pixel_of(const Subject& subject) {
     };
     return {coordinate("x"), coordinate("y")};
 }
+
+namespace {
 
 /// The depth test that the buffer has its last depth from, in a pixel; 0 for none.
 std::size_t stored_by(const StepIndex& index, const Subject& subject) {

@@ -46,8 +46,11 @@ void WrongExplainer::explain(const Subject& subject, std::size_t order, CheckedC
         const ClaimedField& field = *subject.fields[k];
         if (checked.verdict != ClaimVerdict::wrong || follows(subject, field, order, checked))
             continue;
-        if (const auto formula = formula_of(subject, field))
+        if (const auto formula = formula_of(subject, field)) {
+            checked.rule = rule_of(*formula).rule;
+            checked.formula = rule_of(*formula).formula;
             checked.slips = slips_that_give(*formula, name_of_number(subject, field), field);
+        }
     }
     if (subject.kind == StepKind::scanline)
         explain_exchanged_ends(subject, claim);

@@ -290,6 +290,93 @@ Values RoundedPlace::by(const SpanRounding& other) const {
     return rounded;
 }
 
+namespace {
+
+FormulaRule rule(const TakenOver&) {
+    return {"nothing moves the vertex between these spaces", "(x, y, z) as before"};
+}
+FormulaRule rule(const Slope&) {
+    return {"how far an edge goes in x for one row", "dx/dy = (x2 - x1) / (y2 - y1)"};
+}
+FormulaRule rule(const Lerp&) {
+    return {"on the line from one vertex to the other, at this row or column",
+            "d = (d2 - d1) / (i2 - i1) (i - i1) + d1"};
+}
+FormulaRule rule(const RoundedEnd& end) {
+    switch (end.rule.rounding) {
+    case Rounding::floor:
+        return {"an end of a row is rounded down to its pixel", "floor(x)"};
+    case Rounding::nearest:
+        return {"an end of a row is rounded to the nearest pixel", "floor(x + 1/2)"};
+    case Rounding::truncate:
+        return {"an end of a row is rounded toward 0 to its pixel", "x without its fraction"};
+    case Rounding::inside:
+        return {"a row has the pixels between its ends", "ceil(left), floor(right)"};
+    case Rounding::half_open:
+        break;
+    }
+    return {"a row has the pixels from its left end on, up to the one before its right end",
+            "ceil(left), ceil(right) - 1"};
+}
+FormulaRule rule(const RoundedPlace&) {
+    return {"a vertex becomes a pixel: each of its coordinates is rounded", "(round(x), round(y))"};
+}
+FormulaRule rule(const InRow&) {
+    return {"a row has the pixels from its first to its last", "first <= x <= last"};
+}
+FormulaRule rule(const FaceNormal&) {
+    return {"the normal is at right angles to two sides", "(B - A) x (C - A)"};
+}
+FormulaRule rule(const Centroid&) {
+    return {"the mean of the corners", "(A + B + C) / 3"};
+}
+FormulaRule rule(const FacePlane&) {
+    return {"a plane is its normal and a point", "A x + B y + C z + D = 0, D = -(normal . corner)"};
+}
+FormulaRule rule(const Toward&) {
+    return {"from the centroid of the face to the eye, or to the light", "eye - centroid"};
+}
+FormulaRule rule(const FaceDot&) {
+    return {"the sum of the products of the components", "nx vx + ny vy + nz vz"};
+}
+FormulaRule rule(const FaceCosine&) {
+    return {"the dot product, divided by both lengths", "normal . view / (|normal| |view|)"};
+}
+FormulaRule rule(const IsCulled& face) {
+    return face.hides_back
+               ? FormulaRule{"a face that is turned away from the eye is culled",
+                             "normal . view <= 0"}
+               : FormulaRule{"a face that is turned to the eye is culled", "normal . view >= 0"};
+}
+FormulaRule rule(const MatrixTimes&) {
+    return {"a row of the matrix times the point", "m1 x + m2 y + m3 z + m4 w"};
+}
+FormulaRule rule(const DividedByW&) {
+    return {"each coordinate is divided by w", "(x/w, y/w, z/w)"};
+}
+FormulaRule rule(const BresenhamDecisions&) {
+    return {"above 0, d steps diagonally, else straight on",
+            "d = 2 dy - dx; then + 2 dy, or diagonally + 2 (dy - dx)"};
+}
+FormulaRule rule(const MixedDepth&) {
+    return {"the depths at the ends or corners, each by its weight", "w1 d1 + w2 d2 + ..."};
+}
+FormulaRule rule(const DepthComparison& test) {
+    return test.larger_passes
+               ? FormulaRule{"the nearer one passes: the larger 1/z", "depth > stored"}
+               : FormulaRule{"the nearer one passes: the smaller z", "depth < stored"};
+}
+FormulaRule rule(const Weights&) {
+    return {"the areas that the sample makes with two corners each, divided by the whole",
+            "(ABx, ACx, PAx) x (ABy, ACy, PAy), divided by its third component"};
+}
+
+} // namespace
+
+FormulaRule rule_of(const Formula& formula) {
+    return std::visit([](const auto& of) { return rule(of); }, formula.of);
+}
+
 Values value_of(const Formula& formula) {
     return std::visit([](const auto& of) { return value(of); }, formula.of);
 }

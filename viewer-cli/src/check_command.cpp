@@ -92,15 +92,15 @@ std::vector<CheckedFile> check_pile(ClaimsChecker& checker, std::optional<Source
 std::string report_of(const CheckCommand& command, const std::vector<CheckedFile>& files) {
     switch (command.format) {
     case CheckFormat::json:
-        return check_json(files, command.has_answers);
+        return check_json(files, command.told);
     case CheckFormat::junit:
-        return check_junit(files, command.has_answers);
+        return check_junit(files, command.told);
     case CheckFormat::csv:
-        return check_csv(files, command.has_answers);
+        return check_csv(files, command.told);
     case CheckFormat::text:
         break;
     }
-    return check_text(files, command.has_answers);
+    return check_text(files, command.told);
 }
 
 ExitStatus status_of(const std::vector<CheckedFile>& files) {
@@ -166,15 +166,34 @@ public:
         options.option("--format", format_, "text, json, junit, or csv: one line for each file",
                        "NAME");
         options.flag("--json", is_json_, "Short for --format json");
-        options.flag("--no-answers", has_no_answers_,
-                     "Tell only which claims are right and which are wrong");
+        OptionList told = options.one_of("Answers", "How much is given away");
+        told.flag("--answers", has_answers_,
+                  "The right numbers, their working, likely slips: the default");
+        told.option("--hint", hint_,
+                    "Where a claim is wrong and by which rule; 2: the formula, too", "1|2");
+        told.flag("--no-answers", has_no_answers_,
+                  "Only which claims are right and which are wrong");
         options.language();
         drawing_.add_to(options, Holds::steps);
     }
 
+    std::vector<const char*> completed(std::vector<const char*> words) const override {
+        for (std::size_t i = 0; i < words.size(); ++i) {
+            const std::string_view value = i + 1 < words.size() ? words[i + 1] : "";
+            if (words[i] == std::string_view("--hint") && value != "1" && value != "2")
+                words.insert(words.begin() + static_cast<std::ptrdiff_t>(i) + 1, "1");
+        }
+        return words;
+    }
+
     void read() override {
         read_check_format();
-        command_.has_answers = !has_no_answers_;
+        const std::vector<std::string_view> levels{"1", "2"};
+        if (has_no_answers_)
+            command_.told = CheckTold::verdicts;
+        else if (hint_)
+            command_.told =
+                value_of<int>("--hint", *hint_, levels) == 1 ? CheckTold::formula : CheckTold::rule;
         drawing_.read_into(command_);
     }
 
@@ -194,7 +213,9 @@ private:
     CheckCommand command_;
     std::string format_;
     bool is_json_ = false;
+    bool has_answers_ = false;
     bool has_no_answers_ = false;
+    std::optional<std::string> hint_;
     DrawingOptions drawing_;
 };
 

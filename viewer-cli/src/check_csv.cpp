@@ -5,10 +5,10 @@
 
 namespace rastertrace {
 
-std::string check_csv(const std::vector<CheckedFile>& files, bool has_answers) {
+std::string check_csv(const std::vector<CheckedFile>& files, CheckTold told) {
     std::string text;
     std::vector<std::string> head{"file", "right", "wrong", "follow", "open"};
-    if (has_answers)
+    if (told == CheckTold::answers)
         head.emplace_back("likely_slip");
     put_csv_line(text, head);
     for (const CheckedFile& file : files) {
@@ -19,7 +19,7 @@ std::string check_csv(const std::vector<CheckedFile>& files, bool has_answers) {
             for (const std::size_t count :
                  {file.checked.right, file.checked.wrong, file.checked.follow, file.checked.open})
                 line.push_back(std::to_string(count));
-            if (has_answers)
+            if (told == CheckTold::answers)
                 line.push_back(most_likely_slip(file.checked));
         }
         put_csv_line(text, line);

@@ -58,15 +58,33 @@ std::string remarks_on(const CheckedClaim& claim) {
     return array_of(remarks);
 }
 
-std::string as_json(const CheckedFile& file, const CheckedClaim& claim, bool has_answers) {
+/// ,"wrong":["left"],"rules":["..."],"formulas":["..."]: of each field that is wrong.
+std::string hint_members(const CheckedClaim& claim, CheckTold told) {
+    std::vector<std::string> names;
+    std::vector<std::string> rules;
+    std::vector<std::string> formulas;
+    for (const CheckedField& field : claim.fields)
+        if (is_wrong(field.verdict)) {
+            names.push_back(field.name);
+            rules.emplace_back(field.rule);
+            formulas.emplace_back(field.formula);
+        }
+    if (told == CheckTold::verdicts || names.empty())
+        return "";
+    const std::string text =
+        fmt::format(R"(,"wrong":{},"rules":{})", array_of(names), array_of(rules));
+    return told == CheckTold::rule ? text : text + R"(,"formulas":)" + array_of(formulas);
+}
+
+std::string as_json(const CheckedFile& file, const CheckedClaim& claim, CheckTold told) {
     const Claim& claimed = file.claim_of(claim);
     std::string text =
         fmt::format(R"({{"line":{},"claim":{},"right":{})", claimed.line, json_quoted(claimed.text),
                     claim.verdict == ClaimVerdict::open ? "null"
                     : is_wrong(claim.verdict)           ? "false"
                                                         : "true");
-    if (!has_answers)
-        return text + "}";
+    if (told != CheckTold::answers)
+        return text + hint_members(claim, told) + "}";
     text += fmt::format(R"(,"verdict":"{}","expected":{},"found":{},"remarks":{})",
                         name_of(claim.verdict), values_of(claim, &CheckedField::expected),
                         values_of(claim, &CheckedField::found), remarks_on(claim));
@@ -75,7 +93,7 @@ std::string as_json(const CheckedFile& file, const CheckedClaim& claim, bool has
                               array_of(claim.picture));
 }
 
-std::string as_json(const CheckedFile& file, bool has_answers) {
+std::string as_json(const CheckedFile& file, CheckTold told) {
     if (file.problem)
         return fmt::format(R"({{"file":{},"problem":{}}})", json_quoted(file.name),
                            json_quoted(to_text(*file.problem)));
@@ -86,7 +104,7 @@ std::string as_json(const CheckedFile& file, bool has_answers) {
     std::string_view separator = "\n";
     for (const CheckedClaim& claim : checked.claims) {
         text += separator;
-        text += as_json(file, claim, has_answers);
+        text += as_json(file, claim, told);
         separator = ",\n";
     }
     return text + "\n]}";
@@ -94,12 +112,12 @@ std::string as_json(const CheckedFile& file, bool has_answers) {
 
 } // namespace
 
-std::string check_json(const std::vector<CheckedFile>& files, bool has_answers) {
+std::string check_json(const std::vector<CheckedFile>& files, CheckTold told) {
     if (files.size() == 1)
-        return as_json(files.front(), has_answers) + "\n";
+        return as_json(files.front(), told) + "\n";
     std::vector<std::string> all;
     for (const CheckedFile& file : files)
-        all.push_back(as_json(file, has_answers));
+        all.push_back(as_json(file, told));
     return "[" + joined(all, ",\n") + "]\n";
 }
 

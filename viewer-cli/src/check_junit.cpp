@@ -43,7 +43,7 @@ std::string escaped_lines(const std::string& text) {
     return joined(lines, "\n");
 }
 
-std::string test_case(const CheckedFile& file, const CheckedClaim& claim, bool has_answers) {
+std::string test_case(const CheckedFile& file, const CheckedClaim& claim, CheckTold told) {
     const Claim& claimed = file.claim_of(claim);
     const std::string head = fmt::format(R"(    <testcase classname="{}" name="line {}: {}")",
                                          escaped(file.name), claimed.line, escaped(claimed.text));
@@ -51,12 +51,13 @@ std::string test_case(const CheckedFile& file, const CheckedClaim& claim, bool h
         return head + "><skipped/></testcase>\n";
     if (!is_wrong(claim.verdict))
         return head + "/>\n";
-    return head + fmt::format(">\n      <failure message=\"{}\">{}</failure>\n    </testcase>\n",
-                              has_answers ? escaped(message_of(file, claim)) : "wrong",
-                              has_answers ? escaped_lines(body_of(file, claim)) : "");
+    return head +
+           fmt::format(">\n      <failure message=\"{}\">{}</failure>\n    </testcase>\n",
+                       told == CheckTold::answers ? escaped(message_of(file, claim)) : "wrong",
+                       told == CheckTold::answers ? escaped_lines(body_of(file, claim)) : "");
 }
 
-std::string test_suite(const CheckedFile& file, bool has_answers) {
+std::string test_suite(const CheckedFile& file, CheckTold told) {
     const std::string name = escaped(file.name);
     if (file.problem)
         return fmt::format("  <testsuite name=\"{0}\" tests=\"1\" failures=\"0\" errors=\"1\" "
@@ -71,16 +72,16 @@ std::string test_suite(const CheckedFile& file, bool has_answers) {
                     "errors=\"0\" skipped=\"{}\">\n",
                     name, checked.claims.size(), checked.wrong + checked.follow, checked.open);
     for (const CheckedClaim& claim : checked.claims)
-        text += test_case(file, claim, has_answers);
+        text += test_case(file, claim, told);
     return text + "  </testsuite>\n";
 }
 
 } // namespace
 
-std::string check_junit(const std::vector<CheckedFile>& files, bool has_answers) {
+std::string check_junit(const std::vector<CheckedFile>& files, CheckTold told) {
     std::string text = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites>\n";
     for (const CheckedFile& file : files)
-        text += test_suite(file, has_answers);
+        text += test_suite(file, told);
     return text + "</testsuites>\n";
 }
 

@@ -4,7 +4,9 @@
 // What `check` has found about files of claims, in each of its formats.
 //
 //     const CheckedFile file{.name = "anna.txt", .claims = claims, .checked = check(truth, claims)};
-//     check_text({file}, true);  // "anna.txt:3: y=2: ... \n    left end: expected -1/4, found 0\n..."
+//     check_text({file}, CheckTold::answers);  // "anna.txt:3: y=2: ... \n    left end: expected -1/4, found 0\n..."
+
+#include "commands.h"
 
 #include <rastertrace/trace/check/check.h>
 #include <rastertrace/trace/check/claims.h>
@@ -50,17 +52,17 @@ std::string counts_text(const Checked& checked);
 /// The slip that explains most of the wrong fields of a file, or "".
 std::string most_likely_slip(const Checked& checked);
 
-/// The wrong claims of one file with everything about them; of several files one line each. Without answers:
-/// which claims are right. The same choice in all formats.
-std::string check_text(const std::vector<CheckedFile>& files, bool has_answers);
+/// The wrong claims of one file with everything about them; of several files one line each. With less than the
+/// answers: which claims are right. The same choice in all formats; the rule and the formula are told in text and JSON.
+std::string check_text(const std::vector<CheckedFile>& files, CheckTold told);
 
 /// One object, or an array of them for several files.
-std::string check_json(const std::vector<CheckedFile>& files, bool has_answers);
+std::string check_json(const std::vector<CheckedFile>& files, CheckTold told);
 
 /// JUnit's XML, as programs that run tests show it.
-std::string check_junit(const std::vector<CheckedFile>& files, bool has_answers);
+std::string check_junit(const std::vector<CheckedFile>& files, CheckTold told);
 
 /// A line for each file: RFC 4180.
-std::string check_csv(const std::vector<CheckedFile>& files, bool has_answers);
+std::string check_csv(const std::vector<CheckedFile>& files, CheckTold told);
 
 } // namespace rastertrace

@@ -105,25 +105,48 @@ std::string remarks_on(const CheckedFile& file, const CheckedClaim& claim) {
     return text.empty() ? "" : place_of(file, claim) + "\n" + text;
 }
 
-std::string text_of_one(const CheckedFile& file, bool has_answers) {
+/// Where a claim is wrong, by which rule, and perhaps by which formula; no number that is right.
+std::string hints(const CheckedFile& file, const CheckedClaim& claim, CheckTold told) {
+    std::string text;
+    for (const CheckedField& field : claim.fields) {
+        if (!is_wrong(field.verdict) || told == CheckTold::verdicts)
+            continue;
+        text += fmt::format("    {}{}\n", file.in_words(field.name),
+                            field.place == 0 ? "" : fmt::format(", number {}", field.place));
+        if (field.verdict == ClaimVerdict::follows)
+            text += fmt::format("        {}\n",
+                                origin_of(file, field, file.claim_of(claim).line).substr(2));
+        if (!field.rule.empty())
+            text += fmt::format("        {}\n", field.rule);
+        if (told == CheckTold::formula && !field.formula.empty())
+            text += fmt::format("        {}\n", field.formula);
+    }
+    return text;
+}
+
+std::string text_of_one(const CheckedFile& file, CheckTold told) {
     std::string text;
     std::map<std::vector<std::string>, std::size_t> line_of_working;
     for (const CheckedClaim& claim : file.checked.claims) {
-        if (!has_answers)
+        if (told != CheckTold::answers)
             text += fmt::format("{}: {}\n", place_of(file, claim),
-                                is_wrong(claim.verdict) ? "wrong" : name_of(claim.verdict));
+                                is_wrong(claim.verdict) ? "wrong" : name_of(claim.verdict)) +
+                    hints(file, claim, told);
         else if (is_wrong(claim.verdict))
             text += wrong_claim(file, claim, line_of_working);
         else
             text += remarks_on(file, claim);
     }
+    if (file.claims.has_decimal_comma)
+        text += fmt::format("{}: commas are read as those of decimals: 0,25 is 1/4\n",
+                            printable(file.name));
     return text + (text.empty() ? "" : "\n") + counts_text(file.checked) + "\n";
 }
 
-std::string line_of_pile(const CheckedFile& file, bool has_answers) {
+std::string line_of_pile(const CheckedFile& file, CheckTold told) {
     if (file.problem)
         return fmt::format("{}: could not be checked\n", printable(file.name));
-    const std::string slip = has_answers ? most_likely_slip(file.checked) : "";
+    const std::string slip = told == CheckTold::answers ? most_likely_slip(file.checked) : "";
     return fmt::format("{}: {}{}\n", printable(file.name), counts_text(file.checked),
                        slip.empty() ? "" : "; most likely " + slip);
 }
@@ -189,12 +212,12 @@ std::string most_likely_slip(const Checked& checked) {
     return most == explained.end() ? "" : most->first;
 }
 
-std::string check_text(const std::vector<CheckedFile>& files, bool has_answers) {
+std::string check_text(const std::vector<CheckedFile>& files, CheckTold told) {
     if (files.size() == 1)
-        return text_of_one(files.front(), has_answers);
+        return text_of_one(files.front(), told);
     std::string text;
     for (const CheckedFile& file : files)
-        text += line_of_pile(file, has_answers);
+        text += line_of_pile(file, told);
     return text;
 }
 

@@ -13,6 +13,7 @@
 #include <memory>
 #include <span>
 #include <string>
+#include <vector>
 
 namespace CLI {
 class App;
@@ -82,6 +83,11 @@ public:
 
     /// How many words at the end of the command line are no options, whatever they look like.
     virtual std::size_t count_plain_words(std::span<const char* const>) const { return 0; }
+
+    /// The words behind the command, with what may be left out put in: the value of an option that can do without.
+    virtual std::vector<const char*> completed(std::vector<const char*> words) const {
+        return words;
+    }
 
     /// Takes these words. Called before the options are read.
     virtual void take_plain_words(std::span<const char* const>) {}

@@ -128,6 +128,7 @@ public:
             const auto plain = behind_name.last(command->count_plain_words(behind_name));
             command->take_plain_words(plain);
             words.resize(words.size() - plain.size());
+            words = command->completed(std::move(words));
         }
         try {
             refuse_empty_words(words);

@@ -140,11 +140,19 @@ int run(const StatsCommand& command);
 /// How `check` tells what it has found.
 enum class CheckFormat { text, json, junit, csv };
 
+/// How much of it is given away.
+enum class CheckTold {
+    verdicts, ///< only what is right and what is wrong
+    rule,     ///< where, and by which rule
+    formula,  ///< and the formula in letters
+    answers,  ///< and the right numbers, their working, and the likely slips
+};
+
 struct CheckCommand {
     std::vector<std::string>
         files; ///< a scene or a trace, then claims; or claims that name their scenes
     CheckFormat format = CheckFormat::text;
-    bool has_answers = true;  ///< false: only what is right and what is wrong
+    CheckTold told = CheckTold::answers;
     MethodOverrides method;
     InputLimits input;
     FrameChoice frames;
