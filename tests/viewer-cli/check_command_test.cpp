@@ -201,17 +201,16 @@ TEST_F(CheckTest, JUnitIsXmlWithATestCaseForEachClaim) {
 }
 
 TEST_F(CheckTest, APileHasALineForEachFileAndGoesOnBehindABadOne) {
-    write("carl.txt", "y=2: -1/4 25/8\n");
+    write("carl.txt", "y=2: -1/4, x\n");
     const Outcome text = shell("$rastertrace check scene.json anna.txt carl.txt ben.txt");
     EXPECT_EQ(text.status, 2);
     EXPECT_EQ(text.out, "anna.txt: 3 right, 1 wrong, 1 open; most likely truncate-for-floor\n"
                         "carl.txt: could not be checked\n"
                         "ben.txt: 0 right, 2 wrong; most likely dx-dy-inverted\n");
     EXPECT_EQ(text.err,
-              "rastertrace: carl.txt:1:11: expected a comma between left and right, found "
-              "25/8\n"
-              "y=2: -1/4 25/8\n"
-              "          ^\n");
+              "rastertrace: carl.txt:1:12: expected a number, like 3.125 or 25/8, found x\n"
+              "y=2: -1/4, x\n"
+              "           ^\n");
     EXPECT_EQ(shell("$rastertrace check scene.json anna.txt carl.txt ben.txt --format csv").out,
               "file,right,wrong,follow,open,likely_slip\r\n"
               "anna.txt,3,1,0,1,truncate-for-floor\r\n"
@@ -220,7 +219,7 @@ TEST_F(CheckTest, APileHasALineForEachFileAndGoesOnBehindABadOne) {
     const auto json =
         nlohmann::json::parse(shell("$rastertrace check scene.json anna.txt carl.txt --json").out);
     EXPECT_EQ(json[0]["wrong"], 1);
-    EXPECT_THAT(json[1]["problem"].get<std::string>(), StartsWith("carl.txt:1:11: expected"));
+    EXPECT_THAT(json[1]["problem"].get<std::string>(), StartsWith("carl.txt:1:12: expected"));
     const std::string xml =
         shell("$rastertrace check scene.json anna.txt carl.txt --format junit").out;
     EXPECT_EQ(xml_fault(xml.substr(xml.find('\n') + 1)), "");
@@ -243,8 +242,8 @@ TEST_F(CheckTest, WithoutAnswersNoFormatHasOne) {
     }
 }
 
-TEST_F(CheckTest, ATemplateIsOpenAndNamesItsScene) {
-    const Outcome written = shell("$rastertrace check scene.json --template > open.txt");
+TEST_F(CheckTest, ASheetIsOpenAndNamesItsScene) {
+    const Outcome written = shell("$rastertrace sheet scene.json > open.txt");
     EXPECT_EQ(written.status, 0);
     EXPECT_THAT(content("open.txt"),
                 StartsWith("# a relative name is looked for from the folder of this file\n"
@@ -254,15 +253,60 @@ TEST_F(CheckTest, ATemplateIsOpenAndNamesItsScene) {
     EXPECT_EQ(checked.status, 0);
 }
 
-TEST_F(CheckTest, ATemplateNamesAnySceneSoThatItIsFound) {
+TEST_F(CheckTest, ASheetNamesAnySceneSoThatItIsFound) {
     for (const std::string name : {"a #b.json", " a.json", "a.json ", "\"a\".json", "a\nb.json",
                                    "a\\b.json", "color #1.json", "first one.json"}) {
         fs::copy(folder_ / "scene.json", folder_ / name);
-        const Outcome written = shell("$rastertrace check '" + name + "' --template > open.txt");
+        const Outcome written = shell("$rastertrace sheet '" + name + "' > open.txt");
         EXPECT_EQ(written.status, 0) << written.err;
         const Outcome checked = shell("$rastertrace check open.txt");
         EXPECT_EQ(checked.out, "0 right, 0 wrong, 12 open\n") << name << checked.err;
     }
+}
+
+TEST_F(CheckTest, ASheetInColumnsIsFilledInAndChecked) {
+    EXPECT_EQ(shell("$rastertrace sheet scene.json -o sheet.csv").status, 0);
+    EXPECT_THAT(content("sheet.csv"), StartsWith("ABC\nedge,dx/dy\nAB,\nBC,\nAC,\n\n"
+                                                 "ABC\ny,left,right,from,to\n5,,,,\n"));
+    EXPECT_EQ(shell("$rastertrace check scene.json sheet.csv").out, "0 right, 0 wrong, 12 open\n");
+    EXPECT_EQ(shell("sed 's/^2,,,,/2;-0,25;3,125;-1;/; s/,/;/g; s/0;25/0,25/; s/3;125/3,125/' sheet.csv > filled.csv; "
+                    "$rastertrace check scene.json filled.csv")
+                  .out,
+              "1 right, 0 wrong, 11 open\n");
+}
+
+TEST_F(CheckTest, ASheetIsAPageToPrint) {
+    EXPECT_EQ(shell("$rastertrace sheet scene.json -o sheet.svg").status, 0);
+    EXPECT_THAT(content("sheet.svg"), AllOf(HasSubstr("A (2, 5)"), HasSubstr("edge AB: _______"),
+                                            HasSubstr("y=2: _______, _______ -&gt; _______.._______"),
+                                            Not(HasSubstr("3/4"))));
+    EXPECT_EQ(shell("$rastertrace sheet scene.json -o sheet.tex").status, 0);
+    EXPECT_THAT(content("sheet.tex"), HasSubstr("tikzpicture"));
+    EXPECT_EQ(shell("$rastertrace sheet scene.json -o sheet.pdf").err,
+              "rastertrace: sheet.pdf: expected .txt, .csv, .svg, .png or .tex, found .pdf\n"
+              "hint: write a .tex, and pdflatex makes the PDF of it\n");
+    EXPECT_EQ(shell("$rastertrace sheet anna.txt").err,
+              "rastertrace: anna.txt: expected a scene or a trace, found claims\n");
+}
+
+TEST_F(CheckTest, AHintTellsTheRuleAndNoNumber) {
+    const std::string rule = "ben.txt:2: edge AB: 4/3: wrong\n    dx/dy\n        how far an edge goes in x for one row\n";
+    EXPECT_THAT(shell("$rastertrace check ben.txt --hint").out, StartsWith(rule + "ben.txt:3"));
+    EXPECT_THAT(shell("$rastertrace check --hint ben.txt").out, StartsWith(rule + "ben.txt:3"));
+    EXPECT_THAT(shell("$rastertrace check ben.txt --hint 2").out,
+                StartsWith(rule + "        dx/dy = (x2 - x1) / (y2 - y1)\n"));
+    const auto told = nlohmann::json::parse(shell("$rastertrace check ben.txt --hint 2 --json").out);
+    EXPECT_EQ(told["claims"][0]["formulas"][0], "dx/dy = (x2 - x1) / (y2 - y1)");
+    EXPECT_FALSE(told["claims"][0].contains("expected"));
+    EXPECT_THAT(shell("$rastertrace check ben.txt --hint --answers").err, HasSubstr("at most 1"));
+}
+
+TEST_F(CheckTest, WhyAPixelIsNotDrawnIsToldAsExplainDoes) {
+    write("pixel.txt", "(4,2): on\n");
+    const std::string explained = shell("$rastertrace explain scene.json --pixel 4,2").out;
+    const std::string reason = "AC ends row y=2 at x = 25/8 -> floor -> 3; x = 4 lies beyond it by 7/8";
+    EXPECT_THAT(explained, HasSubstr(reason));
+    EXPECT_THAT(shell("$rastertrace check scene.json pixel.txt").out, HasSubstr(reason));
 }
 
 TEST_F(CheckTest, ALongFractionIsShownByItsFirstDigits) {
@@ -314,22 +358,22 @@ TEST_F(CheckTest, ALongTableIsReadWhole) {
 TEST_F(CheckTest, FilesInTheWrongPlaceAreTold) {
     write("none.txt", "y=2: -1/4, 25/8\n");
     write("turned.txt", "scene: none.txt\ny=2: -1/4, 25/8\n");
+    write("empty.txt", "# nothing yet\n");
     write("lost.txt", "scene: lost.json\ny=2: -1/4, 25/8\n");
     const std::vector<std::pair<std::string, std::string>> faults{
         {"none.txt", "none.txt: expected a scene before the claims, or its name in them, found "
                      "none\nhint: check SCENE CLAIMS, or a line `scene: FILE`\n"},
         {"scene.json", "scene.json: expected claims behind the scene, found none\n"
-                       "hint: --template writes a file of claims to fill in\n"},
+                       "hint: rastertrace sheet SCENE writes a sheet to fill in\n"},
         {"scene.json scene.json", "scene.json:1:1: expected claims, found a scene\n"
                                   "{\"title\": \"First triangle\",\n^\n"
                                   "hint: claims come behind the scene: check SCENE CLAIMS\n"},
         {"turned.txt", "none.txt: expected a scene or a trace, found claims\n"},
         {"lost.txt", "lost.json: expected a file that can be read, found: No such file or "
                      "directory\n"},
-        {"anna.txt --template",
-         "anna.txt: --template: expected a scene or a trace, found claims\n"},
-        {"scene.json anna.txt --template",
-         "--template: expected one scene, without claims, found \"anna.txt\"\n"},
+        {"scene.json empty.txt", "empty.txt: expected claims, found none\n"
+                                 "hint: rastertrace sheet SCENE writes a sheet to fill in\n"},
+        {"ben.txt --hint=3", "--hint: expected one of 1, 2, found \"3\"\n"},
         {"ben.txt --format cvs", "--format: expected one of text, json, junit, csv, found \"cvs\"\n"
                                  "hint: did you mean csv?\n"},
         {"ben.txt --json --format csv", "--json: expected no --format beside it, found \"csv\"\n"},

@@ -245,6 +245,7 @@ std::optional<ClaimWord> ClaimLine::take_number(const NumberSpelling& spelling) 
         return std::nullopt;
     }
     last_ = std::get<TypedNumber>(read);
+    commas_.is_seen = commas_.is_seen || last_.has_comma;
     // It ends where a word does.
     const std::size_t end = first.begin + last_.length;
     std::size_t behind = next_;

@@ -271,6 +271,7 @@ bool ClaimColumns::read_row(const Source& source, std::size_t begin, std::size_t
         if (field == "place" && about.find("plotted") == nullptr)
             about.fields.push_back(
                 {.name = "plotted", .values = {"true"}, .offset = cells[i].begin});
+        commas.is_seen = commas.is_seen || in_cell.is_seen;
         if (&about == &pixel)
             claims.push_back(std::move(pixel));
     }
