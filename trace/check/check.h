@@ -81,6 +81,8 @@ enum class ClaimVerdict {
 struct LikelySlip {
     std::string name;    ///< of slips.h
     std::string meaning; ///< in words
+    double evidence =
+        0; ///< how much likelier the number is with it than by chance: a natural logarithm
 };
 
 /// What has been found about one field of a claim.

@@ -40,9 +40,9 @@ public:
     void read() {
         read_lines();
         if (commas_.is_seen) { // by a line that others may stand before
-            claims_ = {.source = std::move(claims_.source),
-                       .is_table = true,
-                       .has_decimal_comma = commas_.is_decimal};
+            commas_.is_decimal = true;
+            claims_ = {
+                .source = std::move(claims_.source), .is_table = true, .has_decimal_comma = true};
             problems_.clear();
             has_round_ = false;
             table_.reset();

@@ -191,6 +191,28 @@ Formulas Deriver::of_row_pixel(const std::string& field) const {
     return {{rounded_end(numbers_, step_, field == "from" ? "left" : "right")}};
 }
 
+/// The rows of matrices, one behind the other.
+std::vector<MatrixTimes::Row> matrix_rows(const TracedList<TracedList<TracedNumber>>& lists) {
+    std::vector<MatrixTimes::Row> rows;
+    for (const auto& list : lists.values()) {
+        const auto entries = list.values();
+        MatrixTimes::Row& row = rows.emplace_back();
+        for (std::size_t i = 0; i < 4 && i < entries.size(); ++i)
+            row[i] = entries[i].exact().value_or(0);
+    }
+    return rows;
+}
+
+std::vector<MatrixTimes::Factor> factors_in(const MatrixStep& step) {
+    const auto names = step.factors.texts();
+    const auto rows = matrix_rows(step.factor_rows);
+    std::vector<MatrixTimes::Factor> factors;
+    for (std::size_t i = 0; i < names.size() && 4 * i + 3 < rows.size(); ++i)
+        factors.push_back(
+            {names[i], {rows[4 * i], rows[4 * i + 1], rows[4 * i + 2], rows[4 * i + 3]}});
+    return factors;
+}
+
 Formulas Deriver::of_place() const {
     const auto space = view_.as<VertexStep>().space;
     const Values right = Numbers(numbers_.index()).of(step_, "at");
@@ -214,14 +236,12 @@ Formulas Deriver::of_place() const {
     const Values told_from = Numbers(numbers_.index()).of(before, "at");
     for (const std::size_t n : numbers_.index().find(StepKind::matrix, {{"name", matrix}})) {
         MatrixTimes product{.rows = {}, .point = {from[0], from[1], from[2], from[3]}};
-        for (const auto& list : numbers_.step(n).as<MatrixStep>().rows.values()) {
-            const auto factors = list.values();
-            std::array<Rational, 4> row;
-            for (std::size_t i = 0; i < 4 && i < factors.size(); ++i)
-                row[i] = factors[i].exact().value_or(0);
+        const auto step = numbers_.step(n).as<MatrixStep>();
+        for (const MatrixTimes::Row& row : matrix_rows(step.rows))
             if (product.rows.size() < right.size())
                 product.rows.push_back(row);
-        }
+        product.factors = factors_in(step);
+        product.is_viewport = matrix == "viewport";
         MatrixTimes told = product;
         std::copy(told_from.begin(), told_from.end(), told.point.begin());
         const Values of_told = value_of({told});
@@ -388,10 +408,15 @@ std::optional<MixedDepth> Deriver::depth_in_triangle() const {
 /// `as_z` and `as_inverse`: not the depth of the trace, but z, or 1/z.
 Formulas Deriver::of_depth(bool as_z, bool as_inverse) const {
     std::optional<MixedDepth> mixed = depth_in_row();
+    const std::optional<MixedDepth> by_corners = depth_in_triangle();
     if (!mixed)
-        mixed = depth_in_triangle();
+        mixed = by_corners;
     if (!mixed)
         return {};
+    if (by_corners) {
+        mixed->corner_weights = by_corners->weights;
+        mixed->corner_depths = by_corners->depths;
+    }
     mixed->gives_inverse = has_inverse_z() ? as_z : as_inverse;
     return {{std::move(*mixed)}};
 }

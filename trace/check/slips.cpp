@@ -3,11 +3,15 @@
 
 #include <rastertrace/core/numbers/irrational.h>
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <initializer_list>
 #include <numbers>
+#include <numeric>
 #include <optional>
 #include <utility>
 
@@ -23,23 +27,25 @@ class Results {
 public:
     explicit Results(const Formula& formula) : right_(value_of(formula)) {}
 
-    void add(Values values) {
+    void add(Values values, std::string detail = {}) {
         if (!values.empty() && values != right_)
-            results_.push_back(std::move(values));
+            results_.push_back({std::move(values), std::move(detail)});
     }
     void add(const std::optional<Rational>& value) {
         if (value)
             add(Values{*value});
     }
     void add(const Vec3& v) { add(Values{v.x, v.y, v.z}); }
-    void add_formula(const Formula& formula) { add(value_of(formula)); }
+    void add_formula(const Formula& formula, std::string detail = {}) {
+        add(value_of(formula), std::move(detail));
+    }
 
     const Values& right() const { return right_; }
-    std::vector<Values> take() { return std::move(results_); }
+    std::vector<Redone> take() { return std::move(results_); }
 
 private:
     Values right_;
-    std::vector<Values> results_;
+    std::vector<Redone> results_;
 };
 
 /// The formula, if it is of this form.
@@ -62,17 +68,54 @@ Values negated(Values values) {
     return values;
 }
 
-std::vector<Values> dx_dy_inverted(const Formula& formula) {
+std::vector<Redone> dx_dy_inverted(const Formula& formula) {
     Results results(formula);
     if (const auto* edge = as<Slope>(formula))
         results.add(divided(edge->to.y - edge->from.y, edge->to.x - edge->from.x));
     if (const auto* lerp = as<Lerp>(formula))
-        if (const auto slope = lerp->slope(); slope && sgn(*slope) != 0)
+        if (const auto slope = lerp->slope(); slope && sgn(*slope) != 0) {
             results.add(lerp->d1 + (lerp->i - lerp->i1) / *slope);
+            results.add(lerp->d2 + (lerp->i - lerp->i2) / *slope);
+        }
     return results.take();
 }
 
-std::vector<Values> start_and_step_exchanged(const Formula& formula) {
+/// A number rounded to so many digits behind the point, a half away from 0.
+Rational rounded_to_digits(const Rational& number, unsigned digits) {
+    mpz_class power;
+    mpz_ui_pow_ui(power.get_mpz_t(), 10, digits);
+    const Rational scaled = abs(number) * power + Rational(1, 2);
+    return sgn(number) * Rational(mpz_class(scaled.get_num() / scaled.get_den())) / power;
+}
+
+std::vector<Redone> slope_rounded_first(const Formula& formula) {
+    Results results(formula);
+    const auto* const lerp = as<Lerp>(formula);
+    const auto slope = lerp == nullptr ? std::nullopt : lerp->slope();
+    constexpr unsigned most_digits = 3;
+    for (unsigned digits = 0; slope && digits <= most_digits; ++digits) {
+        const Rational rounded = rounded_to_digits(*slope, digits);
+        const std::string detail = digits == 0   ? "to a whole number"
+                                   : digits == 1 ? "to 1 digit"
+                                                 : fmt::format("to {} digits", digits);
+        results.add({lerp->d1 + rounded * (lerp->i - lerp->i1)}, detail);
+        results.add({lerp->d2 + rounded * (lerp->i - lerp->i2)}, detail);
+    }
+    return results.take();
+}
+
+std::vector<Redone> pixel_for_end(const Formula& formula) {
+    Results results(formula);
+    if (as<Lerp>(formula) && !results.right().empty()) {
+        const Rational& x = results.right().front();
+        for (const Rounding rounding : {Rounding::floor, Rounding::nearest})
+            results.add(
+                RoundedEnd{.x = x, .rule = {.rounding = rounding}}.by({.rounding = rounding}));
+    }
+    return results.take();
+}
+
+std::vector<Redone> start_and_step_exchanged(const Formula& formula) {
     Results results(formula);
     if (const auto* lerp = as<Lerp>(formula))
         if (const auto slope = lerp->slope()) {
@@ -83,7 +126,7 @@ std::vector<Values> start_and_step_exchanged(const Formula& formula) {
     return results.take();
 }
 
-std::vector<Values> neighbor_row(const Formula& formula) {
+std::vector<Redone> neighbor_row(const Formula& formula) {
     Results results(formula);
     for (const int rows : {1, -1}) {
         if (const auto* lerp = as<Lerp>(formula)) {
@@ -100,7 +143,7 @@ std::vector<Values> neighbor_row(const Formula& formula) {
     return results.take();
 }
 
-std::vector<Values> corner_for_center(const Formula& formula) {
+std::vector<Redone> corner_for_center(const Formula& formula) {
     Results results(formula);
     const Rational half(1, 2);
     if (const auto* lerp = as<Lerp>(formula); lerp && lerp->i.get_den() == 2) {
@@ -142,14 +185,14 @@ std::optional<Rounding> rounding_of(const Formula& formula) {
 }
 
 /// One rule instead of the textbook's, which takes the whole number below at both ends.
-template <Rounding rounding> std::vector<Values> instead_of_floor(const Formula& formula) {
+template <Rounding rounding> std::vector<Redone> instead_of_floor(const Formula& formula) {
     Results results(formula);
     if (rounding_of(formula) == Rounding::floor)
         put_rounded(results, formula, {.rounding = rounding});
     return results.take();
 }
 
-std::vector<Values> another_rounding(const Formula& formula) {
+std::vector<Redone> another_rounding(const Formula& formula) {
     Results results(formula);
     for (const Rounding rounding : {Rounding::floor, Rounding::nearest, Rounding::truncate,
                                     Rounding::inside, Rounding::half_open})
@@ -159,7 +202,7 @@ std::vector<Values> another_rounding(const Formula& formula) {
     return results.take();
 }
 
-std::vector<Values> integer_division(const Formula& formula) {
+std::vector<Redone> integer_division(const Formula& formula) {
     Results results(formula);
     if (as<Slope>(formula) && !results.right().empty())
         results.add(truncated(results.right().front()));
@@ -194,14 +237,14 @@ bool gives_vector(const Formula& formula) {
            as<Toward>(formula) || as<MatrixTimes>(formula) || as<DividedByW>(formula);
 }
 
-std::vector<Values> y_for_z(const Formula& formula) {
+std::vector<Redone> y_for_z(const Formula& formula) {
     Results results(formula);
     if (gives_vector(formula) && results.right().size() >= 3)
         exchange(results, results.right(), 1, 2);
     return results.take();
 }
 
-std::vector<Values> coordinates_exchanged(const Formula& formula) {
+std::vector<Redone> coordinates_exchanged(const Formula& formula) {
     Results results(formula);
     if (!gives_vector(formula) && !as<Weights>(formula) && !as<RoundedPlace>(formula))
         return {};
@@ -212,7 +255,7 @@ std::vector<Values> coordinates_exchanged(const Formula& formula) {
     return results.take();
 }
 
-std::vector<Values> view_turned_round(const Formula& formula) {
+std::vector<Redone> view_turned_round(const Formula& formula) {
     Results results(formula);
     const bool has_view = as<Toward>(formula) || as<FaceDot>(formula) || as<FaceCosine>(formula);
     if (has_view) {
@@ -223,7 +266,7 @@ std::vector<Values> view_turned_round(const Formula& formula) {
     return results.take();
 }
 
-std::vector<Values> normal_for_view(const Formula& formula) {
+std::vector<Redone> normal_for_view(const Formula& formula) {
     Results results(formula);
     if (const auto* toward = as<Toward>(formula)) {
         const Vec3& n = toward->normal;
@@ -237,7 +280,7 @@ std::vector<Values> normal_for_view(const Formula& formula) {
     return results.take();
 }
 
-std::vector<Values> corner_for_centroid(const Formula& formula) {
+std::vector<Redone> corner_for_centroid(const Formula& formula) {
     Results results(formula);
     if (const auto* toward = as<Toward>(formula))
         for (const Vec3& corner : toward->corners)
@@ -248,7 +291,7 @@ std::vector<Values> corner_for_centroid(const Formula& formula) {
     return results.take();
 }
 
-std::vector<Values> not_divided(const Formula& formula) {
+std::vector<Redone> not_divided(const Formula& formula) {
     Results results(formula);
     if (const auto* face = as<Centroid>(formula)) {
         const Vec3 mean = Centroid{face->corners}.value();
@@ -274,7 +317,7 @@ std::vector<Values> not_divided(const Formula& formula) {
     return results.take();
 }
 
-std::vector<Values> cosine_of_dot_only(const Formula& formula) {
+std::vector<Redone> cosine_of_dot_only(const Formula& formula) {
     Results results(formula);
     const auto* face = as<FaceCosine>(formula);
     if (face == nullptr || results.right().empty())
@@ -290,7 +333,7 @@ std::vector<Values> cosine_of_dot_only(const Formula& formula) {
     return results.take();
 }
 
-std::vector<Values> angle_for_cosine(const Formula& formula) {
+std::vector<Redone> angle_for_cosine(const Formula& formula) {
     Results results(formula);
     if (as<FaceCosine>(formula) && !results.right().empty()) {
         const double radians =
@@ -301,7 +344,27 @@ std::vector<Values> angle_for_cosine(const Formula& formula) {
     return results.take();
 }
 
-std::vector<Values> z_for_inverse_z(const Formula& formula) {
+std::vector<Redone> complement_of_angle(const Formula& formula) {
+    Results results(formula);
+    if (as<FaceCosine>(formula) && !results.right().empty()) {
+        const Rational& cosine = results.right().front();
+        if (abs(cosine) <= 1)
+            results.add(square_root(1 - cosine * cosine));
+    }
+    return results.take();
+}
+
+std::vector<Redone> only_z_divided(const Formula& formula) {
+    Results results(formula);
+    if (const auto* division = as<DividedByW>(formula))
+        if (const auto z = division->value(2)) {
+            results.add(Values{division->point[0], division->point[1], *z});
+            results.add(Values{*division->value(0), *division->value(1), division->point[2]});
+        }
+    return results.take();
+}
+
+std::vector<Redone> z_for_inverse_z(const Formula& formula) {
     Results results(formula);
     const auto inverted = [&results](const Values& values) {
         if (!values.empty())
@@ -329,6 +392,15 @@ std::vector<Values> z_for_inverse_z(const Formula& formula) {
         }
         results.add_formula({of_z});
         inverted(value_of({of_z}));
+        // A straight line of z over the whole triangle, whatever fills it.
+        Rational of_corners = 0;
+        for (std::size_t i = 0; i < mixed->corner_depths.size(); ++i) {
+            if (sgn(mixed->corner_depths[i]) == 0)
+                return results.take();
+            of_corners += mixed->corner_weights[i] / mixed->corner_depths[i];
+        }
+        results.add(of_corners);
+        inverted({of_corners});
     }
     if (const auto* test = as<DepthComparison>(formula))
         if (sgn(test->depth) != 0 && sgn(test->stored) != 0)
@@ -337,7 +409,7 @@ std::vector<Values> z_for_inverse_z(const Formula& formula) {
     return results.take();
 }
 
-std::vector<Values> three_corners(const Formula& formula) {
+std::vector<Redone> three_corners(const Formula& formula) {
     Results results(formula);
     if (const auto* face = as<FaceNormal>(formula); face && face->corners.size() > 3)
         results.add_formula({FaceNormal{{face->corners.begin(), face->corners.begin() + 3}}});
@@ -346,7 +418,7 @@ std::vector<Values> three_corners(const Formula& formula) {
     return results.take();
 }
 
-std::vector<Values> c_minus_a(const Formula& formula) {
+std::vector<Redone> c_minus_a(const Formula& formula) {
     Results results(formula);
     if (const auto* edge = as<Slope>(formula); edge && edge->other) {
         results.add_formula({Slope{edge->from, *edge->other}});
@@ -423,22 +495,31 @@ std::vector<std::vector<Rational>> terms_of(const Formula& formula) {
     return sums;
 }
 
-std::vector<Values> term_dropped(const Formula& formula) {
+std::vector<Redone> term_dropped(const Formula& formula) {
     Results results(formula);
     put_sums(results, terms_of(formula), 0);
-    if (const auto* lerp = as<Lerp>(formula))
-        results.add(lerp->d1); // a LERP whose step is d2 - d2 (T0)
     return results.take();
 }
 
-std::vector<Values> sign(const Formula& formula) {
+/// A LERP whose step is (d2 - d2) / (i2 - i1) (T0).
+std::vector<Redone> slope_of_zero(const Formula& formula) {
+    Results results(formula);
+    if (const auto* lerp = as<Lerp>(formula))
+        results.add(lerp->d1);
+    return results.take();
+}
+
+std::vector<Redone> sign(const Formula& formula) {
     Results results(formula);
     const Values& right = results.right();
     if (as<IsCulled>(formula) || as<InRow>(formula) || as<DepthComparison>(formula) ||
-        right.empty())
+        as<BresenhamDecisions>(formula) || right.empty())
         return {};
-    results.add(negated(right));
-    const bool has_components = right.size() > 1 && !as<BresenhamDecisions>(formula);
+    // That all of it is turned round has its own name where there is a view.
+    const bool has_view = as<Toward>(formula) || as<FaceDot>(formula) || as<FaceCosine>(formula);
+    if (!has_view)
+        results.add(negated(right));
+    const bool has_components = right.size() > 1;
     for (std::size_t i = 0; has_components && i < right.size(); ++i) {
         Values one = right;
         one[i] = -one[i];
@@ -468,7 +549,7 @@ std::vector<Values> sign(const Formula& formula) {
     return results.take();
 }
 
-std::vector<Values> rows_for_columns(const Formula& formula) {
+std::vector<Redone> rows_for_columns(const Formula& formula) {
     Results results(formula);
     const auto* product = as<MatrixTimes>(formula);
     if (product == nullptr || product->rows.size() != 4)
@@ -481,7 +562,7 @@ std::vector<Values> rows_for_columns(const Formula& formula) {
     return results.take();
 }
 
-std::vector<Values> tie_the_other_way(const Formula& formula) {
+std::vector<Redone> tie_the_other_way(const Formula& formula) {
     Results results(formula);
     if (const auto* line = as<BresenhamDecisions>(formula)) {
         BresenhamDecisions other = *line;
@@ -491,7 +572,7 @@ std::vector<Values> tie_the_other_way(const Formula& formula) {
     return results.take();
 }
 
-std::vector<Values> factor_2_dropped(const Formula& formula) {
+std::vector<Redone> factor_2_dropped(const Formula& formula) {
     Results results(formula);
     const auto* line = as<BresenhamDecisions>(formula);
     if (line == nullptr)
@@ -505,7 +586,7 @@ std::vector<Values> factor_2_dropped(const Formula& formula) {
     return results.take();
 }
 
-std::vector<Values> dx_and_dy_exchanged(const Formula& formula) {
+std::vector<Redone> dx_and_dy_exchanged(const Formula& formula) {
     Results results(formula);
     if (const auto* line = as<BresenhamDecisions>(formula)) {
         BresenhamDecisions other = *line;
@@ -515,44 +596,263 @@ std::vector<Values> dx_and_dy_exchanged(const Formula& formula) {
     return results.take();
 }
 
+/// The decisions with other steps.
+std::vector<Redone>
+decided_otherwise(const Formula& formula,
+                  std::initializer_list<std::array<std::optional<Rational>, 3>> others) {
+    Results results(formula);
+    for (const auto& [start, straight, diagonal] : others) {
+        BresenhamDecisions other = *as<BresenhamDecisions>(formula);
+        other.other_start = start;
+        other.other_straight = straight;
+        other.other_diagonal = diagonal;
+        results.add_formula({other});
+    }
+    return results.take();
+}
+
+std::vector<Redone> steps_exchanged(const Formula& formula) {
+    const auto* const line = as<BresenhamDecisions>(formula);
+    return line == nullptr
+               ? std::vector<Redone>{}
+               : decided_otherwise(formula, {{std::nullopt, line->diagonal(), line->straight()}});
+}
+
+std::vector<Redone> diagonal_of_one_axis(const Formula& formula) {
+    const auto* const line = as<BresenhamDecisions>(formula);
+    return line == nullptr
+               ? std::vector<Redone>{}
+               : decided_otherwise(formula,
+                                   {{std::nullopt, std::nullopt, line->straight()},
+                                    {std::nullopt, std::nullopt, Rational(-2 * line->major)}});
+}
+
+std::vector<Redone> start_of_other_axis(const Formula& formula) {
+    const auto* const line = as<BresenhamDecisions>(formula);
+    return line == nullptr ? std::vector<Redone>{}
+                           : decided_otherwise(formula, {{Rational(2 * line->major - line->minor),
+                                                          std::nullopt, std::nullopt}});
+}
+
+/// dx and dy with their signs, in an octant whose lines rise.
+std::vector<Redone> octant_ignored(const Formula& formula) {
+    Results results(formula);
+    const auto* const line = as<BresenhamDecisions>(formula);
+    if (line == nullptr)
+        return {};
+    for (const int sign_of_major : {1, -1})
+        for (const int sign_of_minor : {1, -1})
+            for (const bool is_exchanged : {false, true}) {
+                BresenhamDecisions other = *line;
+                other.major = sign_of_major * line->major;
+                other.minor = sign_of_minor * line->minor;
+                if (is_exchanged)
+                    std::swap(other.major, other.minor);
+                if (sign_of_major + sign_of_minor < 2) // else the lines rise
+                    results.add_formula({other});
+            }
+    return results.take();
+}
+
+std::vector<Redone> shifted_list(const Formula& formula) {
+    Results results(formula);
+    const Values& right = results.right();
+    if (as<BresenhamDecisions>(formula) == nullptr || right.size() < 2)
+        return {};
+    results.add(Values(right.begin() + 1, right.end()));
+    Values late{right.front()};
+    late.insert(late.end(), right.begin(), right.end());
+    results.add(std::move(late));
+    return results.take();
+}
+
+// Matrices.
+
+using Factor = MatrixTimes::Factor;
+
+/// The product of factors times the point of `times`, as many components of it.
+Values product_of(const std::vector<Factor>& factors, const MatrixTimes& times) {
+    MatrixTimes::Row point = times.point;
+    for (auto factor = factors.rbegin(); factor != factors.rend(); ++factor) {
+        MatrixTimes::Row moved;
+        for (std::size_t i = 0; i < 4; ++i)
+            moved[i] = std::inner_product(factor->rows[i].begin(), factor->rows[i].end(),
+                                          point.begin(), Rational(0));
+        point = moved;
+    }
+    return {point.begin(), point.begin() + static_cast<std::ptrdiff_t>(times.rows.size())};
+}
+
+/// What comes of other factors, one of which is changed at a time.
+template <typename Change>
+std::vector<Redone> with_other_factors(const Formula& formula, std::string_view name,
+                                       const Change& change) {
+    Results results(formula);
+    const auto* const times = as<MatrixTimes>(formula);
+    for (std::size_t i = 0; times != nullptr && i < times->factors.size(); ++i) {
+        std::vector<Factor> factors = times->factors;
+        if (factors[i].name == name && change(factors[i].rows))
+            results.add(product_of(factors, *times));
+    }
+    return results.take();
+}
+
+std::vector<Redone> turned_the_other_way(const Formula& formula) {
+    return with_other_factors(formula, "rotate", [](std::array<MatrixTimes::Row, 4>& rows) {
+        for (std::size_t i = 0; i < 4; ++i)
+            for (std::size_t k = 0; k < i; ++k)
+                std::swap(rows[i][k], rows[k][i]);
+        return true;
+    });
+}
+
+/// The rotation about the same axis by an angle whose degrees were taken for radians.
+std::vector<Redone> degrees_for_radians(const Formula& formula) {
+    return with_other_factors(formula, "rotate", [](std::array<MatrixTimes::Row, 4>& rows) {
+        const auto entry = [&rows](std::size_t i, std::size_t k) {
+            return nearest_double(rows[i][k]);
+        };
+        const std::array axis{(entry(2, 1) - entry(1, 2)) / 2, (entry(0, 2) - entry(2, 0)) / 2,
+                              (entry(1, 0) - entry(0, 1)) / 2};
+        const double sine = std::hypot(axis[0], axis[1], axis[2]);
+        const double cosine = (entry(0, 0) + entry(1, 1) + entry(2, 2) - 1) / 2;
+        if (sine == 0)
+            return false;
+        const double degrees =
+            std::round(std::atan2(sine, cosine) * 180 / std::numbers::pi * 1e6) / 1e6;
+        const double other_sine = std::sin(degrees);
+        const double other_cosine = std::cos(degrees);
+        for (std::size_t i = 0; i < 3; ++i)
+            for (std::size_t k = 0; k < 3; ++k) {
+                const double a = axis[i] / sine;
+                const double b = axis[k] / sine;
+                const double turn =
+                    i == k ? 0 : axis[3 - i - k] / sine * ((k + 1) % 3 == i ? 1 : -1);
+                rows[i][k] = Rational((i == k ? other_cosine : 0) + (1 - other_cosine) * a * b +
+                                      other_sine * turn);
+            }
+        return true;
+    });
+}
+
+std::vector<Redone> factors_exchanged(const Formula& formula) {
+    Results results(formula);
+    const auto* const times = as<MatrixTimes>(formula);
+    for (std::size_t i = 1; times != nullptr && i < times->factors.size(); ++i) {
+        std::vector<Factor> factors = times->factors;
+        std::swap(factors[i - 1], factors[i]);
+        results.add(product_of(factors, *times),
+                    fmt::format("{} before {}", factors[i].name, factors[i - 1].name));
+    }
+    return results.take();
+}
+
+/// W/2 for (W - 1)/2.
+std::vector<Redone> size_for_last_pixel(const Formula& formula) {
+    const auto* const times = as<MatrixTimes>(formula);
+    if (times == nullptr || !times->is_viewport)
+        return {};
+    return with_other_factors(formula, "scale", [](std::array<MatrixTimes::Row, 4>& rows) {
+        bool is_changed = false;
+        for (std::size_t i = 0; i < 2; ++i)
+            if (abs(rows[i][i]) > 1) {
+                rows[i][i] += Rational(sgn(rows[i][i])) / 2;
+                is_changed = true;
+            }
+        return is_changed;
+    });
+}
+
 constexpr Slip table[] = {
-    {"truncate-for-floor", "rounded toward 0 where the rule is down",
+    {"truncate-for-floor", "rounding toward 0", "rounding down",
+     "left of x = 0, rows begin and end one pixel too far right", 80,
      instead_of_floor<Rounding::truncate>},
-    {"nearest-for-floor", "rounded to the nearest where the rule is down",
-     instead_of_floor<Rounding::nearest>},
-    {"inside-for-floor", "only pixels inside where the rule is down at both ends",
-     instead_of_floor<Rounding::inside>},
-    {"half-open-for-floor", "without the right end where the rule is down at both ends",
-     instead_of_floor<Rounding::half_open>},
-    {"dx-dy-inverted", "(y2 - y1) / (x2 - x1) where (x2 - x1) / (y2 - y1) belongs", dx_dy_inverted},
-    {"start-and-step-exchanged", "the start added again and again to the step",
+    {"nearest-for-floor", "rounding to the nearest", "rounding down",
+     "half of the ends lie one pixel too far right", 50, instead_of_floor<Rounding::nearest>},
+    {"inside-for-floor", "only the pixels between the ends", "rounding down at both ends",
+     "rows begin one pixel too late", 30, instead_of_floor<Rounding::inside>},
+    {"half-open-for-floor", "leaving out the right end", "rounding down at both ends",
+     "rows end one pixel too early", 30, instead_of_floor<Rounding::half_open>},
+    {"dx-dy-inverted", "(y2 - y1) / (x2 - x1)", "(x2 - x1) / (y2 - y1)",
+     "steep edges lie flat, flat ones are steep", 70, dx_dy_inverted},
+    {"z-for-inverse-z", "a straight line of z, or z for 1/z", "a straight line of 1/z",
+     "what is in the middle lies too far away", 60, z_for_inverse_z},
+    {"start-and-step-exchanged", "adding the start again and again to the step",
+     "adding the step again and again to the start", "the numbers grow too fast", 20,
      start_and_step_exchanged},
-    {"y-for-z", "y and z exchanged", y_for_z},
-    {"view-turned-round", "from the eye to the face instead of from the face to the eye",
-     view_turned_round},
-    {"z-for-inverse-z", "z taken where 1/z belongs, or the other way round", z_for_inverse_z},
-    {"cosine-of-dot-only", "the dot product not divided by both lengths", cosine_of_dot_only},
-    {"normal-for-view", "the normal used once more as the view", normal_for_view},
-    {"corner-for-center", "a pixel's own x and y where its center, 1/2 further, belongs",
-     corner_for_center},
-    {"corner-for-centroid", "a corner taken where the centroid belongs", corner_for_centroid},
-    {"tie-the-other-way", "d = 0 decided the other way", tie_the_other_way},
-    {"factor-2-dropped", "dy where 2 dy belongs", factor_2_dropped},
-    {"dx-and-dy-exchanged", "the longer direction taken for the shorter one", dx_and_dy_exchanged},
-    {"not-divided", "a division left out", not_divided},
-    {"neighbor-row", "the row above or below, or the column beside", neighbor_row},
-    {"sign", "a minus lost, or one too many", sign},
-    {"term-dropped", "a term of the sum left out", term_dropped},
-    {"three-corners", "three corners of a polygon taken for all", three_corners},
-    {"c-minus-a", "C - A taken where C - B belongs: another corner", c_minus_a},
-    {"integer-division", "a quotient cut off to a whole number", integer_division},
-    {"rows-for-columns", "the matrix turned over: its columns taken for rows", rows_for_columns},
-    {"coordinates-exchanged", "two coordinates exchanged", coordinates_exchanged},
-    {"angle-for-cosine", "the angle told where its cosine belongs", angle_for_cosine},
-    {"another-rounding", "rounded by another rule than the scene has", another_rounding},
+    {"steps-exchanged", "2 dy after a diagonal step, 2 (dy - dx) after a straight one",
+     "2 dy after a straight step, 2 (dy - dx) after a diagonal one", "d runs away", 20,
+     steps_exchanged},
+    {"diagonal-of-one-axis", "2 dy, or -2 dx, after a diagonal step", "2 (dy - dx)",
+     "d only grows, or only falls", 15, diagonal_of_one_axis},
+    {"start-of-other-axis", "d = 2 dx - dy to begin with", "d = 2 dy - dx",
+     "the first steps are wrong", 15, start_of_other_axis},
+    {"factor-2-dropped", "dy", "2 dy", "the line steps too late", 20, factor_2_dropped},
+    {"dx-and-dy-exchanged", "the shorter direction", "the longer one", "steep lines have gaps", 20,
+     dx_and_dy_exchanged},
+    {"octant-ignored", "the signs of dx and dy left in", "their sizes, and the octant's own steps",
+     "only lines of the first octant are right", 20, octant_ignored},
+    {"shifted-list", "a list that begins one step too early or too late", "d before each step",
+     "each number stands beside the wrong step", 20, shifted_list},
+    {"tie-the-other-way", "d = 0 decided the other way", "the scene's own rule for d = 0",
+     "the line differs where it passes midway between two pixels", 30, tie_the_other_way},
+    {"y-for-z", "z in the place of y", "y", "what points away points up", 20, y_for_z},
+    {"view-turned-round", "from the eye to the face", "from the face to the eye",
+     "what is turned away is drawn, what is turned to the eye is culled", 40, view_turned_round},
+    {"cosine-of-dot-only", "the dot product alone", "the dot product divided by both lengths",
+     "cosines beyond 1", 30, cosine_of_dot_only},
+    {"normal-for-view", "the normal once more", "the view", "no face is turned away", 10,
+     normal_for_view},
+    {"corner-for-center", "a pixel's own x and y", "its center, 1/2 further",
+     "the picture is moved by half a pixel", 40, corner_for_center},
+    {"corner-for-centroid", "a corner", "the centroid",
+     "faces near the silhouette are culled wrongly", 15, corner_for_centroid},
+    {"turned-the-other-way", "turning clockwise", "turning counter-clockwise",
+     "the object is turned to the other side", 30, turned_the_other_way},
+    {"degrees-for-radians", "the number of degrees taken for radians", "degrees",
+     "the angle seems to be any", 30, degrees_for_radians},
+    {"factors-exchanged", "matrices in the other order", "the order of the scene",
+     "what was to turn about itself turns about the origin", 30, factors_exchanged},
+    {"size-for-last-pixel", "W and H", "W - 1 and H - 1",
+     "the right and the upper edge are cut off", 30, size_for_last_pixel},
+    {"rows-for-columns", "the columns of the matrix taken for rows", "its rows",
+     "turned the other way, and moved nowhere", 20, rows_for_columns},
+    {"not-divided", "leaving out a division", "dividing", "numbers that are too large", 30,
+     not_divided},
+    {"only-z-divided", "dividing z alone by w, or x and y alone", "dividing x, y and z by w",
+     "the picture has no perspective, or the depths have none", 15, only_z_divided},
+    {"slope-rounded-first", "rounding the slope before it was used", "rounding at the end",
+     "the further from the start, the further off", 40, slope_rounded_first},
+    {"neighbor-row", "the row above or below, or the column beside", "this row",
+     "the table is moved by one row", 20, neighbor_row},
+    {"sign", "losing a minus, or adding one", "the sign as it is", "mirrored", 60, sign},
+    {"term-dropped", "leaving out a term of the sum", "all terms", "moved by a constant", 20,
+     term_dropped},
+    {"slope-of-zero", "d2 - d2 in the slope", "d2 - d1", "every row has the number of the first",
+     25, slope_of_zero},
+    {"three-corners", "three corners of a polygon", "all of its corners",
+     "the normal of a bent face leans", 10, three_corners},
+    {"c-minus-a", "another corner", "the edge's own corner", "the edge of another pair of vertices",
+     15, c_minus_a},
+    {"pixel-for-end", "the pixel", "the exact end of the row",
+     "whole numbers where fractions belong", 10, pixel_for_end},
+    {"integer-division", "a quotient cut off to a whole number", "the quotient itself",
+     "slopes below 1 are 0", 20, integer_division},
+    {"coordinates-exchanged", "two coordinates exchanged", "x, y, z in this order",
+     "mirrored at a diagonal", 15, coordinates_exchanged},
+    {"angle-for-cosine", "the angle", "its cosine", "numbers beyond 1", 15, angle_for_cosine},
+    {"complement-of-angle", "the sine, as of 90 degrees less the angle", "the cosine of the angle",
+     "bright where it should be dark", 5, complement_of_angle},
+    {"another-rounding", "another rule for rounding", "the scene's own", "ends one pixel beside",
+     30, another_rounding},
 };
 
 } // namespace
+
+std::string meaning_of(const Slip& slip, std::string_view detail) {
+    return fmt::format("{}{}{}{} instead of {}", slip.done, detail.empty() ? "" : " (", detail,
+                       detail.empty() ? "" : ")", slip.instead_of);
+}
 
 std::span<const Slip> slips() {
     return table;

@@ -10,22 +10,35 @@
 #include <rastertrace/trace/tell/formula.h>
 
 #include <span>
+#include <string>
 #include <string_view>
 #include <vector>
 
 namespace rastertrace {
 
+/// What a formula comes to with a mistake in it.
+struct Redone {
+    Values values;
+    std::string detail = {}; ///< what the mistake was made with: "to 2 digits"; may be empty
+};
+
 /// One mistake.
 struct Slip {
-    std::string_view name;    ///< "truncate-for-floor"
-    std::string_view meaning; ///< "rounded toward 0 where the rule is floor"
+    std::string_view name;       ///< "truncate-for-floor"
+    std::string_view done;       ///< "rounding toward 0"
+    std::string_view instead_of; ///< "rounding down"
+    std::string_view symptom;    ///< what is seen of it in the picture or the numbers
+    double in_thousand;          ///< a guess of how many wrong numbers in a thousand come of it
 
     /// What the formula comes to with the mistake in it: one result for each way to make it, none of
     /// which is the right one. None if the formula has no place for it.
-    std::vector<Values> (*redo)(const Formula& formula);
+    std::vector<Redone> (*redo)(const Formula& formula);
 };
 
-/// All of them. Of mistakes that explain as much, the earlier one is the likelier.
+/// "rounding toward 0 instead of rounding down"
+std::string meaning_of(const Slip& slip, std::string_view detail = {});
+
+/// All of them.
 std::span<const Slip> slips();
 
 /// The slip of that name, or nullptr.

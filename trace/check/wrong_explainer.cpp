@@ -3,7 +3,7 @@
 
 #include "claim_comparison.h"
 #include "derivation.h"
-#include "slips.h"
+#include "slip_likelihood.h"
 
 #include <rastertrace/trace/tell/step_text.h>
 
@@ -130,7 +130,7 @@ const Numbers& WrongExplainer::claimed_numbers(const StepIndex& index) {
 }
 
 /// What a formula comes to with each slip in it. Several claims may be about one number.
-const std::vector<std::vector<Values>>& WrongExplainer::redone(const std::string& number,
+const std::vector<std::vector<Redone>>& WrongExplainer::redone(const std::string& number,
                                                                const Formula& formula) {
     const auto [place, is_new] = redone_.try_emplace(number);
     if (is_new)
@@ -143,26 +143,36 @@ WrongExplainer::Slips WrongExplainer::slips_that_give(const Formula& formula,
                                                       const std::string& number,
                                                       const ClaimedField& field) {
     Slips found;
+    const Values right = value_of(formula);
     const auto& results = redone(number, formula);
     for (std::size_t i = 0; i < results.size(); ++i)
-        if (std::any_of(results[i].begin(), results[i].end(),
-                        [&](const Values& values) { return gives(values, field); }))
-            found.push_back({std::string(slips()[i].name), std::string(slips()[i].meaning)});
+        if (const auto one =
+                std::find_if(results[i].begin(), results[i].end(),
+                             [&](const Redone& redone) { return gives(redone.values, field); });
+            one != results[i].end())
+            found.push_back({std::string(slips()[i].name), meaning_of(slips()[i], one->detail),
+                             evidence_for(results[i], field, right)});
     return found;
 }
 
 void rank_slips(Checked& checked) {
-    std::map<std::string, std::size_t> explains;
+    // One habit may be behind many wrong numbers.
+    std::map<std::string, double> likelihood;
     for (const CheckedClaim& claim : checked.claims)
         for (const CheckedField& field : claim.fields)
             for (const LikelySlip& slip : field.slips)
-                ++explains[slip.name];
+                likelihood.try_emplace(slip.name, prior_of(*find_slip(slip.name))).first->second +=
+                    slip.evidence;
     for (CheckedClaim& claim : checked.claims)
-        for (CheckedField& field : claim.fields)
+        for (CheckedField& field : claim.fields) {
+            std::erase_if(field.slips, [&](const LikelySlip& slip) {
+                return likelihood.at(slip.name) < prior_of_chance();
+            });
             std::stable_sort(field.slips.begin(), field.slips.end(),
                              [&](const LikelySlip& a, const LikelySlip& b) {
-                                 return explains.at(a.name) > explains.at(b.name);
+                                 return likelihood.at(a.name) > likelihood.at(b.name);
                              });
+        }
 }
 
 } // namespace rastertrace

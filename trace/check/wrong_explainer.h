@@ -10,6 +10,7 @@
 #include "check.h"
 #include "claim_subject.h"
 #include "numbers.h"
+#include "slips.h"
 
 #include <rastertrace/trace/tell/formula.h>
 
@@ -47,17 +48,18 @@ private:
     bool follows(const Subject& subject, const ClaimedField& field, std::size_t order,
                  CheckedField& checked);
     const Numbers& claimed_numbers(const StepIndex& index);
-    const std::vector<std::vector<Values>>& redone(const std::string& number,
+    const std::vector<std::vector<Redone>>& redone(const std::string& number,
                                                    const Formula& formula);
     Slips slips_that_give(const Formula& formula, const std::string& number,
                           const ClaimedField& field);
 
     const WrongNumbers& wrong_;
     std::map<const StepIndex*, Numbers> numbers_;                    ///< with the wrong ones
-    std::map<std::string, std::vector<std::vector<Values>>> redone_; ///< by number, for each slip
+    std::map<std::string, std::vector<std::vector<Redone>>> redone_; ///< by number, for each slip
 };
 
-/// Puts first of each field's slips what explains most of the wrong fields.
+/// Sorts each field's slips by how likely they are behind all that they explain, and leaves out what chance explains as
+/// well.
 void rank_slips(Checked& checked);
 
 } // namespace rastertrace

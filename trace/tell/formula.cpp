@@ -209,10 +209,10 @@ Rational MatrixTimes::value(std::size_t row) const {
 }
 
 std::string MatrixTimes::written_out(std::size_t row) const {
-    const auto& factors = rows[row];
-    return fmt::format("{} + {} + {} + {}", product(factors[0], point[0]),
-                       product(factors[1], point[1]), product(factors[2], point[2]),
-                       product(factors[3], point[3]));
+    const auto& entries = rows[row];
+    return fmt::format("{} + {} + {} + {}", product(entries[0], point[0]),
+                       product(entries[1], point[1]), product(entries[2], point[2]),
+                       product(entries[3], point[3]));
 }
 
 std::optional<Rational> DividedByW::value(std::size_t component) const {
@@ -220,14 +220,20 @@ std::optional<Rational> DividedByW::value(std::size_t component) const {
 }
 
 Rational BresenhamDecisions::start() const {
+    if (other_start)
+        return *other_start;
     return factor_at_start * minor - major;
 }
 
 Rational BresenhamDecisions::straight() const {
+    if (other_straight)
+        return *other_straight;
     return factor_in_steps * minor;
 }
 
 Rational BresenhamDecisions::diagonal() const {
+    if (other_diagonal)
+        return *other_diagonal;
     return factor_in_steps * Rational(minor - major);
 }
 

@@ -160,8 +160,19 @@ struct IsCulled {
 
 /// A matrix times a point: one row for each component.
 struct MatrixTimes {
-    std::vector<std::array<Rational, 4>> rows;
-    std::array<Rational, 4> point;
+    using Row = std::array<Rational, 4>;
+
+    /// One of those that the matrix is the product of.
+    struct Factor {
+        std::string name; ///< rotate, translate, scale, ...
+        std::array<Row, 4> rows;
+    };
+
+    std::vector<Row> rows;
+    Row point;
+    std::vector<Factor> factors =
+        {}; ///< the last one moves a point first; empty if they are not told
+    bool is_viewport = false;
 
     Rational value(std::size_t row) const;
 
@@ -185,6 +196,10 @@ struct BresenhamDecisions {
     bool steps_at_ties = false; ///< d = 0 goes diagonally
     int factor_at_start = 2;    ///< of minor, where d begins
     int factor_in_steps = 2;    ///< of what each step adds
+    std::optional<Rational> other_start =
+        {}; ///< in the place of what they come to, with a mistake in them
+    std::optional<Rational> other_straight = {};
+    std::optional<Rational> other_diagonal = {};
 
     Rational start() const;
     Rational straight() const; ///< what a step along the major axis adds
@@ -202,6 +217,10 @@ struct MixedDepth {
     std::vector<Rational> weights;
     std::vector<Rational> depths;
     bool gives_inverse = false; ///< 1 over the depth is asked for
+
+    /// In a triangle's row: the weights of its corners, and their depths.
+    std::vector<Rational> corner_weights = {};
+    std::vector<Rational> corner_depths = {};
 
     /// The sum of the products.
     Rational depth() const;

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// How likely a slip is behind a wrong number, and not chance: a digit misread, a factor of ten, any other number. A
+// slip that can be made in many ways gives many numbers, so that one of them is easily met; a long fraction is not.
+//
+//     evidence_for(results, field, right) + prior_of(slip) > prior_of_chance()   // the slip is named
+//
+// Natural logarithms of probabilities (Bayes). The shares are guesses: what is named hardly depends on them.
+
+#include "claims.h"
+#include "slips.h"
+
+#include <rastertrace/trace/tell/formula.h>
+
+#include <vector>
+
+namespace rastertrace {
+
+/// Of one wrong number: how much likelier it is with a slip that has these results than by chance.
+double evidence_for(const std::vector<Redone>& results, const ClaimedField& field,
+                    const Values& right);
+
+/// The share of wrong numbers that come of a slip, and of those that come of nothing.
+double prior_of(const Slip& slip);
+double prior_of_chance();
+
+} // namespace rastertrace
