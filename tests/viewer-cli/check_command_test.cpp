@@ -134,10 +134,9 @@ TEST_F(CheckTest, EndsOfARowThatWereExchangedAreToldWithTheSlipOfEach) {
     // y1 - y for y - y1 gives 7/3 on the left and -1 on the right; then somebody has sorted them.
     EXPECT_THAT(
         check_row("y=1: -1, 7/3"),
-        HasSubstr(
-            "    right end: expected 3, found 7/3\n"
-            "    likely slip sign: losing a minus, or adding one instead of the sign as it is\n"
-            "    left and right are exchanged\n"));
+        HasSubstr("    right end: expected 3, found 7/3\n"
+                  "    likely slip sign: losing or adding a minus instead of keeping each sign\n"
+                  "    left and right are exchanged\n"));
     EXPECT_THAT(check_row("y=1: 7/3, -1"),
                 AllOf(HasSubstr("    likely slip sign: "), Not(HasSubstr("exchanged"))));
     // The same of the left end alone, which still is the smaller one.

@@ -49,8 +49,11 @@ public:
             is_in_unknown_table_ = false;
             read_lines();
         }
-        if (!problems_.empty())
-            throw first_of(std::move(problems_));
+        if (problems_.empty())
+            return;
+        if (claims_.claims.empty()) // no line can be read: it is no file of claims
+            problems_.resize(1);
+        throw first_of(std::move(problems_));
     }
 
 private:
