@@ -3,6 +3,7 @@
 // (docs/sources.md).
 
 #include "claims_support.h"
+#include "random_choice.h"
 #include "random_scene.h"
 #include "traces.h"
 
@@ -221,6 +222,86 @@ TEST(Check, ANameAndNumbersAreWhatHasTheName) {
               "claims:1:1: expected the space that A is in (object, world, camera), "
               "found none\n"
               "A: 0, 1, 0\n^\nhint: A camera: ...");
+}
+
+/// Right sheets of T0's triangle, as people write them.
+const std::vector<std::string> right_sheets{
+    "y=2: -1/4, 25/8 -> -1..3",
+    "Y = 2: \u2212\u00BC; 3 1/8 \u2192 -1 to 3.",
+    "row 2: [-1 / 4 | 25/8] => -1, 0, 1, 2, 3",
+    "1. y=2: x from -1/4 to 2 - 3/8 (2 - 5)",
+    "y;left;right\n2;-0,25;3,125\n",
+    "| y | xL | xR |\n|---|---|---|\n| 2 | -\\frac{1}{4} | \\frac{25}{8} |\n",
+    "slope AB = 3 : 4",
+    "edge AC: -3/8",
+    "A = (2, 5)",
+    "B screen: -4 | -3",
+    "(3,2): on\n(4,2): off"};
+
+TEST(Check, RightSheetsAreRight) {
+    for (const std::string& sheet : right_sheets) {
+        const Checked checked = check_claims(triangle, sheet);
+        EXPECT_GT(checked.right, 0U) << sheet;
+        EXPECT_EQ(checked.wrong + checked.follow, 0U) << sheet;
+    }
+}
+
+/// A sheet with one character changed, left out or put in.
+std::string mutated(std::string sheet, Random& random) {
+    const auto any = [&random](std::size_t count) {
+        return static_cast<std::size_t>(random.whole(0, static_cast<int>(count) - 1));
+    };
+    const std::string characters = "0123456789-/,.;:|()= \n\t\"#~xyABz\xE2";
+    const std::size_t at = any(sheet.size());
+    switch (random.whole(0, 2)) {
+    case 0:
+        sheet[at] = characters[any(characters.size())];
+        return sheet;
+    case 1:
+        return sheet.erase(at, 1);
+    default:
+        return sheet.insert(at, 1, characters[any(characters.size())]);
+    }
+}
+
+TEST(Check, AChangedDigitIsNeverCalledRight) {
+    // A digit of a value is changed, so that no digit is lost to rounding: the sheet is no longer right.
+    for (const std::string& sheet : right_sheets)
+        for (std::size_t at = 0; at < sheet.size(); ++at) {
+            const bool is_numbering = sheet.starts_with("1. ") && at == 0;
+            if (sheet[at] < '0' || '9' < sheet[at] || is_numbering || sheet.starts_with("(3,2)"))
+                continue;
+            std::string other = sheet;
+            other[at] = sheet[at] == '9' ? '7' : static_cast<char>(sheet[at] + 1);
+            const auto claims = read_claims({"claims", other});
+            if (!claims)
+                continue;
+            try {
+                const Checked checked = check(Truth({"scene.json", triangle}, {}), claims.value());
+                EXPECT_GT(checked.wrong + checked.follow, 0U) << other;
+            } catch (const Problem&) { // a row or a pixel that the scene does not have
+            }
+        }
+}
+
+TEST(Check, AnySheetIsReadOrRefused) {
+    Random random(20261128);
+    const Truth truth({"scene.json", triangle}, {});
+    for (std::size_t i = 0; i < random_cases(1000U); ++i) {
+        std::string sheet = right_sheets[i % right_sheets.size()];
+        for (int changes = random.whole(1, 4); changes > 0 && !sheet.empty(); --changes)
+            sheet = mutated(sheet, random);
+        const auto claims = read_claims({"claims", sheet});
+        if (!claims) {
+            EXPECT_FALSE(to_text(claims.problem()).empty());
+            continue;
+        }
+        try {
+            check(truth, claims.value());
+        } catch (const Problem& problem) {
+            EXPECT_FALSE(to_text(problem).empty());
+        }
+    }
 }
 
 TEST(Check, AllNamesThatTheSceneDoesNotHaveAreToldInOneRun) {

@@ -51,8 +51,9 @@ public:
         }
         if (problems_.empty())
             return;
-        if (claims_.claims.empty()) // no line can be read: it is no file of claims
-            problems_.resize(1);
+        constexpr std::size_t most_in_claims = 3;
+        if (claims_.claims.empty() && problems_.size() > most_in_claims)
+            problems_.resize(1); // no line can be read: it is something else
         throw first_of(std::move(problems_));
     }
 

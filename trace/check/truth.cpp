@@ -6,6 +6,7 @@
 #include <rastertrace/trace/scene/scene_file.h>
 #include <rastertrace/trace/text/stage_name.h>
 
+#include <cstddef>
 #include <map>
 #include <optional>
 #include <utility>
@@ -83,10 +84,12 @@ struct Truth::State {
         return &*exact;
     }
 
-    /// The exact trace, or the one with every face tested, with many digits of sines and roots; nullptr if it has none.
+    /// The exact trace, or the one with every face tested, with many digits of sines and roots; nullptr if it has none,
+    /// or so many steps that no hand works them out, and their fractions take minutes.
     const Trace* drawn_with_many_digits(const Trace& trace) {
+        constexpr std::size_t most_steps = 100'000;
         const auto [place, is_new] = with_many_digits.try_emplace(&trace);
-        if (is_new && scene) {
+        if (is_new && scene && trace.size() <= most_steps) {
             MethodOverrides all{{"scalar", "exact"}};
             if (with_faces && &trace == &*with_faces)
                 all.emplace_back("cull", "back");
