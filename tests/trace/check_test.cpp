@@ -224,6 +224,27 @@ TEST(Check, ANameAndNumbersAreWhatHasTheName) {
               "A: 0, 1, 0\n^\nhint: A camera: ...");
 }
 
+TEST(Check, WhatIsToldCanBeClaimedInWords) {
+    // T1: the normal (0, 0, 1) and the view (1, 0, 1).
+    const std::string angles = example_text("t1-hidden/three-angles.json");
+    EXPECT_EQ(verdicts(check_claims(angles, "angle ABC: 45\u00B0\nangle ABC: 60\n")), "rw");
+    EXPECT_EQ(verdicts(check_claims(
+                  triangle, "weights (3,2): 5/8, 1/72, 13/36\nweights (3,2): 5/8, 13/36, 1/72\n",
+                  {{"fill", "barycentric"}})),
+              "rw");
+    EXPECT_EQ(verdicts(check_claims(turned("\"z\"", {90}),
+                                    "matrix model: [0 -1 0 0] [1 0 0 0] [0 0 1 0] [0 0 0 1]\n"
+                                    "matrix model: [0 1 0 0] [-1 0 0 0] [0 0 1 0] [0 0 0 1]\n")),
+              "rw");
+    // From (-4, -3) to (2, 5) x is 3/4 (y + 3) - 4, and from (0, 0) to (8, 2) y is x/4.
+    const std::string lines =
+        R"({"canvas":{"width":17,"height":14},"vertices":{"A":[2,5],"B":[-4,-3],"O":[0,0],"P":[8,2]},
+        "lines":["BA","OP"],"method":{"line":"naive","scalar":"exact"}})";
+    EXPECT_EQ(verdicts(check_claims(
+                  lines, "BA y=0: -7/4\nBA y=0: 7/4\nOP x=3: 3/4 -> 1\nOP x=3: 3/4 -> 0\n")),
+              "rwrw");
+}
+
 /// Right sheets of T0's triangle, as people write them.
 const std::vector<std::string> right_sheets{
     "y=2: -1/4, 25/8 -> -1..3",

@@ -16,6 +16,7 @@
 //             z, inverse_z         of what is seen there
 //             color                that is seen there
 //     face    centroid, plane      of the corners in the world; A, B, C, D of A x + B y + C z + D = 0
+//             angle                between normal and view, in degrees
 //     decide  d                    a list: all of a line, in order
 
 #include "claims.h"

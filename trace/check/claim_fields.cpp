@@ -32,6 +32,7 @@ constexpr std::array derived_fields{
     DerivedField{StepKind::pixel, {.name = "z", .type = quantity}},
     DerivedField{StepKind::pixel, {.name = "inverse_z", .type = quantity}},
     DerivedField{StepKind::face, {.name = "centroid", .type = quantity, .is_list = true}},
+    DerivedField{StepKind::face, {.name = "angle", .type = quantity}},
     DerivedField{StepKind::face, {.name = "plane", .type = quantity, .is_list = true}},
     DerivedField{StepKind::decide, {.name = "d", .type = quantity, .is_list = true}},
 };

@@ -44,11 +44,12 @@ struct FaceWord {
     std::string_view field;
     std::size_t numbers;
 };
-constexpr std::array<FaceWord, 8> face_words{{{"normal", "face", "normal", 3},
+constexpr std::array<FaceWord, 9> face_words{{{"normal", "face", "normal", 3},
                                               {"centroid", "face", "centroid", 3},
                                               {"view", "face", "view", 3},
                                               {"plane", "face", "plane", 4},
                                               {"cosine", "face", "cosine", 1},
+                                              {"angle", "face", "angle", 1},
                                               {"dot", "face", "dot", 1},
                                               {"light", "light", "light", 3},
                                               {"intensity", "light", "intensity", 1}}};
@@ -130,6 +131,10 @@ public:
             read_depth();
         else if (first.is("order"))
             read_order();
+        else if (first.is("weights"))
+            read_weights();
+        else if (first.is("matrix"))
+            read_matrix();
         else if (is_row_at(0))
             read_row({});
         else if (is_one_of(first, edge_words))
@@ -211,6 +216,8 @@ private:
         const ClaimWord second = line_.peek();
         if (is_row_at(0))
             read_row(name);
+        else if (second.is("x") && line_.peek(1).is("="))
+            read_along(name);
         else if (is_one_of(second, edge_words))
             read_edge(name);
         else if (second.is(":") || second.is("="))
@@ -244,6 +251,10 @@ private:
                                 is_whole(ends[0]) && is_whole(ends[1]);
         if (are_pixels)
             return put_ends("from", "to", ends);
+        if (ends.size() == 1 && primitive) { // of a line that is longer in y
+            claim_.step = "along";
+            return put_along(ends.front());
+        }
         if (ends.size() == 1)
             line_.fail(line_.peek(), "a comma between left and right");
         if (ends.size() > 2)
@@ -370,6 +381,47 @@ private:
             names.push_back(line_.next());
         while (line_.take(",") || line_.take("->"));
         put_list("names", names);
+    }
+
+    /// weights [ABC ](3,2): 5/8, 1/72, 13/36
+    void read_weights() {
+        line_.next();
+        begin("sample", line_.peek().is("(") ? std::nullopt : std::optional(line_.next()));
+        read_place();
+        line_.expect(":", "`:`");
+        put_list("weights", line_.numbers(3));
+    }
+
+    /// matrix view: [1 0 0 0] [0 1 0 0] [0 0 1 -4] [0 0 0 1]
+    void read_matrix() {
+        begin("matrix", {});
+        line_.next();
+        put("name", line_.next());
+        go_to_value();
+        std::vector<ClaimWord> entries;
+        do {
+            const auto row = line_.numbers(4);
+            entries.insert(entries.end(), row.begin(), row.end());
+            if (!line_.take(","))
+                line_.take(";");
+        } while (!line_.at_end());
+        put_list("rows", entries);
+    }
+
+    /// AB x=3: 9/4 -> 2, a line's other coordinate in a column, and its pixel
+    void read_along(const ClaimWord& line) {
+        begin("along", line);
+        line_.next();
+        line_.expect("=", "`=` and the column");
+        put("x", line_.key());
+        line_.expect(":", "`:`");
+        put_along(line_.one_number());
+    }
+
+    void put_along(const ClaimWord& value) {
+        put("value", value);
+        if (line_.take("->"))
+            put("pixel", line_.key());
     }
 
     /// [ABC ]edge AB: 3/4
@@ -525,7 +577,9 @@ private:
 } // namespace
 
 std::vector<std::string_view> first_words() {
-    std::vector<std::string_view> words{"y", "depth", "edge", "order", "picture", "scene", "round"};
+    std::vector<std::string_view> words{"y",        "depth",  "edge",    "slope", "row",
+                                        "scanline", "line",   "pixel",   "point", "order",
+                                        "weights",  "matrix", "picture", "scene", "round"};
     for (const FaceWord& known : face_words)
         words.push_back(known.word);
     return words;

@@ -13,6 +13,8 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <cmath>
+#include <numbers>
 #include <variant>
 
 namespace rastertrace {
@@ -46,6 +48,20 @@ std::vector<std::string> told_decisions(const StepIndex& index, std::size_t firs
     return all;
 }
 
+/// The angle between a face's normal and its view in degrees, to nine digits behind the point.
+ToldValues told_angle(const StepIndex& index, std::size_t face) {
+    for (const Formula& formula : formulas_of(Numbers(index), face, "cosine"))
+        if (const Values cosine = value_of(formula); cosine.size() == 1) {
+            constexpr double digits = 1e9;
+            const double degrees =
+                std::acos(std::clamp(nearest_double(cosine.front()), -1.0, 1.0)) * 180 /
+                std::numbers::pi;
+            return std::vector{
+                Rational(Rational(std::round(degrees * digits)) / Rational(digits)).get_str()};
+        }
+    return std::nullopt;
+}
+
 /// z, or 1/z, by a depth test.
 ToldValues told_z(const StepIndex& index, std::size_t test, bool is_inverse) {
     const auto depth = index.trace().step(test).as<DepthStep>().depth.exact();
@@ -65,6 +81,8 @@ ToldValues told_in(const StepIndex& index, std::size_t step, const ClaimedField&
         return told_decisions(index, step, field.values.size());
     if (view.kind() == StepKind::depth && (field.name == "z" || field.name == "inverse_z"))
         return told_z(index, step, field.name == "inverse_z");
+    if (view.kind() == StepKind::face && field.name == "angle")
+        return told_angle(index, step);
     const auto json = view.field(field.name);
     if (json == "null" && field.name == "dx_dy")
         return std::vector{std::string(no_slope)};

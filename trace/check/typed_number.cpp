@@ -118,7 +118,9 @@ private:
             skip_blanks();
             const int operators_before = operators_;
             const bool has_bracket = peek() == '(';
+            is_divisor_ = divides;
             const auto right = divides || multiplies ? factor() : std::nullopt;
+            is_divisor_ = false;
             // A number in brackets behind another is no factor: 2 (5).
             const bool is_apart =
                 has_bracket && !divides && text_[at_ - 1] == ')' && operators_ == operators_before;
@@ -275,7 +277,8 @@ private:
             return std::nullopt;
         }
         Term term{.value = std::get<Number>(number).exact()};
-        if (const auto part = is_whole && spelling_.has_mixed ? fraction_behind() : std::nullopt) {
+        if (const auto part = is_whole && spelling_.has_mixed && !is_divisor_ ? fraction_behind()
+                                                                              : std::nullopt) {
             term.value += *part;
             is_mixed_ = true;
             count_operator();
@@ -360,6 +363,7 @@ private:
     std::vector<std::string> literals_;
     bool has_comma_ = false;
     bool is_mixed_ = false;
+    bool is_divisor_ = false; ///< 1/2 1/4 are two numbers, and not 1 over 2 1/4
     std::optional<NumberFault> fault_;
 };
 
