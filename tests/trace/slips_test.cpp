@@ -626,7 +626,7 @@ TEST(Slips, NoneGivesTheRightResult) {
     };
     for (const Formula& formula : formulas)
         for (const Slip& slip : slips())
-            for (const Redone& redone : slip.redo(formula))
+            for (const SlipResult& redone : slip.redo(formula))
                 EXPECT_NE(redone.values, value_of(formula)) << slip.name;
 }
 

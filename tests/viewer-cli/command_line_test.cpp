@@ -87,7 +87,7 @@ TEST_F(ProgramTest, UsageErrorsNameTheWordAndANearOne) {
     EXPECT_THAT(shell("$rastertrace").err, HasSubstr("rastertrace show examples/"));
     EXPECT_EQ(shell("$rastertrace shw x").err,
               "rastertrace: expected a command out of trace, "
-              "show, play, figure, explain, stats, check, diff, "
+              "show, play, figure, explain, stats, check, sheet, diff, "
               "validate, plan, scene, conventions, stress, report, renew, help, found "
               "\"shw\"\n"
               "hint: did you mean show?\n");

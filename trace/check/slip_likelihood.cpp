@@ -59,10 +59,10 @@ double chance_of(const std::string& text, const Rational& right) {
 
 } // namespace
 
-double evidence_for(const std::vector<Redone>& results, const ClaimedField& field,
+double evidence_for(const std::vector<SlipResult>& results, const ClaimedField& field,
                     const Values& right) {
     std::set<Values> different;
-    for (const Redone& result : results)
+    for (const SlipResult& result : results)
         different.insert(result.values);
     double chance = 0;
     for (std::size_t i = 0; i < std::min(field.values.size(), right.size()); ++i) {

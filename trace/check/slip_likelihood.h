@@ -18,7 +18,7 @@
 namespace rastertrace {
 
 /// Of one wrong number: how much likelier it is with a slip that has these results than by chance.
-double evidence_for(const std::vector<Redone>& results, const ClaimedField& field,
+double evidence_for(const std::vector<SlipResult>& results, const ClaimedField& field,
                     const Values& right);
 
 /// The share of wrong numbers that come of a slip, and of those that come of nothing.

@@ -41,11 +41,11 @@ public:
     }
 
     const Values& right() const { return right_; }
-    std::vector<Redone> take() { return std::move(results_); }
+    std::vector<SlipResult> take() { return std::move(results_); }
 
 private:
     Values right_;
-    std::vector<Redone> results_;
+    std::vector<SlipResult> results_;
 };
 
 /// The formula, if it is of this form.
@@ -68,7 +68,7 @@ Values negated(Values values) {
     return values;
 }
 
-std::vector<Redone> dx_dy_inverted(const Formula& formula) {
+std::vector<SlipResult> dx_dy_inverted(const Formula& formula) {
     Results results(formula);
     if (const auto* edge = as<Slope>(formula))
         results.add(divided(edge->to.y - edge->from.y, edge->to.x - edge->from.x));
@@ -88,7 +88,7 @@ Rational rounded_to_digits(const Rational& number, unsigned digits) {
     return sgn(number) * Rational(mpz_class(scaled.get_num() / scaled.get_den())) / power;
 }
 
-std::vector<Redone> slope_rounded_first(const Formula& formula) {
+std::vector<SlipResult> slope_rounded_first(const Formula& formula) {
     Results results(formula);
     const auto* const lerp = as<Lerp>(formula);
     const auto slope = lerp == nullptr ? std::nullopt : lerp->slope();
@@ -104,7 +104,7 @@ std::vector<Redone> slope_rounded_first(const Formula& formula) {
     return results.take();
 }
 
-std::vector<Redone> pixel_for_end(const Formula& formula) {
+std::vector<SlipResult> pixel_for_end(const Formula& formula) {
     Results results(formula);
     if (as<Lerp>(formula) && !results.right().empty()) {
         const Rational& x = results.right().front();
@@ -115,7 +115,7 @@ std::vector<Redone> pixel_for_end(const Formula& formula) {
     return results.take();
 }
 
-std::vector<Redone> start_and_step_exchanged(const Formula& formula) {
+std::vector<SlipResult> start_and_step_exchanged(const Formula& formula) {
     Results results(formula);
     if (const auto* lerp = as<Lerp>(formula))
         if (const auto slope = lerp->slope()) {
@@ -126,7 +126,7 @@ std::vector<Redone> start_and_step_exchanged(const Formula& formula) {
     return results.take();
 }
 
-std::vector<Redone> neighbor_row(const Formula& formula) {
+std::vector<SlipResult> neighbor_row(const Formula& formula) {
     Results results(formula);
     for (const int rows : {1, -1}) {
         if (const auto* lerp = as<Lerp>(formula)) {
@@ -143,7 +143,7 @@ std::vector<Redone> neighbor_row(const Formula& formula) {
     return results.take();
 }
 
-std::vector<Redone> corner_for_center(const Formula& formula) {
+std::vector<SlipResult> corner_for_center(const Formula& formula) {
     Results results(formula);
     const Rational half(1, 2);
     if (const auto* lerp = as<Lerp>(formula); lerp && lerp->i.get_den() == 2) {
@@ -185,14 +185,14 @@ std::optional<Rounding> rounding_of(const Formula& formula) {
 }
 
 /// One rule instead of the textbook's, which takes the whole number below at both ends.
-template <Rounding rounding> std::vector<Redone> instead_of_floor(const Formula& formula) {
+template <Rounding rounding> std::vector<SlipResult> instead_of_floor(const Formula& formula) {
     Results results(formula);
     if (rounding_of(formula) == Rounding::floor)
         put_rounded(results, formula, {.rounding = rounding});
     return results.take();
 }
 
-std::vector<Redone> another_rounding(const Formula& formula) {
+std::vector<SlipResult> another_rounding(const Formula& formula) {
     Results results(formula);
     for (const Rounding rounding : {Rounding::floor, Rounding::nearest, Rounding::truncate,
                                     Rounding::inside, Rounding::half_open})
@@ -202,7 +202,7 @@ std::vector<Redone> another_rounding(const Formula& formula) {
     return results.take();
 }
 
-std::vector<Redone> integer_division(const Formula& formula) {
+std::vector<SlipResult> integer_division(const Formula& formula) {
     Results results(formula);
     if (as<Slope>(formula) && !results.right().empty())
         results.add(truncated(results.right().front()));
@@ -237,14 +237,14 @@ bool gives_vector(const Formula& formula) {
            as<Toward>(formula) || as<MatrixTimes>(formula) || as<DividedByW>(formula);
 }
 
-std::vector<Redone> y_for_z(const Formula& formula) {
+std::vector<SlipResult> y_for_z(const Formula& formula) {
     Results results(formula);
     if (gives_vector(formula) && results.right().size() >= 3)
         exchange(results, results.right(), 1, 2);
     return results.take();
 }
 
-std::vector<Redone> coordinates_exchanged(const Formula& formula) {
+std::vector<SlipResult> coordinates_exchanged(const Formula& formula) {
     Results results(formula);
     if (!gives_vector(formula) && !as<Weights>(formula) && !as<RoundedPlace>(formula))
         return {};
@@ -255,7 +255,7 @@ std::vector<Redone> coordinates_exchanged(const Formula& formula) {
     return results.take();
 }
 
-std::vector<Redone> view_turned_round(const Formula& formula) {
+std::vector<SlipResult> view_turned_round(const Formula& formula) {
     Results results(formula);
     const bool has_view = as<Toward>(formula) || as<FaceDot>(formula) || as<FaceCosine>(formula);
     if (has_view) {
@@ -266,7 +266,7 @@ std::vector<Redone> view_turned_round(const Formula& formula) {
     return results.take();
 }
 
-std::vector<Redone> normal_for_view(const Formula& formula) {
+std::vector<SlipResult> normal_for_view(const Formula& formula) {
     Results results(formula);
     if (const auto* toward = as<Toward>(formula)) {
         const Vec3& n = toward->normal;
@@ -280,7 +280,7 @@ std::vector<Redone> normal_for_view(const Formula& formula) {
     return results.take();
 }
 
-std::vector<Redone> corner_for_centroid(const Formula& formula) {
+std::vector<SlipResult> corner_for_centroid(const Formula& formula) {
     Results results(formula);
     if (const auto* toward = as<Toward>(formula))
         for (const Vec3& corner : toward->corners)
@@ -291,7 +291,7 @@ std::vector<Redone> corner_for_centroid(const Formula& formula) {
     return results.take();
 }
 
-std::vector<Redone> not_divided(const Formula& formula) {
+std::vector<SlipResult> not_divided(const Formula& formula) {
     Results results(formula);
     if (const auto* face = as<Centroid>(formula)) {
         const Vec3 mean = Centroid{face->corners}.value();
@@ -317,7 +317,7 @@ std::vector<Redone> not_divided(const Formula& formula) {
     return results.take();
 }
 
-std::vector<Redone> cosine_of_dot_only(const Formula& formula) {
+std::vector<SlipResult> cosine_of_dot_only(const Formula& formula) {
     Results results(formula);
     const auto* face = as<FaceCosine>(formula);
     if (face == nullptr || results.right().empty())
@@ -333,7 +333,7 @@ std::vector<Redone> cosine_of_dot_only(const Formula& formula) {
     return results.take();
 }
 
-std::vector<Redone> angle_for_cosine(const Formula& formula) {
+std::vector<SlipResult> angle_for_cosine(const Formula& formula) {
     Results results(formula);
     if (as<FaceCosine>(formula) && !results.right().empty()) {
         const double radians =
@@ -344,7 +344,7 @@ std::vector<Redone> angle_for_cosine(const Formula& formula) {
     return results.take();
 }
 
-std::vector<Redone> complement_of_angle(const Formula& formula) {
+std::vector<SlipResult> complement_of_angle(const Formula& formula) {
     Results results(formula);
     if (as<FaceCosine>(formula) && !results.right().empty()) {
         const Rational& cosine = results.right().front();
@@ -354,7 +354,7 @@ std::vector<Redone> complement_of_angle(const Formula& formula) {
     return results.take();
 }
 
-std::vector<Redone> only_z_divided(const Formula& formula) {
+std::vector<SlipResult> only_z_divided(const Formula& formula) {
     Results results(formula);
     if (const auto* division = as<DividedByW>(formula))
         if (const auto z = division->value(2)) {
@@ -364,7 +364,7 @@ std::vector<Redone> only_z_divided(const Formula& formula) {
     return results.take();
 }
 
-std::vector<Redone> z_for_inverse_z(const Formula& formula) {
+std::vector<SlipResult> z_for_inverse_z(const Formula& formula) {
     Results results(formula);
     const auto inverted = [&results](const Values& values) {
         if (!values.empty())
@@ -409,7 +409,7 @@ std::vector<Redone> z_for_inverse_z(const Formula& formula) {
     return results.take();
 }
 
-std::vector<Redone> three_corners(const Formula& formula) {
+std::vector<SlipResult> three_corners(const Formula& formula) {
     Results results(formula);
     if (const auto* face = as<FaceNormal>(formula); face && face->corners.size() > 3)
         results.add_formula({FaceNormal{{face->corners.begin(), face->corners.begin() + 3}}});
@@ -418,7 +418,7 @@ std::vector<Redone> three_corners(const Formula& formula) {
     return results.take();
 }
 
-std::vector<Redone> c_minus_a(const Formula& formula) {
+std::vector<SlipResult> c_minus_a(const Formula& formula) {
     Results results(formula);
     if (const auto* edge = as<Slope>(formula); edge && edge->other) {
         results.add_formula({Slope{edge->from, *edge->other}});
@@ -495,21 +495,21 @@ std::vector<std::vector<Rational>> terms_of(const Formula& formula) {
     return sums;
 }
 
-std::vector<Redone> term_dropped(const Formula& formula) {
+std::vector<SlipResult> term_dropped(const Formula& formula) {
     Results results(formula);
     put_sums(results, terms_of(formula), 0);
     return results.take();
 }
 
 /// A LERP whose step is (d2 - d2) / (i2 - i1) (T0).
-std::vector<Redone> slope_of_zero(const Formula& formula) {
+std::vector<SlipResult> slope_of_zero(const Formula& formula) {
     Results results(formula);
     if (const auto* lerp = as<Lerp>(formula))
         results.add(lerp->d1);
     return results.take();
 }
 
-std::vector<Redone> sign(const Formula& formula) {
+std::vector<SlipResult> sign(const Formula& formula) {
     Results results(formula);
     const Values& right = results.right();
     if (as<IsCulled>(formula) || as<InRow>(formula) || as<DepthComparison>(formula) ||
@@ -549,7 +549,7 @@ std::vector<Redone> sign(const Formula& formula) {
     return results.take();
 }
 
-std::vector<Redone> rows_for_columns(const Formula& formula) {
+std::vector<SlipResult> rows_for_columns(const Formula& formula) {
     Results results(formula);
     const auto* product = as<MatrixTimes>(formula);
     if (product == nullptr || product->rows.size() != 4)
@@ -562,7 +562,7 @@ std::vector<Redone> rows_for_columns(const Formula& formula) {
     return results.take();
 }
 
-std::vector<Redone> tie_the_other_way(const Formula& formula) {
+std::vector<SlipResult> tie_the_other_way(const Formula& formula) {
     Results results(formula);
     if (const auto* line = as<BresenhamDecisions>(formula)) {
         BresenhamDecisions other = *line;
@@ -572,7 +572,7 @@ std::vector<Redone> tie_the_other_way(const Formula& formula) {
     return results.take();
 }
 
-std::vector<Redone> factor_2_dropped(const Formula& formula) {
+std::vector<SlipResult> factor_2_dropped(const Formula& formula) {
     Results results(formula);
     const auto* line = as<BresenhamDecisions>(formula);
     if (line == nullptr)
@@ -586,7 +586,7 @@ std::vector<Redone> factor_2_dropped(const Formula& formula) {
     return results.take();
 }
 
-std::vector<Redone> dx_and_dy_exchanged(const Formula& formula) {
+std::vector<SlipResult> dx_and_dy_exchanged(const Formula& formula) {
     Results results(formula);
     if (const auto* line = as<BresenhamDecisions>(formula)) {
         BresenhamDecisions other = *line;
@@ -597,7 +597,7 @@ std::vector<Redone> dx_and_dy_exchanged(const Formula& formula) {
 }
 
 /// The decisions with other steps.
-std::vector<Redone>
+std::vector<SlipResult>
 decided_otherwise(const Formula& formula,
                   std::initializer_list<std::array<std::optional<Rational>, 3>> others) {
     Results results(formula);
@@ -611,31 +611,31 @@ decided_otherwise(const Formula& formula,
     return results.take();
 }
 
-std::vector<Redone> steps_exchanged(const Formula& formula) {
+std::vector<SlipResult> steps_exchanged(const Formula& formula) {
     const auto* const line = as<BresenhamDecisions>(formula);
     return line == nullptr
-               ? std::vector<Redone>{}
+               ? std::vector<SlipResult>{}
                : decided_otherwise(formula, {{std::nullopt, line->diagonal(), line->straight()}});
 }
 
-std::vector<Redone> diagonal_of_one_axis(const Formula& formula) {
+std::vector<SlipResult> diagonal_of_one_axis(const Formula& formula) {
     const auto* const line = as<BresenhamDecisions>(formula);
     return line == nullptr
-               ? std::vector<Redone>{}
+               ? std::vector<SlipResult>{}
                : decided_otherwise(formula,
                                    {{std::nullopt, std::nullopt, line->straight()},
                                     {std::nullopt, std::nullopt, Rational(-2 * line->major)}});
 }
 
-std::vector<Redone> start_of_other_axis(const Formula& formula) {
+std::vector<SlipResult> start_of_other_axis(const Formula& formula) {
     const auto* const line = as<BresenhamDecisions>(formula);
-    return line == nullptr ? std::vector<Redone>{}
+    return line == nullptr ? std::vector<SlipResult>{}
                            : decided_otherwise(formula, {{Rational(2 * line->major - line->minor),
                                                           std::nullopt, std::nullopt}});
 }
 
 /// dx and dy with their signs, in an octant whose lines rise.
-std::vector<Redone> octant_ignored(const Formula& formula) {
+std::vector<SlipResult> octant_ignored(const Formula& formula) {
     Results results(formula);
     const auto* const line = as<BresenhamDecisions>(formula);
     if (line == nullptr)
@@ -654,7 +654,7 @@ std::vector<Redone> octant_ignored(const Formula& formula) {
     return results.take();
 }
 
-std::vector<Redone> shifted_list(const Formula& formula) {
+std::vector<SlipResult> shifted_list(const Formula& formula) {
     Results results(formula);
     const Values& right = results.right();
     if (as<BresenhamDecisions>(formula) == nullptr || right.size() < 2)
@@ -685,8 +685,8 @@ Values product_of(const std::vector<Factor>& factors, const MatrixTimes& times) 
 
 /// What comes of other factors, one of which is changed at a time.
 template <typename Change>
-std::vector<Redone> with_other_factors(const Formula& formula, std::string_view name,
-                                       const Change& change) {
+std::vector<SlipResult> with_other_factors(const Formula& formula, std::string_view name,
+                                           const Change& change) {
     Results results(formula);
     const auto* const times = as<MatrixTimes>(formula);
     for (std::size_t i = 0; times != nullptr && i < times->factors.size(); ++i) {
@@ -697,7 +697,7 @@ std::vector<Redone> with_other_factors(const Formula& formula, std::string_view 
     return results.take();
 }
 
-std::vector<Redone> turned_the_other_way(const Formula& formula) {
+std::vector<SlipResult> turned_the_other_way(const Formula& formula) {
     return with_other_factors(formula, "rotate", [](std::array<MatrixTimes::Row, 4>& rows) {
         for (std::size_t i = 0; i < 4; ++i)
             for (std::size_t k = 0; k < i; ++k)
@@ -707,7 +707,7 @@ std::vector<Redone> turned_the_other_way(const Formula& formula) {
 }
 
 /// The rotation about the same axis by an angle whose degrees were taken for radians.
-std::vector<Redone> degrees_for_radians(const Formula& formula) {
+std::vector<SlipResult> degrees_for_radians(const Formula& formula) {
     return with_other_factors(formula, "rotate", [](std::array<MatrixTimes::Row, 4>& rows) {
         const auto entry = [&rows](std::size_t i, std::size_t k) {
             return nearest_double(rows[i][k]);
@@ -735,7 +735,7 @@ std::vector<Redone> degrees_for_radians(const Formula& formula) {
     });
 }
 
-std::vector<Redone> factors_exchanged(const Formula& formula) {
+std::vector<SlipResult> factors_exchanged(const Formula& formula) {
     Results results(formula);
     const auto* const times = as<MatrixTimes>(formula);
     for (std::size_t i = 1; times != nullptr && i < times->factors.size(); ++i) {
@@ -748,7 +748,7 @@ std::vector<Redone> factors_exchanged(const Formula& formula) {
 }
 
 /// W/2 for (W - 1)/2.
-std::vector<Redone> size_for_last_pixel(const Formula& formula) {
+std::vector<SlipResult> size_for_last_pixel(const Formula& formula) {
     const auto* const times = as<MatrixTimes>(formula);
     if (times == nullptr || !times->is_viewport)
         return {};

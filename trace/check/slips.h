@@ -17,7 +17,7 @@
 namespace rastertrace {
 
 /// What a formula comes to with a mistake in it.
-struct Redone {
+struct SlipResult {
     Values values;
     std::string detail = {}; ///< what the mistake was made with: "to 2 digits"; may be empty
 };
@@ -32,7 +32,7 @@ struct Slip {
 
     /// What the formula comes to with the mistake in it: one result for each way to make it, none of
     /// which is the right one. None if the formula has no place for it.
-    std::vector<Redone> (*redo)(const Formula& formula);
+    std::vector<SlipResult> (*redo)(const Formula& formula);
 };
 
 /// "rounding toward 0 instead of rounding down"

@@ -130,8 +130,8 @@ const Numbers& WrongExplainer::claimed_numbers(const StepIndex& index) {
 }
 
 /// What a formula comes to with each slip in it. Several claims may be about one number.
-const std::vector<std::vector<Redone>>& WrongExplainer::redone(const std::string& number,
-                                                               const Formula& formula) {
+const std::vector<std::vector<SlipResult>>& WrongExplainer::redone(const std::string& number,
+                                                                   const Formula& formula) {
     const auto [place, is_new] = redone_.try_emplace(number);
     if (is_new)
         for (const Slip& slip : slips())
@@ -148,7 +148,7 @@ WrongExplainer::Slips WrongExplainer::slips_that_give(const Formula& formula,
     for (std::size_t i = 0; i < results.size(); ++i)
         if (const auto one =
                 std::find_if(results[i].begin(), results[i].end(),
-                             [&](const Redone& redone) { return gives(redone.values, field); });
+                             [&](const SlipResult& redone) { return gives(redone.values, field); });
             one != results[i].end())
             found.push_back({std::string(slips()[i].name), meaning_of(slips()[i], one->detail),
                              evidence_for(results[i], field, right)});

@@ -48,14 +48,15 @@ private:
     bool follows(const Subject& subject, const ClaimedField& field, std::size_t order,
                  CheckedField& checked);
     const Numbers& claimed_numbers(const StepIndex& index);
-    const std::vector<std::vector<Redone>>& redone(const std::string& number,
-                                                   const Formula& formula);
+    const std::vector<std::vector<SlipResult>>& redone(const std::string& number,
+                                                       const Formula& formula);
     Slips slips_that_give(const Formula& formula, const std::string& number,
                           const ClaimedField& field);
 
     const WrongNumbers& wrong_;
-    std::map<const StepIndex*, Numbers> numbers_;                    ///< with the wrong ones
-    std::map<std::string, std::vector<std::vector<Redone>>> redone_; ///< by number, for each slip
+    std::map<const StepIndex*, Numbers> numbers_; ///< with the wrong ones
+    std::map<std::string, std::vector<std::vector<SlipResult>>>
+        redone_; ///< by number, for each slip
 };
 
 /// Sorts each field's slips by how likely they are behind all that they explain, and leaves out what chance explains as
