@@ -831,7 +831,7 @@ constexpr Slip table[] = {
     {"slope-of-zero", "d2 - d2 in the slope", "d2 - d1", "every row has the number of the first",
      25, slope_of_zero},
     {"three-corners", "three corners of a polygon", "all of its corners",
-     "the normal of a bent face leans", 10, three_corners},
+     "the normal of a bent face leans", 70, three_corners},
     {"c-minus-a", "another corner", "the edge's own corner", "the edge of another pair of vertices",
      15, c_minus_a},
     {"pixel-for-end", "the pixel", "the exact end of the row",
