@@ -32,15 +32,18 @@ std::string in_ten_digits(const std::string& value) {
     const auto number = number_in(value);
     if (!number || number->get_den() < 1'000'000)
         return value;
-    return abs(*number) <= error_of(*number) ? "0"
-                                             : fmt::format("{:.10g}", nearest_double(*number));
+    return abs(*number) <= root_tolerance(*number)
+               ? "0"
+               : fmt::format("{:.10g}", nearest_double(*number));
 }
 
 /// True if what a decision is made by lies so near its limit that many digits of roots do not tell on which side.
 bool is_at_tie(const Formula& formula) {
-    const auto is_zero = [](const Rational& number) { return abs(number) <= error_of(number); };
+    const auto is_zero = [](const Rational& number) {
+        return abs(number) <= root_tolerance(number);
+    };
     const auto is_end_at_tie = [](RoundedEnd end) {
-        const Rational error = error_of(end.x);
+        const Rational error = root_tolerance(end.x);
         end.x -= error;
         const Rational before = end.by(end.rule);
         end.x += 2 * error;

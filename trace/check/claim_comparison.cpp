@@ -61,7 +61,7 @@ void compare_one(Comparison& comparison, const std::string& claimed, const std::
         return;
     }
     const bool has_roots = held == NumbersHeld::many_digits || !number->is_exact;
-    const Rational error = has_roots ? error_of(*truth) : Rational(0);
+    const Rational error = has_roots ? root_tolerance(*truth) : Rational(0);
     Fit fit = is_near(number->value, *truth, held) ? Fit::exact : fit_of(*number, *truth, error);
     if (fit == Fit::truncated && number->goes_on)
         fit = Fit::rounded; // its author says that it goes on
@@ -79,7 +79,7 @@ std::optional<Rational> value_of_claim(const std::string& text) {
 
 } // namespace
 
-Rational error_of(const Rational& number) {
+Rational root_tolerance(const Rational& number) {
     return (abs(number) + 1) / Rational(mpz_class(1) << (many_binary_digits / 2));
 }
 
@@ -131,7 +131,8 @@ bool gives(const Values& values, const ClaimedField& claimed) {
             continue;
         }
         const auto number = typed_value(text);
-        const Rational error = number && !number->is_exact ? error_of(values[i]) : Rational(0);
+        const Rational error =
+            number && !number->is_exact ? root_tolerance(values[i]) : Rational(0);
         if (!number || fit_of(*number, values[i], error) == Fit::none)
             return false;
     }

@@ -35,11 +35,11 @@ enum class NumbersHeld {
     fractions,
     doubles, ///< rounded on the way
     floats,
-    many_digits, ///< of sines and roots: within `error_of` of the true ones
+    many_digits, ///< of sines and roots: within `root_tolerance` of the true ones
 };
 
 /// How far a number with many digits of sines and roots may be from the true one.
-Rational error_of(const Rational& number);
+Rational root_tolerance(const Rational& number);
 
 /// True of a list that is judged place by place: a right beginning of it is right.
 bool is_by_place(const ClaimedField& field);
