@@ -72,7 +72,7 @@ constexpr auto words_of_table = std::to_array<VerdictWord>({{"on", "plotted", "t
 /// What people call a row, a pixel and an edge before they say which.
 constexpr auto row_words = std::to_array<std::string_view>({"row", "scanline", "line"});
 constexpr auto pixel_words = std::to_array<std::string_view>({"pixel", "point"});
-constexpr auto edge_words = std::to_array<std::string_view>({"edge", "slope"});
+constexpr auto edge_words = std::to_array<std::string_view>({"edge", "slope", "dx/dy"});
 
 bool is_one_of(const ClaimWord& word, std::span<const std::string_view> known) {
     return std::any_of(known.begin(), known.end(),
@@ -220,7 +220,7 @@ private:
             read_along(name);
         else if (is_one_of(second, edge_words))
             read_edge(name);
-        else if (second.is(":") || second.is("="))
+        else if (second.is(":") || second.is("=") || second.is("("))
             read_of_name(name);
         else if (second.is_name())
             read_vertex(name);
@@ -237,7 +237,8 @@ private:
             line_.expect("=", "`=` and the row");
         put("y", line_.key());
         const bool is_depth = line_.take("depth");
-        line_.expect(":", "`:`");
+        if (!line_.peek().is("->"))
+            line_.expect(":", "`:`");
         if (is_depth)
             return put_ends("left_depth", "right_depth", line_.numbers(2));
         if (line_.take("->") || is_pixels_word())
@@ -262,7 +263,8 @@ private:
         put_ends("left", "right", ends);
         if (line_.at_end())
             return;
-        line_.expect("->", "`->` and the pixels, or the end of the line");
+        if (!is_pixels_word())
+            line_.expect("->", "`->` and the pixels, or the end of the line");
         is_pixels_word();
         read_pixels_of_row();
     }
@@ -311,8 +313,8 @@ private:
         read_place();
         if (line_.peek().is_name() && !is_of_pixel(line_.peek()) && line_.peek(1).is(":"))
             return read_in_primitive(line_.next());
-        if (!line_.take(":"))
-            line_.take("=");
+        if (!line_.take(":") && !line_.take("="))
+            line_.take("is");
         if (find_verdict(line_.peek(), "inside"))
             return read_verdict("inside", "inside or outside");
         do
@@ -428,6 +430,7 @@ private:
     void read_edge(const std::optional<ClaimWord>& primitive) {
         begin("edge", primitive);
         line_.next();
+        line_.take("of");
         put("edge", line_.next());
         go_to_value();
         line_.take("dx/dy", "=");
@@ -473,7 +476,8 @@ private:
 
     /// AB: -1 3 -3 1 -5, or ABC: culled. What AB is says whether it is Bresenham's d, a slope or a vertex (check.cpp).
     void read_of_name(const ClaimWord& name) {
-        line_.next();
+        if (!line_.take(":")) // A = (2, 5), A(2, 5)
+            line_.take("=");
         if (find_verdict(line_.peek(), "culled")) {
             begin("face", {});
             put("name", name);

@@ -264,10 +264,15 @@ ClaimWord ClaimLine::number(const NumberSpelling& spelling) {
     return std::move(*word);
 }
 
-/// The next one of a list, perhaps with its name before it: xl = -1/4.
+/// The next one of a list, perhaps with its name before it: xl = -1/4, left -1/4.
 ClaimWord ClaimLine::value_of_list() {
-    if (peek().is_name() && peek(1).is("="))
+    constexpr std::array<std::string_view, 2> sides{"left", "right"};
+    const bool is_side = std::any_of(sides.begin(), sides.end(),
+                                     [this](std::string_view side) { return peek().is(side); });
+    if (peek().is_name() && (peek(1).is("=") || (is_side && peek(1).is(":"))))
         next_ += 2;
+    else if (is_side)
+        ++next_;
     return number({.has_decimal_comma = commas_.is_decimal});
 }
 
@@ -315,9 +320,12 @@ std::vector<ClaimWord> ClaimLine::numbers(std::size_t count, std::size_t usual) 
         if (last_.is_mixed)
             mixed = values.back();
         has_more = values.size() != count && take_separator();
+        if (has_more && (peek().is("pixels") || peek().is("pixel")))
+            break;
         if (values.size() != count && !has_more) {
             const std::size_t behind = next_;
-            has_more = is_by_blanks = take_number({}).has_value();
+            const bool is_named = peek().is("right");
+            has_more = is_by_blanks = is_named || take_number({}).has_value();
             next_ = behind;
         }
     }
