@@ -135,7 +135,7 @@ public:
             read_weights();
         else if (first.is("matrix"))
             read_matrix();
-        else if (is_row_at(0))
+        else if (is_row_next())
             read_row({});
         else if (is_one_of(first, edge_words))
             read_edge({});
@@ -190,10 +190,10 @@ private:
             put(field.name, line_.next());
     }
 
-    /// True if a row is named there: y=2, row 2, row y=2; or 2 at the beginning of the line.
-    bool is_row_at(std::size_t ahead) const {
-        const ClaimWord word = line_.peek(ahead);
-        const ClaimWord second = line_.peek(ahead + 1);
+    /// True if a row is named next: y=2, row 2, row y=2, 2:.
+    bool is_row_next() const {
+        const ClaimWord word = line_.peek();
+        const ClaimWord second = line_.peek(1);
         const auto is_number = [](const ClaimWord& one) {
             return !one.is_quoted && std::holds_alternative<Number>(parse_number(one.text));
         };
@@ -202,10 +202,10 @@ private:
         return ((word.is("y") || word.is("Y")) && second.is("=")) ||
                (is_one_of(word, row_words) &&
                 (second.is("y") || second.is("Y") || is_number(second))) ||
-               (ahead == 0 && is_plain && is_number(word) && second.is(":"));
+               (is_plain && is_number(word) && second.is(":"));
     }
 
-    /// Between what a claim is about and what it says: a colon, an equals sign, or nothing where no name can follow.
+    /// Goes behind the colon or the equals sign between what a claim is about and what it says.
     void go_to_value() {
         if (!line_.take("="))
             line_.expect(":", "`:`");
@@ -214,7 +214,7 @@ private:
     /// What begins with the name of a primitive or a vertex.
     void read_named(const ClaimWord& name) {
         const ClaimWord second = line_.peek();
-        if (is_row_at(0))
+        if (is_row_next())
             read_row(name);
         else if (second.is("x") && line_.peek(1).is("="))
             read_along(name);

@@ -159,8 +159,7 @@ std::vector<ClaimColumns::Cell> ClaimColumns::cells_of(std::string_view text, st
 }
 
 bool ClaimColumns::has(std::string_view field) const {
-    return std::any_of(columns_.begin(), columns_.end(),
-                       [field](const Column& column) { return column.field == field; });
+    return std::find(columns_.begin(), columns_.end(), field) != columns_.end();
 }
 
 /// The kind of step that has such columns.
@@ -214,7 +213,7 @@ std::optional<ClaimColumns> ClaimColumns::headed(const Source& source, std::size
                             typed.empty() ? "nothing" : shortened(printable(typed), 40)),
                 did_you_mean(plain_head(typed), words));
         }
-        table.columns_.push_back({head->field, cell.begin});
+        table.columns_.push_back(head->field);
     }
     table.step_ = table.step_of_columns();
     if (table.step_.empty())
@@ -257,7 +256,7 @@ bool ClaimColumns::read_row(const Source& source, std::size_t begin, std::size_t
         // A comma in the cell of a table is that of a decimal, if no comma parts the cells.
         CommaUse in_cell{.is_decimal = separator_ != ',' || commas.is_decimal};
         ClaimLine cell(source, cells[i].begin, cells[i].end, in_cell);
-        const std::string_view field = columns_[i].field;
+        const std::string_view field = columns_[i];
         if (field.empty() || (cell.at_end() && field == "place"))
             continue;
         Claim pixel = new_claim("pixel");

@@ -31,11 +31,6 @@ public:
                   CommaUse& commas, std::vector<Claim>& claims);
 
 private:
-    /// What stands in a column.
-    struct Column {
-        std::string_view field; ///< of a step; "" for what is not claimed, "place" for (x, y)
-        std::size_t offset = 0; ///< of its head
-    };
     /// Where a cell stands in the source.
     struct Cell {
         std::size_t begin;
@@ -48,7 +43,8 @@ private:
 
     char separator_ = ',';
     bool is_latex_ = false;
-    std::vector<Column> columns_;
+    std::vector<std::string_view>
+        columns_; ///< the field in each: "" is not claimed, "place" is (x, y)
     std::string title_;
     std::string_view step_;
     std::optional<std::size_t> decisions_; ///< the claim that has all d of the line
