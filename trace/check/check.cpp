@@ -2,6 +2,7 @@
 #include "check.h"
 
 #include "claim_comparison.h"
+#include "claim_meaning.h"
 #include "claim_subject.h"
 #include "picture_claim.h"
 #include "wrong_explainer.h"
@@ -17,8 +18,8 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <deque>
 #include <map>
-#include <memory>
 #include <optional>
 #include <string_view>
 #include <utility>
@@ -128,14 +129,15 @@ private:
             checked_.claims.back().claim = i;
             return;
         }
-        subjects_.back() = subject_of(as_meant(claim), claims_, truth_);
+        Claim& meant = meant_.emplace_back(as_meant(claim, claims_, truth_));
+        subjects_.back() = subject_of(meant, claims_, truth_);
         const Subject& subject = *subjects_.back();
         CheckedClaim checked{.claim = i, .step = subject.step};
         if (subject.is_left_out)
             checked.remarks.push_back("steps were left out of the trace: it may be one of these");
         else if (!subject.absence.empty())
             checked.remarks.push_back(subject.absence);
-        snap_if_whole(*subjects_.back());
+        name_snapped_place(meant, subject);
         for (const ClaimedField* field : subject.fields)
             checked.fields.push_back(compare_field(*field, i, checked));
         // A claim without values says that there is such a step.
@@ -145,105 +147,6 @@ private:
                                       .expected = "none",
                                       .found = "one"});
         checked_.claims.push_back(std::move(checked));
-    }
-
-    /// A name and numbers are Bresenham's d of a line, the slope of an edge, or a vertex; a name and `?` may be the
-    /// verdict of a face, too. What has the name tells which.
-    const Claim& as_meant(const Claim& claim) {
-        const ClaimedField* const d = claim.find("d");
-        const ClaimedField* const name = claim.find("in");
-        if (claim.step != name_of(StepKind::decide) || d == nullptr || !d->is_list ||
-            name == nullptr)
-            return claim;
-        const bool is_open = d->values == std::vector<std::string>{std::string(open_value)};
-        const auto meant = meant_by(claim, name->values.front(), d->values.size(), is_open);
-        if (!meant)
-            return claim;
-        meant_.push_back(std::make_unique<Claim>(claim));
-        Claim& other = *meant_.back();
-        other.step = name_of(meant->kind);
-        for (ClaimedField& field : other.fields) {
-            field.name = field.name == "in" ? meant->key : meant->field;
-            field.is_list = field.name == "at";
-        }
-        if (!meant->space.empty())
-            other.fields.push_back({.name = "space", .values = {meant->space}});
-        return other;
-    }
-
-    /// What a claim about a name is meant to be, other than Bresenham's d.
-    struct Meant {
-        StepKind kind;
-        std::string key;
-        std::string field;
-        std::string space = {};
-    };
-
-    /// From either end.
-    static bool names_edge(const std::string& name, const StepIndex& told) {
-        const std::string turned(name.rbegin(), name.rend());
-        return !told.find(StepKind::edge, {{"edge", name}}).empty() ||
-               (name.size() == 2 && !told.find(StepKind::edge, {{"edge", turned}}).empty());
-    }
-
-    static bool names_vertex(const std::string& name, const StepIndex& told) {
-        if (!told.find(StepKind::vertex, {{"name", name}}).empty())
-            return true;
-        const auto& primitives = told.find(StepKind::primitive, {});
-        return std::any_of(primitives.begin(), primitives.end(), [&](std::size_t n) {
-            const auto names = told.trace().step(n).as<PrimitiveStep>().vertices.texts();
-            return std::find(names.begin(), names.end(), name) != names.end();
-        });
-    }
-
-    std::optional<Meant> meant_by(const Claim& claim, const std::string& name, std::size_t count,
-                                  bool is_open) const {
-        const StepIndex& told = truth_.exact();
-        if (!told.find(StepKind::decide, {{"in", name}}).empty())
-            return std::nullopt;
-        if (is_open && names_face(name, truth_))
-            return Meant{StepKind::face, "name", "culled"};
-        if (count == 1 && names_edge(name, told))
-            return Meant{StepKind::edge, "edge", "dx_dy"};
-        if (count == 1 || !names_vertex(name, told))
-            return std::nullopt;
-        // A scene without a pipeline tells where a vertex is drawn; of one with several spaces, that with so many numbers.
-        std::vector<std::string> spaces;
-        for (const std::size_t n : told.find(StepKind::vertex, {{"name", name}})) {
-            const auto vertex = told.trace().step(n).as<VertexStep>();
-            const std::string space = vertex.space.text();
-            if (vertex.at.values().size() == count &&
-                std::find(spaces.begin(), spaces.end(), space) == spaces.end())
-                spaces.push_back(space);
-        }
-        if (spaces.size() > 1)
-            throw problem_at(claims_.source, claim.offset,
-                             fmt::format("expected the space that {} is in ({}), found none",
-                                         printable(name), joined(spaces, ", ")),
-                             fmt::format("{} {}: ...", printable(name), spaces.back()));
-        return Meant{StepKind::vertex, "name", "at", spaces.empty() ? "screen" : spaces.front()};
-    }
-
-    /// Where a vertex is snapped, whole numbers are its pixel.
-    void snap_if_whole(Subject& subject) {
-        const bool names_pixel =
-            std::any_of(subject.fields.begin(), subject.fields.end(),
-                        [](const ClaimedField* field) { return field->name == "snapped"; });
-        if (subject.kind != StepKind::vertex || subject.step == 0 || names_pixel ||
-            !subject.exact->trace().step(subject.step).as<VertexStep>().snapped)
-            return;
-        for (const ClaimedField*& field : subject.fields) {
-            const auto is_whole = [](const std::string& value) {
-                return value == open_value ||
-                       value.find_first_not_of("-0123456789") == std::string::npos;
-            };
-            if (field->name == "at" &&
-                std::all_of(field->values.begin(), field->values.end(), is_whole)) {
-                snapped_.push_back(std::make_unique<ClaimedField>(*field));
-                snapped_.back()->name = "snapped";
-                field = snapped_.back().get();
-            }
-        }
     }
 
     CheckedField compare_field(const ClaimedField& field, std::size_t order, CheckedClaim& claim) {
@@ -535,10 +438,8 @@ private:
     const Claims& claims_;
     Checked checked_;
     std::vector<std::optional<Subject>> subjects_; ///< of each claim; none of a picture
-    std::vector<std::unique_ptr<ClaimedField>> snapped_;
-    std::vector<std::unique_ptr<Claim>>
-        meant_;                           ///< claims that are about something else than was read
-    std::map<std::string, Said> claimed_; ///< first, by number
+    std::deque<Claim> meant_;                      ///< those that the subjects' fields belong to
+    std::map<std::string, Said> claimed_;          ///< first, by number
     WrongNumbers wrong_;
 };
 

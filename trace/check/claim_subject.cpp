@@ -124,11 +124,7 @@ private:
                  fmt::format("expected one value of {}, which says what the claim is about",
                              field.name));
         const std::string& value = field.values.front();
-        const std::string turned(value.rbegin(), value.rend());
-        const bool is_turned = field.name == "edge" && value.size() == 2 &&
-                               index_.find(StepKind::edge, {{"edge", value}}).empty() &&
-                               !index_.find(StepKind::edge, {{"edge", turned}}).empty();
-        return is_turned ? turned : value;
+        return field.name == "edge" ? edge_in(index_, value) : value;
     }
 
     /// Without its keys, nobody knows what a claim is about. All decisions of a line have no place.
@@ -385,6 +381,14 @@ private:
 
 Subject subject_of(const Claim& claim, const Claims& claims, const TruthIndex& truth) {
     return Finder(claim, claims, truth).find();
+}
+
+std::string edge_in(const StepIndex& index, const std::string& name) {
+    const std::string turned(name.rbegin(), name.rend());
+    const bool is_turned = name.size() == 2 &&
+                           index.find(StepKind::edge, {{"edge", name}}).empty() &&
+                           !index.find(StepKind::edge, {{"edge", turned}}).empty();
+    return is_turned ? turned : name;
 }
 
 bool names_face(const std::string& name, const TruthIndex& truth) {

@@ -71,6 +71,9 @@ struct Subject {
 /// steps could be meant by.
 Subject subject_of(const Claim& claim, const Claims& claims, const TruthIndex& truth);
 
+/// The name that an edge has in the trace, of one that may be named from either end.
+std::string edge_in(const StepIndex& index, const std::string& name);
+
 /// True if a name is that of a face, and of no line that Bresenham's decisions are told of. Where there are no such
 /// lines, a name that nothing has is taken for that of a face.
 bool names_face(const std::string& name, const TruthIndex& truth);

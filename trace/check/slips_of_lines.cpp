@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: MIT
+// The mistakes that people make in Bresenham's line.
+
+#include "slip_results.h"
+
+#include <array>
+#include <initializer_list>
+
+namespace rastertrace {
+
+namespace {
+
+std::vector<SlipResult> tie_the_other_way(const Formula& formula) {
+    SlipResults results(formula);
+    if (const auto* line = as_form<BresenhamDecisions>(formula)) {
+        BresenhamDecisions other = *line;
+        other.steps_at_ties = !other.steps_at_ties;
+        results.add_formula({other});
+    }
+    return results.take();
+}
+
+std::vector<SlipResult> factor_2_dropped(const Formula& formula) {
+    SlipResults results(formula);
+    const auto* line = as_form<BresenhamDecisions>(formula);
+    if (line == nullptr)
+        return {};
+    for (const auto& [at_start, in_steps] : {std::pair(1, 2), std::pair(2, 1), std::pair(1, 1)}) {
+        BresenhamDecisions other = *line;
+        other.factor_at_start = at_start;
+        other.factor_in_steps = in_steps;
+        results.add_formula({other});
+    }
+    return results.take();
+}
+
+std::vector<SlipResult> dx_and_dy_exchanged(const Formula& formula) {
+    SlipResults results(formula);
+    if (const auto* line = as_form<BresenhamDecisions>(formula)) {
+        BresenhamDecisions other = *line;
+        std::swap(other.major, other.minor);
+        results.add_formula({other});
+    }
+    return results.take();
+}
+
+/// The decisions with other steps.
+std::vector<SlipResult>
+decided_otherwise(const Formula& formula,
+                  std::initializer_list<std::array<std::optional<Rational>, 3>> others) {
+    SlipResults results(formula);
+    for (const auto& [start, straight, diagonal] : others) {
+        BresenhamDecisions other = *as_form<BresenhamDecisions>(formula);
+        other.other_start = start;
+        other.other_straight = straight;
+        other.other_diagonal = diagonal;
+        results.add_formula({other});
+    }
+    return results.take();
+}
+
+std::vector<SlipResult> steps_exchanged(const Formula& formula) {
+    const auto* const line = as_form<BresenhamDecisions>(formula);
+    return line == nullptr
+               ? std::vector<SlipResult>{}
+               : decided_otherwise(formula, {{std::nullopt, line->diagonal(), line->straight()}});
+}
+
+std::vector<SlipResult> diagonal_of_one_axis(const Formula& formula) {
+    const auto* const line = as_form<BresenhamDecisions>(formula);
+    return line == nullptr
+               ? std::vector<SlipResult>{}
+               : decided_otherwise(formula,
+                                   {{std::nullopt, std::nullopt, line->straight()},
+                                    {std::nullopt, std::nullopt, Rational(-2 * line->major)}});
+}
+
+std::vector<SlipResult> start_of_other_axis(const Formula& formula) {
+    const auto* const line = as_form<BresenhamDecisions>(formula);
+    return line == nullptr ? std::vector<SlipResult>{}
+                           : decided_otherwise(formula, {{Rational(2 * line->major - line->minor),
+                                                          std::nullopt, std::nullopt}});
+}
+
+/// dx and dy with their signs, in an octant whose lines rise.
+std::vector<SlipResult> octant_ignored(const Formula& formula) {
+    SlipResults results(formula);
+    const auto* const line = as_form<BresenhamDecisions>(formula);
+    if (line == nullptr)
+        return {};
+    for (const int sign_of_major : {1, -1})
+        for (const int sign_of_minor : {1, -1})
+            for (const bool is_exchanged : {false, true}) {
+                BresenhamDecisions other = *line;
+                other.major = sign_of_major * line->major;
+                other.minor = sign_of_minor * line->minor;
+                if (is_exchanged)
+                    std::swap(other.major, other.minor);
+                if (sign_of_major + sign_of_minor < 2) // else the lines rise
+                    results.add_formula({other});
+            }
+    return results.take();
+}
+
+std::vector<SlipResult> shifted_list(const Formula& formula) {
+    SlipResults results(formula);
+    const Values& right = results.right();
+    if (as_form<BresenhamDecisions>(formula) == nullptr || right.size() < 2)
+        return {};
+    results.add(Values(right.begin() + 1, right.end()));
+    Values late{right.front()};
+    late.insert(late.end(), right.begin(), right.end());
+    results.add(std::move(late));
+    return results.take();
+}
+
+constexpr Slip line_slips[] = {
+    {"steps-exchanged", "2 dy after a diagonal step, 2 (dy - dx) after a straight one",
+     "2 dy after a straight step, 2 (dy - dx) after a diagonal one", "d runs away", 20,
+     steps_exchanged},
+    {"diagonal-of-one-axis", "2 dy, or -2 dx, after a diagonal step", "2 (dy - dx)",
+     "d only grows, or only falls", 15, diagonal_of_one_axis},
+    {"start-of-other-axis", "d = 2 dx - dy to begin with", "d = 2 dy - dx",
+     "the first steps are wrong", 15, start_of_other_axis},
+    {"factor-2-dropped", "dy", "2 dy", "the line steps too late", 20, factor_2_dropped},
+    {"dx-and-dy-exchanged", "the shorter direction", "the longer one", "steep lines have gaps", 20,
+     dx_and_dy_exchanged},
+    {"octant-ignored", "the signs of dx and dy left in", "their sizes, and the octant's own steps",
+     "only lines of the first octant are right", 20, octant_ignored},
+    {"shifted-list", "a list that begins one step too early or too late", "d before each step",
+     "each number stands beside the wrong step", 20, shifted_list},
+    {"tie-the-other-way", "d = 0 decided the other way", "the scene's own rule for d = 0",
+     "the line differs where it passes midway between two pixels", 30, tie_the_other_way},
+};
+
+} // namespace
+
+std::span<const Slip> slips_of_lines() {
+    return line_slips;
+}
+
+} // namespace rastertrace
