@@ -62,6 +62,99 @@ std::vector<std::string> slips_of(const std::string& scene, const std::string& c
     return slip_names(first_wrong(check_claims(scene, claims)));
 }
 
+/// The line of T2: (0,0) to (5,2).
+const std::string line_of_five = R"({"canvas":{"width":8,"height":4,"origin":"bottom-left"},
+ "vertices":{"A":[0,0],"B":[5,2]},"lines":["AB"],"colors":{"A":"#000000","B":"#ff0000"},
+ "method":{"scalar":"exact"}})";
+
+/// Two triangles, one before the other.
+const std::string two_depths = R"({"canvas":{"width":9,"height":9},
+ "vertices":{"A":[-4,-4,2],"B":[4,-4,2],"C":[-4,4,2],"D":[-4,-4,4],"E":[4,-4,4],"F":[-4,4,4]},
+ "triangles":["DEF","ABC"],"method":{"scalar":"exact","depth":"inverse-z","shade":"faces"}})";
+
+TEST(Check, LinesByTheirEquations) {
+    // 3 y = 4 x + 7 has A(2, 5) and B(-4, -3); B and C(5, -3) have y = -3.
+    EXPECT_EQ(verdicts(check_claims(triangle, "AB: y = 4/3 x + 7/3\n"
+                                              "BA: y = 1.33x + 2.33\n"
+                                              "edge AB: x = 3/4 y - 7/4\n"
+                                              "BC: y = -3\n"
+                                              "AB: y = 4/3 x + 2\n")),
+              "rrrrw");
+    EXPECT_EQ(verdicts(check_claims(line_of_five, "AB: y = 2/5 x\nAB: x = 5/2 y\n")), "rr");
+    EXPECT_THAT(slips_of(triangle, "AB: y = 3/4 x + 7/3\n"), Contains("dy-dx-inverted"));
+    EXPECT_THAT(slips_of(triangle, "AB: x = 4/3 y - 7/4\n"), Contains("dx-dy-inverted"));
+}
+
+TEST(Check, PixelsOfALinePlaceByPlace) {
+    EXPECT_EQ(
+        verdicts(check_claims(line_of_five, "AB pixels: (0,0) (1,0) (2,1) (3,1) (4,2) (5,2)\n")),
+        "r");
+    const Checked begun = check_claims(line_of_five, "AB: (0,0), (1,0)\n");
+    EXPECT_EQ(begun.claims[0].fields[0].remark, "the first 2 of 6");
+    const Checked wrong = check_claims(line_of_five, "AB: (0,0) (1,0) (2,1) (3,2) (4,2) (5,3)\n");
+    const CheckedField& field = first_wrong(wrong);
+    EXPECT_EQ(field.place, 4U);
+    EXPECT_EQ(field.expected, "3, 1");
+    EXPECT_EQ(field.found, "3, 2");
+    // The step before (3, 1): d = -3.
+    EXPECT_THAT(wrong.claims[0].working, Contains(HasSubstr("d = -3 <= 0, straight on")));
+}
+
+TEST(Check, ALineInTheStepsOfTheFirstOctantIsNamed) {
+    const std::string falling = R"({"canvas":{"width":12,"height":9,"origin":"bottom-left"},
+ "vertices":{"A":[0,5],"B":[8,2]},"lines":["AB"]})";
+    EXPECT_THAT(slips_of(falling, "AB: (0,5) (1,5) (2,6) (3,6) (4,6) (5,7) (6,7) (7,8) (8,8)\n"),
+                Contains("octant-ignored"));
+}
+
+TEST(Check, ARowWithAHoleIsWrongThere) {
+    const Checked checked = check_claims(triangle, "y=2: -1, 0, 2, 3\n");
+    EXPECT_EQ(first_wrong(checked).place, 3U);
+    EXPECT_EQ(first_wrong(checked).expected, "1");
+    EXPECT_EQ(verdicts(check_claims(triangle, "y=2: -1, 0, 1, 2, 3\n")), "r");
+}
+
+TEST(Check, CountsOfRowsAndPixels) {
+    // Rows -3 to 5; x = -1 to 3 in the row y = 2.
+    EXPECT_EQ(verdicts(check_claims(triangle, "ABC: 9 rows\nABC rows: 9\ny=2: 5 pixels\n")), "rrr");
+    EXPECT_EQ(verdicts(check_claims(line_of_five, "AB: 6 pixels\nAB pixels: 6\n")), "rr");
+    EXPECT_THAT(slips_of(line_of_five, "AB: 5 pixels\n"), ElementsAre("last-pixel"));
+    EXPECT_THAT(slips_of(triangle, "y=2: 4 pixels\n"), ElementsAre("last-pixel"));
+    EXPECT_THAT(slips_of(triangle, "ABC rows: 10\n"), ElementsAre("middle-row-twice"));
+}
+
+TEST(Check, WhatIsHiddenAndWhatIsSeen) {
+    EXPECT_EQ(verdicts(check_claims(two_depths, "ABC: visible\nDEF: hidden\n"
+                                                "(-2,-2) ABC: visible\n(-2,-2) DEF: hidden\n"
+                                                "(-2,-2) DEF: inside\nDEF: seen\n")),
+              "rrrrrw");
+}
+
+TEST(Check, SharesAndLevelsOfColors) {
+    // Step 2 of 5: 2/5 (255) = 102; step 3 of 5: 153; by the distance of (2, 1): 1 - sqrt(10 / 29), 105.26.
+    EXPECT_EQ(verdicts(check_claims(line_of_five, "(2,1): share 2/5\n(2,1): color #660000\n"
+                                                  "(3,1): color #990000\n(2,1): share 1/2\n")),
+              "rrrw");
+    EXPECT_THAT(slips_of(line_of_five, "(2,1): color #690000\n"), ElementsAre("color-by-distance"));
+    // Step 1 of 2 of 255: 127.5.
+    const std::string half = R"({"canvas":{"width":4,"height":4,"origin":"bottom-left"},
+ "vertices":{"A":[0,0],"B":[2,0]},"lines":["AB"],"colors":{"A":"#000000","B":"#ff0000"}})";
+    EXPECT_EQ(verdicts(check_claims(half, "(1,0): color #800000\n")), "r");
+    EXPECT_THAT(slips_of(half, "(1,0): color #7f0000\n"), ElementsAre("byte-cast"));
+}
+
+TEST(Check, ASampleIsJudgedByItsOwnWeights) {
+    const std::string scene = triangle_by(R"("fill":"barycentric","scalar":"exact")");
+    const Checked checked = check_claims(scene, "(3,2): outside\n(4,2): inside\n");
+    EXPECT_EQ(verdicts(checked), "ww");
+    for (const CheckedClaim& claim : checked.claims)
+        EXPECT_THAT(claim.fields.at(0).rule, HasSubstr("weights"));
+    const std::string by_edges =
+        R"({"canvas":{"width":8,"height":8,"origin":"bottom-left"},"vertices":{"A":[0,0],"B":[6,0],"C":[0,6]},)"
+        R"("triangles":["ABC"],"method":{"fill":"barycentric","scalar":"exact"}})";
+    EXPECT_THAT(slips_of(by_edges, "(3,3) ABC: outside\n"), Contains("edge-the-other-way"));
+}
+
 TEST(Check, RowsOfTheFirstTriangle) {
     const Checked checked = check_claims(triangle, "y=5: 2, 2 -> 2..2\n"
                                                    "y=4: 5/4, 19/8 -> 1..2\n"

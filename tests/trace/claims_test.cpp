@@ -158,6 +158,21 @@ const std::vector<Form> forms{
      R"({"step":"matrix","name":"model","rows":[[1,0,0,0],[0,1,0,0],[0,0,1,4],[0,0,0,1]]})"},
     {"AB x=3: 9/4 -> 2", R"({"step":"along","in":"AB","x":3,"value":"9/4","pixel":2})"},
     {"AB y=3: 2.25", R"({"step":"along","in":"AB","y":3,"value":2.25})"},
+    {"AB: y = 4/3 x + 7/3", R"({"step":"edge","edge":"AB","y_form":["4/3","7/3"]})"},
+    {"line AB: y=4/3x+7/3", R"({"step":"edge","edge":"AB","y_form":["4/3","7/3"]})"},
+    {"edge AB: x = -y - 2", R"({"step":"edge","edge":"AB","x_form":[-1,-2]})"},
+    {"AB: y = 3", R"({"step":"edge","edge":"AB","y_form":[0,3]})"},
+    {"edge AB dx/dy 3/4", R"({"step":"edge","edge":"AB","dx_dy":"3/4"})"},
+    {"AB pixels: (0,0) (1, 0), (2;1)",
+     R"({"step":"primitive","name":"AB","pixels":[0,0,1,0,2,1]})"},
+    {"AB: (0,0) -> (1,0)", R"({"step":"primitive","name":"AB","pixels":[0,0,1,0]})"},
+    {"ABC: 9 rows, 49 pixels", R"({"step":"primitive","name":"ABC","rows":9,"count":49})"},
+    {"ABC rows: 9", R"({"step":"primitive","name":"ABC","rows":9})"},
+    {"ABC: hidden", R"({"step":"primitive","name":"ABC","visible":false})"},
+    {"(3,2) ABC: visible", R"({"step":"pixel","x":3,"y":2,"in":"ABC","visible":true})"},
+    {"(3,2): share 3/5", R"({"step":"pixel","x":3,"y":2,"share":"3/5"})"},
+    {"y=2: 5 pixels", R"({"step":"scanline","y":2,"count":5})"},
+    {"y=2: 1, 3 -> 1, 2, 4", R"({"step":"scanline","y":2,"left":1,"right":3,"pixels":[1,2,4]})"},
     {"order: ABC -> ACD", R"({"step":"order","names":["ABC","ACD"]})"},
     {R"("A\u2212B" screen: 2, 5)",
      R"({"step":"vertex","name":"A\u2212B","space":"screen","at":[2,5]})"},
@@ -245,11 +260,6 @@ TEST(Claims, FaultsOfATableArePointedAt) {
          "5/2, or 2 and 1/2\n"
          "A screen: 2 1/2\n"
          "          ^"},
-        {"y=2: 1, 3 -> 1, 3, 4", "claims.txt:1:17: expected the next pixel of the row, or the "
-                                 "first and the last pixel, like "
-                                 "-1..3, found 3\n"
-                                 "y=2: 1, 3 -> 1, 3, 4\n"
-                                 "                ^"},
         {"cosine ABC: cos 45", "claims.txt:1:13: expected a number, like 3.125 or 25/8, found cos\n"
                                "cosine ABC: cos 45\n"
                                "            ^"},
@@ -312,11 +322,12 @@ TEST(Claims, FaultsOfATableArePointedAt) {
         {"dot ABC: -12 gone", "claims.txt:1:14: expected culled or drawn, found gone\n"
                               "dot ABC: -12 gone\n"
                               "             ^"},
-        {"(3,2): onn", "claims.txt:1:8: expected on, off, inside, outside, z, 1/z or color, found "
-                       "onn\n"
-                       "(3,2): onn\n"
-                       "       ^\n"
-                       "hint: did you mean on?"},
+        {"(3,2): onn",
+         "claims.txt:1:8: expected on, off, inside, outside, z, 1/z, share or color, found "
+         "onn\n"
+         "(3,2): onn\n"
+         "       ^\n"
+         "hint: did you mean on?"},
         {"(3,2): color blau", "claims.txt:1:14: expected a color, like #ff8000 or red, found blau\n"
                               "(3,2): color blau\n"
                               "             ^"},
@@ -508,7 +519,8 @@ TEST(Claims, FaultsOfJsonArePointedAt) {
              "                    ^\n"
              "hint: did you mean \"scanline\"?"},
         {R"({"claims": [{"step":"edge","edge":"AB","dxdy":2}]})",
-         "claims.txt:1:40: expected a field of edge (edge, dx_dy, a, b, top_left, octant, in), "
+         "claims.txt:1:40: expected a field of edge (edge, dx_dy, a, b, top_left, octant, y_form, "
+         "x_form, in), "
          "found \"dxdy\"\n"
          "{\"claims\": [{\"step\":\"edge\",\"edge\":\"AB\",\"dxdy\":2}]}\n"
          "                                       ^\n"

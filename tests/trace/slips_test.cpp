@@ -623,6 +623,12 @@ TEST(Slips, NoneGivesTheRightResult) {
         {FaceDot{{0, 0, -4}, {Rational(-1, 3), Rational(-1, 3), -3}}},
         {DividedByW{{-1, 1, 2, 3}}},
         {BresenhamDecisions{.major = 8, .minor = 6, .steps = 8}},
+        {LinePixels{{.major = 8, .minor = 6, .steps = 8}, {1, 2}, {1, 0}, {1, -1}}},
+        {LineForm{{2, 5}, {-4, -3}}},
+        {LineForm{{2, 5}, {-4, -3}, true}},
+        {InclusiveCount{-1, 3}},
+        {MixedColor{{{0, 0, 0}, {255, 0, 0}}, {Rational(1, 2), Rational(1, 2)}, false, {0, 1}}},
+        {InTriangle{{{{{0, 0}, {6, 0}, {0, 6}}}, {3, 3}}, true}},
     };
     for (const Formula& formula : formulas)
         for (const Slip& slip : slips())

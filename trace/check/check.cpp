@@ -97,8 +97,8 @@ private:
     static std::vector<std::optional<Rational>> values_said(const ClaimedField& field,
                                                             const Values& values) {
         std::vector<std::optional<Rational>> said(values.begin(), values.end());
-        for (std::size_t i = 0; i < std::min(said.size(), field.values.size()); ++i)
-            if (field.values[i] == open_value)
+        for (std::size_t i = 0; i < said.size(); ++i)
+            if (i >= field.values.size() || field.values[i] == open_value)
                 said[i].reset();
         return said;
     }
@@ -153,7 +153,7 @@ private:
         const Subject& subject = *subjects_.back();
         CheckedField checked{.name = field.name, .found = joined(field.values, ", ")};
         const ToldValues exact = told_exactly(subject, field);
-        const bool decides = is_decision(subject.kind, field.name);
+        const bool decides = subject.is_answer || is_decision(subject.kind, field.name);
         const ToldValues decided = decides ? told_as_decided(subject, field) : exact;
         if (!decided && !exact) {
             refuse_untold(field, subject);
@@ -272,23 +272,38 @@ private:
     void note_place(const ClaimedField& field, const std::vector<std::string>& right,
                     NumbersHeld held, CheckedField& checked) const {
         const std::size_t count = field.values.size();
-        std::size_t place = 0;
-        while (place < count && place < right.size() &&
-               is_right_at(field.values[place], right[place], held))
-            ++place;
-        if (place == count) {
+        const std::size_t width = numbers_in_place(*subjects_.back(), field);
+        std::size_t first_wrong = 0;
+        while (first_wrong < count && first_wrong < right.size() &&
+               is_right_at(field.values[first_wrong], right[first_wrong], held))
+            ++first_wrong;
+        if (first_wrong == count) {
             if (count < right.size())
-                checked.remark = fmt::format("the first {} of {}", count, right.size());
+                checked.remark =
+                    fmt::format("the first {} of {}", count / width, right.size() / width);
             return;
         }
-        if (place == right.size()) {
+        if (first_wrong == right.size()) {
             note_count(field, right, checked);
             return;
         }
+        const std::size_t place = first_wrong / width;
+        const auto at_place = [&](const std::vector<std::string>& values) {
+            const auto begin = values.begin() + static_cast<std::ptrdiff_t>(width * place);
+            const auto end = values.size() < width * (place + 1)
+                                 ? values.end()
+                                 : begin + static_cast<std::ptrdiff_t>(width);
+            return joined(std::vector<std::string>(begin, end), ", ");
+        };
         checked.place = place + 1;
-        checked.expected = right[place];
-        checked.found = field.values[place];
+        checked.expected = at_place(right);
+        checked.found = at_place(field.values);
         checked.remark = what_follows(field, place);
+    }
+
+    /// A place of a list of a primitive's pixels has x and y.
+    static std::size_t numbers_in_place(const Subject& subject, const ClaimedField& field) {
+        return subject.kind == StepKind::primitive && field.name == "pixels" ? 2 : 1;
     }
 
     static bool is_right_at(const std::string& claimed, const std::string& told, NumbersHeld held) {
@@ -314,16 +329,18 @@ private:
     }
 
     /// Says that a list has too few numbers, or too many.
-    static void note_count(const ClaimedField& field, const std::vector<std::string>& right,
-                           CheckedField& checked) {
-        const std::size_t count = field.values.size();
+    void note_count(const ClaimedField& field, const std::vector<std::string>& right,
+                    CheckedField& checked) const {
+        const std::size_t width = numbers_in_place(*subjects_.back(), field);
+        const std::size_t count = field.values.size() / width;
+        const std::size_t belong = right.size() / width;
         // A vertex may be given without a z of 0.
         const bool lacks_z =
             field.name == "at" && count == 2 && right.size() == 3 && right[2] == "0";
-        if (field.is_list && count != right.size() && !lacks_z)
+        if (field.is_list && count != belong && !lacks_z)
             checked.remark =
                 fmt::format("{} {}, where {} belong{}", count, count == 1 ? "value" : "values",
-                            right.size(), right.size() == 1 ? "s" : "");
+                            belong, belong == 1 ? "s" : "");
     }
 
     /// Remembers what is claimed of a number, and tells if somebody claims two things of one.
@@ -397,6 +414,20 @@ private:
         return lines;
     }
 
+    /// The step that shows how a place of a list is worked out; 0 for that of the list.
+    static std::size_t step_of_place(const Subject& subject, const CheckedField& wrong) {
+        if (wrong.place == 0)
+            return 0;
+        // d is worked out from the one before it.
+        const bool are_pixels = subject.kind == StepKind::primitive;
+        const auto steps = are_pixels ? subject.exact->pixels_of(subject.step)
+                           : subject.kind == StepKind::decide
+                               ? decisions_from(*subject.exact, subject.step)
+                               : std::vector<std::size_t>{};
+        const std::size_t place = are_pixels ? wrong.place : wrong.place - 1;
+        return 0 < place && place <= steps.size() ? steps[place - 1] : 0;
+    }
+
     /// The working of each wrong claim's step. A replay goes forward once.
     void write_workings() {
         std::map<std::pair<const StepIndex*, std::size_t>, std::vector<CheckedClaim*>> by_step;
@@ -408,15 +439,15 @@ private:
                 std::find_if(claim.fields.begin(), claim.fields.end(), [](const auto& field) {
                     return field.verdict == ClaimVerdict::wrong;
                 });
-            if (wrong->name == "plotted" || wrong->name == "inside") {
+            const bool is_of_pixel = subjects_[i]->kind == StepKind::pixel;
+            if (is_of_pixel && is_decision(StepKind::pixel, wrong->name) &&
+                wrong->name != "color") {
                 claim.working = why_pixel(*subjects_[i]);
                 continue;
             }
             std::size_t step = step_of(*subjects_[i], wrong->name);
-            if (wrong->place > 1) // d is worked out from the one before it
-                if (const auto steps = decisions_from(*subjects_[i]->exact, step);
-                    wrong->place - 2 < steps.size())
-                    step = steps[wrong->place - 2];
+            if (const std::size_t at_place = step_of_place(*subjects_[i], *wrong); at_place != 0)
+                step = at_place;
             if (step != 0)
                 by_step[{subjects_[i]->exact, step}].push_back(&claim);
         }

@@ -84,7 +84,7 @@ Rational root_tolerance(const Rational& number) {
 }
 
 bool is_by_place(const ClaimedField& field) {
-    return field.is_list && field.name == "d";
+    return field.is_list && (field.name == "d" || field.name == "pixels");
 }
 
 Comparison compare(const ClaimedField& claimed, const std::vector<std::string>& told,
@@ -115,7 +115,14 @@ Values claimed_values(const ClaimedField& field, const std::vector<std::string>&
     return values;
 }
 
+Values levels_in(std::string_view text) {
+    const auto color = parse_color(text);
+    return color ? Values{int{color->red()}, int{color->green()}, int{color->blue()}} : Values{};
+}
+
 bool gives(const Values& values, const ClaimedField& claimed) {
+    if (claimed.name == "color")
+        return values == levels_in(claimed.values.front());
     const std::size_t count = claimed.values.size();
     const bool lacks_only_z = count == 2 && values.size() == 3 && sgn(values[2]) == 0;
     const bool is_beginning = is_by_place(claimed) && count < values.size();

@@ -10,6 +10,7 @@
 #include <rastertrace/trace/tell/formula.h>
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace rastertrace {
@@ -50,6 +51,9 @@ Comparison compare(const ClaimedField& claimed, const std::vector<std::string>& 
 
 /// The numbers of a claim, 1 and 0 for true and false; what is open as it is told. Nothing if one is no number.
 Values claimed_values(const ClaimedField& field, const std::vector<std::string>& told);
+
+/// Red, green and blue of a color; nothing of any other text.
+Values levels_in(std::string_view text);
 
 /// True if somebody who found these values would have written the claim.
 bool gives(const Values& values, const ClaimedField& claimed);

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "claim_forms.h"
 
-#include "claim_fields.h"
+#include "claim_builder.h"
 
 #include <rastertrace/core/numbers/number.h>
-#include <rastertrace/trace/record/verdict_words.h>
 #include <rastertrace/trace/tell/step_text.h>
 #include <rastertrace/trace/text/text.h>
 
@@ -54,24 +53,10 @@ constexpr std::array<FaceWord, 9> face_words{{{"normal", "face", "normal", 3},
                                               {"light", "light", "light", 3},
                                               {"intensity", "light", "intensity", 1}}};
 
-/// The words for true and false that only a table of claims has; of those that mean the same, the first is said.
-constexpr auto words_of_table = std::to_array<VerdictWord>({{"on", "plotted", "true"},
-                                                            {"drawn", "plotted", "true"},
-                                                            {"plotted", "plotted", "true"},
-                                                            {"filled", "plotted", "true"},
-                                                            {"black", "plotted", "true"},
-                                                            {"yes", "plotted", "true"},
-                                                            {"off", "plotted", "false"},
-                                                            {"empty", "plotted", "false"},
-                                                            {"blank", "plotted", "false"},
-                                                            {"white", "plotted", "false"},
-                                                            {"no", "plotted", "false"},
-                                                            {"passes", "pass", "true"},
-                                                            {"fails", "pass", "false"}});
-
 /// What people call a row, a pixel and an edge before they say which.
 constexpr auto row_words = std::to_array<std::string_view>({"row", "scanline", "line"});
 constexpr auto pixel_words = std::to_array<std::string_view>({"pixel", "point"});
+constexpr auto counted_words = std::to_array<std::string_view>({"rows", "pixels"});
 constexpr auto edge_words = std::to_array<std::string_view>({"edge", "slope", "dx/dy"});
 
 bool is_one_of(const ClaimWord& word, std::span<const std::string_view> known) {
@@ -84,42 +69,35 @@ struct FieldWords {
     std::string_view field;
     std::string_view words;
 };
-constexpr std::array<FieldWords, 14> field_words{{{"left", "left end"},
-                                                  {"x", "ends of the row"},
-                                                  {"right", "right end"},
-                                                  {"from", "first pixel"},
-                                                  {"to", "last pixel"},
-                                                  {"left_depth", "depth at the left end"},
-                                                  {"right_depth", "depth at the right end"},
-                                                  {"dx_dy", "dx/dy"},
-                                                  {"plotted", "pixel"},
-                                                  {"inside", "pixel"},
-                                                  {"inverse_z", "1/z"},
-                                                  {"pass", "depth test"},
-                                                  {"culled", "face"},
-                                                  {"names", "order"}}};
-
-/// The first word for which that holds, those of tables first; or nullptr.
-template <typename Holds> const VerdictWord* find_verdict_word(const Holds& holds) {
-    const auto own = std::find_if(words_of_table.begin(), words_of_table.end(), holds);
-    if (own != words_of_table.end())
-        return &*own;
-    const auto shared = std::find_if(verdict_words.begin(), verdict_words.end(), holds);
-    return shared == verdict_words.end() ? nullptr : &*shared;
-}
-
-/// What a word says of a field, or nullptr.
-const VerdictWord* find_verdict(const ClaimWord& word, std::string_view field) {
-    return find_verdict_word(
-        [&](const VerdictWord& known) { return known.field == field && word.is(known.word); });
-}
+constexpr auto field_words = std::to_array<FieldWords>({{"left", "left end"},
+                                                        {"x", "ends of the row"},
+                                                        {"right", "right end"},
+                                                        {"from", "first pixel"},
+                                                        {"to", "last pixel"},
+                                                        {"left_depth", "depth at the left end"},
+                                                        {"right_depth", "depth at the right end"},
+                                                        {"dx_dy", "dx/dy"},
+                                                        {"plotted", "pixel"},
+                                                        {"inside", "pixel"},
+                                                        {"inverse_z", "1/z"},
+                                                        {"pass", "depth test"},
+                                                        {"culled", "face"},
+                                                        {"visible", "seen"},
+                                                        {"rows", "number of rows"},
+                                                        {"count", "number of pixels"},
+                                                        {"share", "share of the color"},
+                                                        {"y_form", "m, b of y = m x + b"},
+                                                        {"x_form", "m, b of x = m y + b"},
+                                                        {"names", "order"}});
 
 /// Reads the claim of one line. What is wrong is thrown as a Problem.
-class ClaimReader {
+class ClaimReader : ClaimBuilder {
 public:
-    ClaimReader(ClaimLine& line, Claim& claim) : line_(line), claim_(claim) {}
+    using ClaimBuilder::ClaimBuilder;
 
     void read() {
+        if (line_.peek().is("line") && line_.peek(1).is_name() && !is_row_next())
+            line_.next();
         const ClaimWord first = line_.peek();
         const ClaimWord second = line_.peek(1);
         const auto* const face_word =
@@ -220,6 +198,8 @@ private:
             read_along(name);
         else if (is_one_of(second, edge_words))
             read_edge(name);
+        else if (is_one_of(second, counted_words))
+            read_counted(name);
         else if (second.is(":") || second.is("=") || second.is("("))
             read_of_name(name);
         else if (second.is_name())
@@ -252,6 +232,8 @@ private:
                                 is_whole(ends[0]) && is_whole(ends[1]);
         if (are_pixels)
             return put_ends("from", "to", ends);
+        if (ends.size() == 1 && counts_pixels(ends.front()) && line_.at_end())
+            return put("count", ends.front());
         if (ends.size() == 1 && primitive) { // of a line that is longer in y
             claim_.step = "along";
             return put_along(ends.front());
@@ -272,6 +254,11 @@ private:
     /// Goes behind a word that says that pixels follow.
     bool is_pixels_word() {
         return line_.take("pixels") || line_.take("pixel") || line_.take("px");
+    }
+
+    /// True of 5 pixels, which is a number with its unit.
+    bool counts_pixels(const ClaimWord& number) const {
+        return line_.typed(number).find("pixel") != std::string_view::npos;
     }
 
     static bool is_whole(const ClaimWord& number) {
@@ -298,11 +285,14 @@ private:
     /// -1..3, or all of them: -1, 0, 1, 2, 3
     void read_pixels_of_row() {
         const std::vector<ClaimWord> pixels = line_.numbers(0);
+        bool has_all = true;
         for (std::size_t i = 1; pixels.size() > 2 && i < pixels.size(); ++i)
-            if (number_in(pixels[i].text) != *number_in(pixels[i - 1].text) + 1)
-                line_.fail(pixels[i], "the next pixel of the row, or the first and the last pixel, "
-                                      "like -1..3");
-        put_ends("from", "to", pixels);
+            has_all = has_all &&
+                      number_in(pixels[i].text) == number_in(pixels[i - 1].text).value_or(0) + 1;
+        if (has_all)
+            put_ends("from", "to", pixels);
+        else
+            put_list("pixels", pixels);
     }
 
     /// (3,2): on, z 10/3
@@ -335,20 +325,23 @@ private:
                           : put_value(*verdict, word);
         if (word.is(open_value))
             return put("plotted", word);
-        for (const auto& [name, field] : {std::pair{"z", "z"}, std::pair{"1/z", "inverse_z"}})
+        for (const auto& [name, field] :
+             {std::pair{"z", "z"}, std::pair{"1/z", "inverse_z"}, std::pair{"share", "share"}})
             if (word.is(name))
                 return put(field, line_.one_number());
         if (word.is("color"))
             return put("color", line_.next());
-        line_.fail(word, "on, off, inside, outside, z, 1/z or color",
-                   did_you_mean(word.text, {"on", "off", "inside", "outside", "color"}));
+        line_.fail(word, "on, off, inside, outside, z, 1/z, share or color",
+                   did_you_mean(word.text, {"on", "off", "inside", "outside", "share", "color"}));
     }
 
-    /// (3,2) ABC: inside
+    /// (3,2) ABC: inside, (3,2) ABC: hidden
     void read_in_primitive(const ClaimWord& primitive) {
         put("in", primitive);
         line_.expect(":", "`:`");
-        read_verdict("inside", "inside or outside");
+        if (find_verdict(line_.peek(), "visible"))
+            return read_verdict("visible", "visible or hidden");
+        read_verdict("inside", "inside, outside, visible or hidden");
     }
 
     /// depth ACD (3,2): 1/3 fails
@@ -363,14 +356,85 @@ private:
             read_verdict("pass", "passes or fails");
     }
 
-    /// (3,2)
-    void read_place() {
-        line_.expect("(", "a pixel, like (3,2)");
-        put("x", line_.key());
-        if (!line_.take(";") && !line_.take("|"))
-            line_.expect(",", "a comma between x and y");
-        put("y", line_.key());
-        line_.expect(")", "`)` behind x and y");
+    /// True of (3,2) (4,2), with or without a mark between them.
+    bool are_points_next() const {
+        std::size_t end = 0;
+        while (!line_.peek(end).text.empty() && !line_.peek(end).is(")"))
+            ++end;
+        const ClaimWord between = line_.peek(end + 1);
+        const bool has_mark = between.is(",") || between.is(";") || between.is("->");
+        return line_.peek().is("(") && line_.peek(end + (has_mark ? 2 : 1)).is("(");
+    }
+
+    /// AB pixels: (2,5) (1,4), AB pixels: 9, ABC rows: 9
+    void read_counted(const ClaimWord& name) {
+        begin("primitive", {});
+        put("name", name);
+        const bool are_rows = line_.next().is("rows");
+        go_to_value();
+        if (!are_rows && line_.peek().is("("))
+            read_points();
+        else
+            put(are_rows ? "rows" : "count", line_.one_number());
+    }
+
+    void read_points() {
+        std::vector<ClaimWord> coordinates;
+        do {
+            for (ClaimWord& coordinate : point())
+                coordinates.push_back(std::move(coordinate));
+            if (!line_.take(",") && !line_.take(";"))
+                line_.take("->");
+        } while (!line_.at_end());
+        put_list("pixels", coordinates);
+    }
+
+    /// 9 rows, 50 pixels
+    void read_counts() {
+        do {
+            const ClaimWord number = line_.one_number();
+            const bool are_rows = line_.take("rows") || line_.take("row");
+            if (!are_rows && !counts_pixels(number))
+                line_.fail(line_.peek(), "rows or pixels");
+            put(are_rows ? "rows" : "count", number);
+        } while (line_.take(",") || line_.take("and"));
+    }
+
+    /// True of y = 4/3 x + 7/3, and of y = 3 alone.
+    bool is_form_next() const {
+        const bool is_of_x = line_.peek().is("y");
+        if ((!is_of_x && !line_.peek().is("x")) || !line_.peek(1).is("="))
+            return false;
+        std::size_t at = 2;
+        for (; !line_.peek(at).text.empty() && !line_.peek(at).is(","); ++at)
+            if (line_.peek(at).text.ends_with(is_of_x ? 'x' : 'y'))
+                return true;
+        return line_.peek(at).text.empty();
+    }
+
+    /// y = 4/3 x + 7/3 on the line or the edge of that name; x = 3/4 y - 7/4
+    void read_form(const ClaimWord& name) {
+        begin("edge", {});
+        put("edge", name);
+        const ClaimWord axis = line_.next();
+        line_.next();
+        const std::string other = axis.is("y") ? "x" : "y";
+        const ClaimWord first = line_.peek();
+        const auto constant = [&first](std::string_view text) {
+            return ClaimWord{.text = std::string(text), .offset = first.offset};
+        };
+        ClaimWord m = constant("0");
+        ClaimWord b = constant("0");
+        if (first.is(other) || first.is("-" + other)) {
+            m = constant(line_.next().is(other) ? "1" : "-1");
+        } else {
+            b = line_.one_number();
+            if (line_.take(other))
+                std::swap(m, b);
+        }
+        if (!line_.at_end())
+            b = line_.one_number();
+        put_list(axis.is("y") ? "y_form" : "x_form", {m, b});
     }
 
     /// order: ABC, ACD
@@ -431,8 +495,13 @@ private:
         begin("edge", primitive);
         line_.next();
         line_.take("of");
-        put("edge", line_.next());
-        go_to_value();
+        const ClaimWord name = line_.next();
+        const bool says_slope = line_.take("dx/dy"); // edge AB dx/dy 3/4
+        if (!line_.take("=") && !line_.take(":") && !says_slope)
+            line_.expect(":", "`:`");
+        if (is_form_next())
+            return read_form(name);
+        put("edge", name);
         line_.take("dx/dy", "=");
         read_slope();
     }
@@ -478,6 +547,23 @@ private:
     void read_of_name(const ClaimWord& name) {
         if (!line_.take(":")) // A = (2, 5), A(2, 5)
             line_.take("=");
+        if (is_form_next())
+            return read_form(name);
+        if (are_points_next()) {
+            begin("primitive", {});
+            put("name", name);
+            return read_points();
+        }
+        if (find_verdict(line_.peek(), "visible")) {
+            begin("primitive", {});
+            put("name", name);
+            return read_verdict("visible", "visible or hidden");
+        }
+        if (line_.has("rows") || line_.has("pixels")) {
+            begin("primitive", {});
+            put("name", name);
+            return read_counts();
+        }
         if (find_verdict(line_.peek(), "culled")) {
             begin("face", {});
             put("name", name);
@@ -522,60 +608,6 @@ private:
                    : !near_word.empty() ? near_word
                                         : std::string(forms));
     }
-
-    void read_verdict(std::string_view field, std::string_view expected) {
-        const ClaimWord word = line_.next();
-        if (const VerdictWord* const verdict = find_verdict(word, field))
-            put_value(*verdict, word);
-        else if (word.is(open_value))
-            put(field, word);
-        else
-            line_.fail(word, expected);
-    }
-
-    void begin(std::string_view step, const std::optional<ClaimWord>& primitive) {
-        claim_.step = step;
-        if (primitive)
-            put("in", *primitive);
-    }
-
-    void put(std::string_view field, const ClaimWord& word) { put_list(field, {word}); }
-
-    void put_value(const VerdictWord& verdict, const ClaimWord& word) {
-        put(verdict.field, {.text = std::string(verdict.value), .offset = word.offset});
-    }
-
-    void put_list(std::string_view name, const std::vector<ClaimWord>& words) {
-        const ClaimField field = field_named(name);
-        ClaimedField claimed{.name = std::string(name),
-                             .values = {},
-                             .is_list = field.is_list,
-                             .offset = words.front().offset};
-        for (const ClaimWord& word : words) {
-            if (word.is_mark || word.text.empty())
-                line_.fail(word, fmt::format("a value for {}", name));
-            // That a quantity is a number has been seen when it was read.
-            const auto expected = field.type == FieldType::quantity
-                                      ? std::nullopt
-                                      : expected_instead(field, word.text);
-            if (expected)
-                line_.fail(word, *expected);
-            claimed.values.push_back(word.text);
-        }
-        claim_.fields.push_back(std::move(claimed));
-    }
-
-    /// The field of a name; of two with that name, the list. Steps of this table have them all.
-    ClaimField field_named(std::string_view name) const {
-        ClaimField found;
-        for (const ClaimField& field : claim_fields_of(*step_kind_named(claim_.step)))
-            if (field.name == name && !found.is_list)
-                found = field;
-        return found;
-    }
-
-    ClaimLine& line_;
-    Claim& claim_;
 };
 
 } // namespace
@@ -613,12 +645,6 @@ std::string_view words_for_field(std::string_view field) {
         std::find_if(field_words.begin(), field_words.end(),
                      [field](const FieldWords& words) { return words.field == field; });
     return known == field_words.end() ? field : known->words;
-}
-
-std::string_view word_for_value(std::string_view field, std::string_view value) {
-    const VerdictWord* const known = find_verdict_word(
-        [&](const VerdictWord& word) { return word.field == field && word.value == value; });
-    return known == nullptr ? value : known->word;
 }
 
 } // namespace rastertrace

@@ -20,7 +20,7 @@ namespace {
 
 using number_text::is_digit;
 
-constexpr std::string_view blanks = " \t\r";
+constexpr std::string_view blanks = " \t\r\n";
 
 /// How much of a word is shown.
 constexpr std::size_t shown_of_word = 40;
@@ -35,13 +35,16 @@ std::string_view mark_at(std::string_view text) {
     return {};
 }
 
-/// The length of the word at the front of `text`: to a blank, a mark, a quote or a comment.
+/// The length of the word at the front of `text`: to a blank, a mark, a quote or a comment. 3/4x are two.
 std::size_t word_length(std::string_view text) {
     std::size_t length = 1;
     while (length < text.size() && (blanks.find(text[length]) == std::string_view::npos) &&
            text[length] != '"' && text[length] != '#' && mark_at(text.substr(length)).empty())
         ++length;
-    return length;
+    const bool is_product = length > 1 && text.find_first_not_of("+-./0123456789") == length - 1 &&
+                            (text[length - 1] == 'x' || text[length - 1] == 'y') &&
+                            is_digit(text[length - 2]);
+    return is_product ? length - 1 : length;
 }
 
 /// Characters of a line, and the plain ones that are read in their place. Of two that begin alike, the longer is first.
@@ -65,6 +68,14 @@ constexpr auto spellings = std::to_array<Spelling>({
     {"\u215E", "7/8"},
 });
 
+/// True of #808080 and #808080ff, which are no comments.
+bool is_color_at(std::string_view text) {
+    const std::size_t end =
+        std::min(text.find_first_not_of("0123456789abcdefABCDEF", 1), text.size());
+    return (end == 7 || end == 9) &&
+           (end == text.size() || std::isalnum(static_cast<unsigned char>(text[end])) == 0);
+}
+
 } // namespace
 
 ClaimLine::ClaimLine(const Source& source, std::size_t begin, std::size_t end, CommaUse& commas)
@@ -80,8 +91,8 @@ ClaimLine::ClaimLine(const Source& source, std::size_t begin, std::size_t end, C
 void ClaimLine::spell() {
     std::size_t at = 0;
     while (at < raw_.size()) {
-        // Behind the word color, # is no comment.
-        if (raw_[at] == '#' && !without_blanks(spelled_).ends_with("color"))
+        if (raw_[at] == '#' && !is_color_at(raw_.substr(at)) &&
+            !without_blanks(spelled_).ends_with("color"))
             break;
         const std::size_t quoted_from = at;
         spell_character(at);
@@ -138,6 +149,11 @@ void ClaimLine::leave_out_numbering() {
     if (label > 0 && label + 1 < line.size() && (line[label] == '.' || line[label] == ')') &&
         line[label + 1] == ' ')
         end = label + 2;
+    // A table of steps has their numbers before them.
+    if (digits > 0 && line.substr(digits).starts_with("  ") &&
+        line.find_first_not_of(' ', digits) != std::string_view::npos &&
+        !is_digit(line[line.find_first_not_of(' ', digits)]))
+        end = digits + 2;
     spelled_.erase(0, end);
     places_.erase(places_.begin(), places_.begin() + static_cast<std::ptrdiff_t>(end));
 }
@@ -208,6 +224,11 @@ ClaimWord ClaimLine::next() {
     ClaimWord word = peek();
     next_ = std::min(next_ + 1, words_.size());
     return word;
+}
+
+bool ClaimLine::has(std::string_view plain) const {
+    return std::any_of(words_.begin() + static_cast<std::ptrdiff_t>(next_), words_.end(),
+                       [plain](const ClaimWord& word) { return word.is(plain); });
 }
 
 bool ClaimLine::take(std::string_view plain) {

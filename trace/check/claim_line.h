@@ -10,6 +10,7 @@
 
 #include "typed_number.h"
 
+#include <algorithm>
 #include <rastertrace/core/raster/canvas.h>
 #include <rastertrace/trace/text/problem.h>
 
@@ -59,9 +60,19 @@ public:
     ClaimWord peek(std::size_t ahead = 0) const;
     ClaimWord next();
 
+    /// True if the word is one of those that follow.
+    bool has(std::string_view plain) const;
+
     /// Goes behind the next words if they are these.
     bool take(std::string_view plain);
     bool take(std::string_view plain, std::string_view mark);
+
+    /// True of a place behind the last word.
+    bool is_end(std::size_t ahead) const { return next_ + ahead >= words_.size(); }
+
+    /// Goes behind so many words, or behind all.
+    void skip(std::size_t words) { next_ = std::min(next_ + words, words_.size()); }
+    void skip_rest() { next_ = words_.size(); }
 
     /// Goes behind a mark, or fails.
     void expect(std::string_view mark, std::string expected);
@@ -82,6 +93,11 @@ public:
     /// So many numbers, 0 for any, with commas or blanks between them, perhaps in brackets; or one `?` for all. `usual`
     /// is how many there are of them as a rule.
     std::vector<ClaimWord> numbers(std::size_t count, std::size_t usual = 0);
+
+    /// A word as it was typed, a number with its unit.
+    std::string_view typed(const ClaimWord& word) const {
+        return std::string_view(spelled_).substr(word.begin, word.end - word.begin);
+    }
 
     /// What stands between two words that were read.
     std::string_view between(const ClaimWord& first, const ClaimWord& second) const {

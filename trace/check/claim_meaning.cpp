@@ -67,9 +67,35 @@ std::optional<Meant> meaning_of_name(const std::string& name, std::size_t count,
     return Meant{StepKind::vertex, "name", "at", space_of(name, count, claim, claims, told)};
 }
 
+/// Numbers of a row are the ends of a polygon's spans; where there is none, the pixels.
+Claim row_as_meant(Claim claim, const StepIndex& told) {
+    if (!told.find(StepKind::crossings, {}).empty())
+        return claim;
+    claim.step = name_of(StepKind::scanline);
+    for (ClaimedField& field : claim.fields)
+        if (field.name == "x")
+            field.name = "pixels";
+    return claim;
+}
+
+/// A claim about an edge, or about a line of that name.
+Claim line_as_meant(Claim claim, const StepIndex& told) {
+    for (ClaimedField& field : claim.fields)
+        if (field.name == "edge" &&
+            told.find(StepKind::edge, {{"edge", edge_in(told, field.values.front())}}).empty()) {
+            claim.step = name_of(StepKind::primitive);
+            field.name = "name";
+        }
+    return claim;
+}
+
 } // namespace
 
 Claim as_meant(Claim claim, const Claims& claims, const TruthIndex& truth) {
+    if (claim.find("y_form") != nullptr || claim.find("x_form") != nullptr)
+        return line_as_meant(std::move(claim), truth.exact());
+    if (claim.step == name_of(StepKind::crossings) && claims.is_table)
+        return row_as_meant(std::move(claim), truth.exact());
     const ClaimedField* const d = claim.find("d");
     const ClaimedField* const name = claim.find("in");
     if (claim.step != name_of(StepKind::decide) || d == nullptr || !d->is_list || name == nullptr)

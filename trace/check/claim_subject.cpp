@@ -99,6 +99,7 @@ public:
             subject.absence = absence(subject.keys);
         const Trace& trace = index_.trace();
         subject.is_left_out = subject.step == 0 && (trace.is_partial || !trace.damage.empty());
+        subject.is_answer = claim_.is_answer;
         subject.culls = &index_ == &truth_.exact();
         return subject;
     }
@@ -232,6 +233,9 @@ private:
     /// The step that has these keys; 0 if none has.
     std::size_t step_in(const StepIndex& index, const StepIndex::Keys& keys) const {
         const auto& steps = index.find(kind_, keys);
+        if (claim_.is_answer)
+            if (const std::size_t same = step_that_says_so(index, steps); same != 0)
+                return same;
         if (kind_ == StepKind::decide && is_whole_line())
             return first_of_line(index, steps);
         if (kind_ == StepKind::pixel)
@@ -244,6 +248,21 @@ private:
         if (span == 0)
             refuse_several(index, steps);
         return span;
+    }
+
+    /// Of the steps that a sentence could be, the first that says what it says; 0 if none does.
+    std::size_t step_that_says_so(const StepIndex& index,
+                                  const std::vector<std::size_t>& steps) const {
+        const auto says_so = [&](std::size_t n) {
+            return std::all_of(claim_.fields.begin(), claim_.fields.end(), [&](const auto& field) {
+                if (is_key(kind_, field.name) || field.name == "plotted")
+                    return true;
+                const ToldValues told = told_in(index, n, field);
+                return told && compare(field, *told, NumbersHeld::doubles, false).is_right;
+            });
+        };
+        const auto found = std::find_if(steps.begin(), steps.end(), says_so);
+        return found == steps.end() ? 0 : *found;
     }
 
     /// Of the spans of a polygon in one row, the one whose end is nearest to the first that is claimed; 0 if they are of
@@ -404,7 +423,11 @@ bool names_face(const std::string& name, const TruthIndex& truth) {
 
 bool is_decision(StepKind kind, std::string_view field) {
     if (kind == StepKind::pixel)
-        return field == "plotted" || field == "inside" || field == "color";
+        return field == "plotted" || field == "inside" || field == "color" || field == "visible";
+    if (kind == StepKind::primitive || kind == StepKind::scanline)
+        for (const std::string_view counted : {"rows", "count", "pixels", "visible"})
+            if (field == counted)
+                return true;
     const StepField* const known = field_of(kind, field);
     return known != nullptr && known->role == FieldRole::decision;
 }

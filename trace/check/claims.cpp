@@ -33,7 +33,8 @@ char first_character(std::string_view text) {
     return first == std::string_view::npos ? '\0' : text[first];
 }
 
-/// `text` with one blank in place of each line break and what stands beside it.
+} // namespace
+
 std::string in_one_line(std::string_view text) {
     std::string line;
     for (const std::string& part : split_at(text, '\n')) {
@@ -44,6 +45,8 @@ std::string in_one_line(std::string_view text) {
     }
     return line;
 }
+
+namespace {
 
 /// Reads claims in JSON. What is wrong is thrown as a Problem.
 class JsonClaimsReader {

@@ -5,7 +5,9 @@
 
 #include "claim_fields.h"
 #include "claim_forms.h"
+#include "claim_sentences.h"
 #include "claims_columns.h"
+#include "pasted_answer.h"
 
 #include <rastertrace/trace/text/text.h>
 
@@ -45,10 +47,13 @@ public:
                 .source = std::move(claims_.source), .is_table = true, .has_decimal_comma = true};
             problems_.clear();
             has_round_ = false;
+            primitive_.clear();
+            answer_ = {};
             table_.reset();
             is_in_unknown_table_ = false;
             read_lines();
         }
+        claims_.not_judged = answer_.not_judged();
         if (problems_.empty())
             return;
         constexpr std::size_t most_in_claims = 3;
@@ -66,7 +71,10 @@ private:
             try {
                 read_line(number, std::min(begin, text.size()), end);
             } catch (Problem& problem) {
-                problems_.push_back(std::move(problem));
+                if (answer_.is_behind_picture())
+                    answer_.leave_out();
+                else
+                    problems_.push_back(std::move(problem));
                 in_picture_ = in_picture_ && begin < text.size();
             }
             begin = end + 1;
@@ -76,6 +84,9 @@ private:
     void read_line(std::size_t number, std::size_t begin, std::size_t end) {
         if (in_picture_)
             return read_row(begin, end);
+        if (answer_.leaves_out(claims_.source.text, begin, end))
+            return;
+        end = answer_.end_of_sentence(claims_.source.text, end);
         const std::string_view text = claims_.source.text;
         if (table_ && table_->read_row(claims_.source, begin, end, number, commas_, claims_.claims))
             return;
@@ -102,7 +113,7 @@ private:
             return read_round(line);
         Claim claim{.line = number,
                     .offset = line.peek().offset,
-                    .text = std::string(line.text()),
+                    .text = in_one_line(line.text()),
                     .step = {},
                     .fields = {},
                     .picture = {}};
@@ -111,8 +122,14 @@ private:
             claim.step = "picture";
             in_picture_ = true;
         } else {
-            read_claim(line, claim);
+            const SentenceKind kind = read_sentence(line, claim, primitive_);
+            if (kind == SentenceKind::silent)
+                return;
+            claim.is_answer = kind == SentenceKind::claim;
+            if (!claim.is_answer)
+                read_claim(line, claim);
         }
+        answer_.end_frame();
         claims_.claims.push_back(std::move(claim));
     }
 
@@ -185,6 +202,8 @@ private:
     std::vector<Problem> problems_;
     bool in_picture_ = false;
     bool has_round_ = false;
+    PastedAnswer answer_;
+    std::string primitive_; ///< that the sentences are about
 };
 
 } // namespace

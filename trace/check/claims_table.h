@@ -20,4 +20,7 @@ void read_claims_table(Claims& claims);
 /// A name as a word of the table: in quotes where it could be taken for something else.
 std::string name_in_table(std::string_view name);
 
+/// `text` with one blank in place of each line break and what stands beside it.
+std::string in_one_line(std::string_view text);
+
 } // namespace rastertrace

@@ -38,6 +38,7 @@ public:
           primitive_(numbers.index().primitive_of(step)) {}
 
     Formulas of_edge() const;
+    Formulas of_form(bool is_of_y) const;
     Formulas of_row_end(const std::string& side) const;
     Formulas of_row_depth(const std::string& side) const;
     Formulas of_row_pixel(const std::string& field) const;
@@ -45,6 +46,11 @@ public:
     Formulas of_snapped() const;
     Formulas of_face(std::string_view field) const;
     Formulas of_decisions() const;
+    Formulas of_pixels() const;
+    Formulas of_count(std::string_view field) const;
+    Formulas of_row_count() const;
+    Formulas of_color() const;
+    Formulas of_inside() const;
     Formulas of_along() const;
     Formulas of_weights() const;
     Formulas of_depth(bool as_z, bool as_inverse) const;
@@ -113,6 +119,18 @@ Formulas Deriver::of_edge() const {
     if (!edge)
         return {};
     return {{Slope{edge->from, edge->to, edge->other}}};
+}
+
+/// Of an edge, or of a primitive that is a line.
+Formulas Deriver::of_form(bool is_of_y) const {
+    if (view_.kind() == StepKind::edge) {
+        const auto edge = edge_named(view_.as<EdgeStep>().edge.text());
+        return edge ? Formulas{{LineForm{edge->from, edge->to, is_of_y}}} : Formulas{};
+    }
+    const auto from = numbers_.corner(step_, 0);
+    const auto to = numbers_.corner(step_, 1);
+    const bool is_line = view_.as<PrimitiveStep>().kind == PrimitiveKind::line;
+    return is_line && from && to ? Formulas{{LineForm{*from, *to, is_of_y}}} : Formulas{};
 }
 
 /// The name of the edge that an end of a row, "left" or "right", lies on.
@@ -188,7 +206,11 @@ RoundedEnd rounded_end(const Numbers& numbers, std::size_t row, const std::strin
 }
 
 Formulas Deriver::of_row_pixel(const std::string& field) const {
-    return {{rounded_end(numbers_, step_, field == "from" ? "left" : "right")}};
+    const std::string side = field == "from" ? "left" : "right";
+    RoundedEnd end = rounded_end(numbers_, step_, side);
+    const std::string edge = edge_of_end(view_.as<ScanlineStep>(), side);
+    end.per_row = numbers_.one(edge_step(edge), "dx_dy").value_or(0);
+    return {{end}};
 }
 
 /// The rows of matrices, one behind the other.
@@ -328,6 +350,92 @@ Formulas Deriver::of_decisions() const {
     return {{*line}};
 }
 
+/// Those of a line that Bresenham draws.
+Formulas Deriver::of_pixels() const {
+    Replay replay(numbers_.trace());
+    replay.go_to(step_);
+    const auto steps = numbers_.index().pixels_of(step_);
+    auto ends = ends_of_line(replay, primitive_of(replay));
+    const auto line = ends ? decisions_between(numbers_.trace(), *ends) : std::nullopt;
+    if (!line || steps.empty() || line->major > most_decisions ||
+        numbers_.trace().method_value("line") != "bresenham" ||
+        view_.as<PrimitiveStep>().kind != PrimitiveKind::line)
+        return {};
+    const StepView first = numbers_.step(steps.front());
+    if (x_in(first) != ends->from.x || y_in(first) != ends->from.y)
+        std::swap(ends->from, ends->to);
+    const Vec2 way{ends->to.x - ends->from.x, ends->to.y - ends->from.y};
+    const Vec2 diagonal{sgn(way.x), sgn(way.y)};
+    const bool is_x_major = abs(way.x) >= abs(way.y);
+    return {{LinePixels{.decisions = *line,
+                        .from = ends->from,
+                        .straight = is_x_major ? Vec2{diagonal.x, 0} : Vec2{0, diagonal.y},
+                        .diagonal = diagonal}}};
+}
+
+/// How many rows a primitive has, or how many pixels a line.
+Formulas Deriver::of_count(std::string_view field) const {
+    const auto steps = numbers_.index().pixels_of(step_);
+    const bool is_line = view_.as<PrimitiveStep>().kind == PrimitiveKind::line;
+    if (steps.empty() || (field == "count" && !is_line))
+        return {};
+    const auto between = [&](const auto& coordinate) {
+        const auto [low, high] =
+            std::minmax_element(steps.begin(), steps.end(), [&](std::size_t a, std::size_t b) {
+                return coordinate(numbers_.step(a)) < coordinate(numbers_.step(b));
+            });
+        return InclusiveCount{*coordinate(numbers_.step(*low)), *coordinate(numbers_.step(*high))};
+    };
+    const InclusiveCount rows = between([](const StepView& step) { return y_in(step); });
+    const InclusiveCount columns = between([](const StepView& step) { return x_in(step); });
+    const bool is_by_column =
+        field == "count" && columns.last - columns.first > rows.last - rows.first;
+    return {{is_by_column ? columns : rows}};
+}
+
+Formulas Deriver::of_row_count() const {
+    const auto first = numbers_.one(step_, "from");
+    const auto last = numbers_.one(step_, "to");
+    return first && last ? Formulas{{InclusiveCount{*first, *last}}} : Formulas{};
+}
+
+/// Of a pixel on a line with two colors, or in a triangle with three.
+Formulas Deriver::of_color() const {
+    const bool is_cut = numbers_.trace().method_value("color_rounding") == "truncate";
+    Replay replay(numbers_.trace());
+    replay.go_to(step_);
+    const PrimitiveText primitive = primitive_of(replay);
+    if (const auto line = color_on_line(replay, primitive)) {
+        const auto weights = [&](bool distance) {
+            const Rational share = line->share_by(distance);
+            return std::vector<Rational>{1 - share, share};
+        };
+        return {{MixedColor{.colors = {line->from, line->to},
+                            .weights = weights(line->is_by_distance),
+                            .is_cut = is_cut,
+                            .other_weights = weights(!line->is_by_distance)}}};
+    }
+    const auto triangle = corners();
+    const auto sample = sample_of(numbers_.trace(), view_);
+    const auto colors = primitive.colors.values();
+    if (!triangle || !sample || colors.size() != 3)
+        return {};
+    MixedColor mixed{
+        .colors = {}, .weights = value_of({Weights{*triangle, *sample}}), .is_cut = is_cut};
+    for (const TracedColor& color : colors)
+        mixed.colors.push_back(color.color().value_or(Color()));
+    return mixed.weights.empty() ? Formulas{} : Formulas{{std::move(mixed)}};
+}
+
+/// Of a sample in a triangle.
+Formulas Deriver::of_inside() const {
+    const auto triangle = corners();
+    const auto sample = sample_of(numbers_.trace(), view_);
+    if (!triangle || !sample)
+        return {};
+    return {{InTriangle{{*triangle, *sample}, view_.as<SampleStep>().inside.is_true()}}};
+}
+
 /// A line's other coordinate where it is at x or y.
 Formulas Deriver::of_along() const {
     const auto along = view_.as<AlongStep>();
@@ -451,15 +559,29 @@ std::vector<Formula> formulas_of(const Numbers& numbers, std::size_t step, std::
         return {};
     const Deriver of(numbers, step);
     const std::string name(field);
-    switch (numbers.trace().kind_of(step).value_or(StepKind::primitive)) {
+    const auto kind = numbers.trace().kind_of(step);
+    if (!kind)
+        return {};
+    switch (*kind) {
     case StepKind::edge:
-        return name == "dx_dy" ? of.of_edge() : Formulas{};
+        return name == "dx_dy"                        ? of.of_edge()
+               : name == "y_form" || name == "x_form" ? of.of_form(name == "x_form")
+                                                      : Formulas{};
+    case StepKind::primitive:
+        return name == "y_form" || name == "x_form" ? of.of_form(name == "x_form")
+               : name == "pixels"                   ? of.of_pixels()
+               : name == "rows" || name == "count"  ? of.of_count(name)
+                                                    : Formulas{};
+    case StepKind::pixel:
+        return name == "color" ? of.of_color() : Formulas{};
     case StepKind::scanline:
         if (name == "left" || name == "right")
             return of.of_row_end(name);
         if (name == "left_depth" || name == "right_depth")
             return of.of_row_depth(name.substr(0, name.find('_')));
-        return name == "from" || name == "to" ? of.of_row_pixel(name) : Formulas{};
+        return name == "from" || name == "to" ? of.of_row_pixel(name)
+               : name == "count"              ? of.of_row_count()
+                                              : Formulas{};
     case StepKind::vertex:
         return name == "at" ? of.of_place() : name == "snapped" ? of.of_snapped() : Formulas{};
     case StepKind::face:
@@ -470,7 +592,7 @@ std::vector<Formula> formulas_of(const Numbers& numbers, std::size_t step, std::
     case StepKind::along:
         return name == "value" ? of.of_along() : Formulas{};
     case StepKind::sample:
-        return name == "weights" ? of.of_weights() : Formulas{};
+        return name == "weights" ? of.of_weights() : name == "inside" ? of.of_inside() : Formulas{};
     case StepKind::depth:
         return name == "depth" || name == "z" || name == "inverse_z"
                    ? of.of_depth(name == "z", name == "inverse_z")

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "slip_likelihood.h"
 
+#include "claim_comparison.h"
 #include "typed_number.h"
 
 #include <algorithm>
@@ -21,6 +22,9 @@ constexpr double share_of_each = 1.0 / 3;
 /// Another number is a whole one as often as not, and not far from 0.
 constexpr double usual_whole_numbers = 41;
 constexpr double usual_denominators = 8;
+
+/// Of all colors, few are likely.
+constexpr double chance_of_other_color = 1e-3;
 
 double chance_of_other_number(const TypedValue& typed) {
     double numbers = std::max(usual_whole_numbers, 2 * std::abs(typed.value.get_d()));
@@ -50,8 +54,8 @@ double chance_of_other_digit(std::string_view text, std::string_view right) {
 
 double chance_of(const std::string& text, const Rational& right) {
     const auto typed = typed_value(text);
-    if (!typed) // true or false
-        return 1.0 / 2;
+    if (!typed)
+        return levels_in(text).empty() ? 1.0 / 2 : chance_of_other_color;
     const bool is_tenfold = typed->value == 10 * right || 10 * typed->value == right;
     return chance_of_other_number(*typed) + chance_of_other_digit(text, right.get_str()) +
            (is_tenfold ? share_of_each / 2 : 0);

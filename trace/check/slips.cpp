@@ -30,10 +30,32 @@ Values negated(Values values) {
     return values;
 }
 
+/// A line whose slope is inverted, with the b that was right, or the one that goes with it.
+void add_inverted_form(SlipResults& results, const LineForm& line) {
+    if (results.right().empty())
+        return;
+    const auto m = divided(1, results.right().front());
+    if (!m)
+        return;
+    const auto& [x, y] =
+        line.is_of_y ? std::pair(line.from.y, line.from.x) : std::pair(line.from.x, line.from.y);
+    results.add(Values{*m, results.right().back()});
+    results.add(Values{*m, y - *m * x});
+}
+
+std::vector<SlipResult> dy_dx_inverted(const Formula& formula) {
+    SlipResults results(formula);
+    if (const auto* line = as_form<LineForm>(formula); line && !line->is_of_y)
+        add_inverted_form(results, *line);
+    return results.take();
+}
+
 std::vector<SlipResult> dx_dy_inverted(const Formula& formula) {
     SlipResults results(formula);
     if (const auto* edge = as_form<Slope>(formula))
         results.add(divided(edge->to.y - edge->from.y, edge->to.x - edge->from.x));
+    if (const auto* line = as_form<LineForm>(formula); line && line->is_of_y)
+        add_inverted_form(results, *line);
     if (const auto* lerp = as_form<Lerp>(formula))
         if (const auto slope = lerp->slope(); slope && sgn(*slope) != 0) {
             results.add(lerp->d1 + (lerp->i - lerp->i1) / *slope);
@@ -48,6 +70,27 @@ Rational rounded_to_digits(const Rational& number, unsigned digits) {
     mpz_ui_pow_ui(power.get_mpz_t(), 10, digits);
     const Rational scaled = abs(number) * power + Rational(1, 2);
     return sgn(number) * Rational(mpz_class(scaled.get_num() / scaled.get_den())) / power;
+}
+
+/// A number cut off to a whole level.
+std::vector<SlipResult> byte_cast(const Formula& formula) {
+    SlipResults results(formula);
+    if (const auto* mixed = as_form<MixedColor>(formula)) {
+        MixedColor other = *mixed;
+        other.is_cut = !other.is_cut;
+        results.add_formula({other});
+    }
+    return results.take();
+}
+
+std::vector<SlipResult> color_by_other_share(const Formula& formula) {
+    SlipResults results(formula);
+    const auto* const mixed = as_form<MixedColor>(formula);
+    for (const bool is_cut : {true, false})
+        if (mixed != nullptr && !mixed->other_weights.empty())
+            results.add_formula({MixedColor{
+                .colors = mixed->colors, .weights = mixed->other_weights, .is_cut = is_cut}});
+    return results.take();
 }
 
 std::vector<SlipResult> slope_rounded_first(const Formula& formula) {
@@ -96,6 +139,11 @@ std::vector<SlipResult> neighbor_row(const Formula& formula) {
             beside.i += rows;
             results.add_formula({beside});
         }
+        if (const auto* end = as_form<RoundedEnd>(formula)) {
+            RoundedEnd beside = *end;
+            beside.x += rows * end->per_row;
+            results.add_formula({beside});
+        }
         if (const auto* weights = as_form<Weights>(formula)) {
             Weights beside = *weights;
             beside.sample.y += rows;
@@ -108,6 +156,13 @@ std::vector<SlipResult> neighbor_row(const Formula& formula) {
 std::vector<SlipResult> corner_for_center(const Formula& formula) {
     SlipResults results(formula);
     const Rational half(1, 2);
+    if (const auto* sample = as_form<InTriangle>(formula);
+        sample && sample->weights.sample.y.get_den() == 2) {
+        InTriangle at_corner = *sample;
+        at_corner.weights.sample = {sample->weights.sample.x - half,
+                                    sample->weights.sample.y - half};
+        results.add_formula({at_corner});
+    }
     if (const auto* lerp = as_form<Lerp>(formula); lerp && lerp->i.get_den() == 2) {
         Lerp at_corner = *lerp;
         at_corner.i -= half;
@@ -514,6 +569,16 @@ std::vector<SlipResult> sign(const Formula& formula) {
     return results.take();
 }
 
+std::vector<SlipResult> edge_the_other_way(const Formula& formula) {
+    SlipResults results(formula);
+    if (const auto* sample = as_form<InTriangle>(formula)) {
+        InTriangle other = *sample;
+        other.has_its_edge = !other.has_its_edge;
+        results.add_formula({other});
+    }
+    return results.take();
+}
+
 constexpr Slip other_slips[] = {
     {"truncate-for-floor", "rounding toward 0", "rounding down",
      "left of x = 0, rows begin and end one pixel too far right", 80,
@@ -526,6 +591,14 @@ constexpr Slip other_slips[] = {
      "rows end one pixel too early", 30, instead_of_floor<Rounding::half_open>},
     {"dx-dy-inverted", "(y2 - y1) / (x2 - x1)", "(x2 - x1) / (y2 - y1)",
      "steep edges lie flat, flat ones are steep", 70, dx_dy_inverted},
+    {"dy-dx-inverted", "(x2 - x1) / (y2 - y1)", "(y2 - y1) / (x2 - x1)",
+     "steep edges lie flat, flat ones are steep", 70, dy_dx_inverted},
+    {"edge-the-other-way", "a sample on an edge decided the other way", "the scene's own rule",
+     "pixels on edges are missing, or drawn twice", 30, edge_the_other_way},
+    {"byte-cast", "cutting a level off to a whole number, or rounding it", "the scene's own rule",
+     "127 in the middle of 0 to 255", 40, byte_cast},
+    {"color-by-distance", "the color by the distance, or by the steps", "the scene's own rule",
+     "colors a little beside, most on diagonal lines", 20, color_by_other_share},
     {"z-for-inverse-z", "z itself, or z in a straight line", "1/z in a straight line",
      "what is in the middle lies too far away", 60, z_for_inverse_z},
     {"start-and-step-exchanged", "adding the start again and again to the step",

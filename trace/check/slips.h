@@ -28,7 +28,7 @@ struct Slip {
     std::string_view done;       ///< "rounding toward 0"
     std::string_view instead_of; ///< "rounding down"
     std::string_view symptom;    ///< what is seen of it in the picture or the numbers
-    double in_thousand;          ///< a guess of how many wrong numbers in a thousand come of it
+    double in_thousand; ///< a guess of how many wrong numbers come of it, where it can happen
 
     /// What the formula comes to with the mistake in it: one result for each way to make it, none of
     /// which is the right one. None if the formula has no place for it.

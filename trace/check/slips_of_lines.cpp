@@ -10,36 +10,52 @@ namespace rastertrace {
 
 namespace {
 
+/// The decisions of a line, whether they or its pixels are asked for; nullptr of anything else.
+const BresenhamDecisions* line_in(const Formula& formula) {
+    const auto* const pixels = as_form<LinePixels>(formula);
+    return pixels != nullptr ? &pixels->decisions : as_form<BresenhamDecisions>(formula);
+}
+
+/// The same with other decisions.
+Formula with_line(const Formula& formula, const BresenhamDecisions& line) {
+    Formula other = formula;
+    if (auto* const pixels = std::get_if<LinePixels>(&other.of))
+        pixels->decisions = line;
+    else
+        other.of = line;
+    return other;
+}
+
 std::vector<SlipResult> tie_the_other_way(const Formula& formula) {
     SlipResults results(formula);
-    if (const auto* line = as_form<BresenhamDecisions>(formula)) {
+    if (const auto* line = line_in(formula)) {
         BresenhamDecisions other = *line;
         other.steps_at_ties = !other.steps_at_ties;
-        results.add_formula({other});
+        results.add_formula(with_line(formula, other));
     }
     return results.take();
 }
 
 std::vector<SlipResult> factor_2_dropped(const Formula& formula) {
     SlipResults results(formula);
-    const auto* line = as_form<BresenhamDecisions>(formula);
+    const auto* line = line_in(formula);
     if (line == nullptr)
         return {};
     for (const auto& [at_start, in_steps] : {std::pair(1, 2), std::pair(2, 1), std::pair(1, 1)}) {
         BresenhamDecisions other = *line;
         other.factor_at_start = at_start;
         other.factor_in_steps = in_steps;
-        results.add_formula({other});
+        results.add_formula(with_line(formula, other));
     }
     return results.take();
 }
 
 std::vector<SlipResult> dx_and_dy_exchanged(const Formula& formula) {
     SlipResults results(formula);
-    if (const auto* line = as_form<BresenhamDecisions>(formula)) {
+    if (const auto* line = line_in(formula)) {
         BresenhamDecisions other = *line;
         std::swap(other.major, other.minor);
-        results.add_formula({other});
+        results.add_formula(with_line(formula, other));
     }
     return results.take();
 }
@@ -50,24 +66,24 @@ decided_otherwise(const Formula& formula,
                   std::initializer_list<std::array<std::optional<Rational>, 3>> others) {
     SlipResults results(formula);
     for (const auto& [start, straight, diagonal] : others) {
-        BresenhamDecisions other = *as_form<BresenhamDecisions>(formula);
+        BresenhamDecisions other = *line_in(formula);
         other.other_start = start;
         other.other_straight = straight;
         other.other_diagonal = diagonal;
-        results.add_formula({other});
+        results.add_formula(with_line(formula, other));
     }
     return results.take();
 }
 
 std::vector<SlipResult> steps_exchanged(const Formula& formula) {
-    const auto* const line = as_form<BresenhamDecisions>(formula);
+    const auto* const line = line_in(formula);
     return line == nullptr
                ? std::vector<SlipResult>{}
                : decided_otherwise(formula, {{std::nullopt, line->diagonal(), line->straight()}});
 }
 
 std::vector<SlipResult> diagonal_of_one_axis(const Formula& formula) {
-    const auto* const line = as_form<BresenhamDecisions>(formula);
+    const auto* const line = line_in(formula);
     return line == nullptr
                ? std::vector<SlipResult>{}
                : decided_otherwise(formula,
@@ -76,7 +92,7 @@ std::vector<SlipResult> diagonal_of_one_axis(const Formula& formula) {
 }
 
 std::vector<SlipResult> start_of_other_axis(const Formula& formula) {
-    const auto* const line = as_form<BresenhamDecisions>(formula);
+    const auto* const line = line_in(formula);
     return line == nullptr ? std::vector<SlipResult>{}
                            : decided_otherwise(formula, {{Rational(2 * line->major - line->minor),
                                                           std::nullopt, std::nullopt}});
@@ -85,9 +101,15 @@ std::vector<SlipResult> start_of_other_axis(const Formula& formula) {
 /// dx and dy with their signs, in an octant whose lines rise.
 std::vector<SlipResult> octant_ignored(const Formula& formula) {
     SlipResults results(formula);
-    const auto* const line = as_form<BresenhamDecisions>(formula);
+    const auto* const line = line_in(formula);
     if (line == nullptr)
         return {};
+    if (const auto* const pixels = as_form<LinePixels>(formula)) {
+        LinePixels other = *pixels; // the steps of the first octant
+        other.straight = {1, 0};
+        other.diagonal = {1, 1};
+        results.add_formula({other});
+    }
     for (const int sign_of_major : {1, -1})
         for (const int sign_of_minor : {1, -1})
             for (const bool is_exchanged : {false, true}) {
@@ -97,7 +119,7 @@ std::vector<SlipResult> octant_ignored(const Formula& formula) {
                 if (is_exchanged)
                     std::swap(other.major, other.minor);
                 if (sign_of_major + sign_of_minor < 2) // else the lines rise
-                    results.add_formula({other});
+                    results.add_formula(with_line(formula, other));
             }
     return results.take();
 }
@@ -111,6 +133,22 @@ std::vector<SlipResult> shifted_list(const Formula& formula) {
     Values late{right.front()};
     late.insert(late.end(), right.begin(), right.end());
     results.add(std::move(late));
+    return results.take();
+}
+
+/// A line without its last pixel, or rows without the last.
+std::vector<SlipResult> last_pixel_left_out(const Formula& formula) {
+    SlipResults results(formula);
+    if (as_form<InclusiveCount>(formula))
+        results.add(Rational(results.right().front() - 1));
+    return results.take();
+}
+
+/// The row of the middle corner, which both edges of the shorter side have.
+std::vector<SlipResult> middle_row_twice(const Formula& formula) {
+    SlipResults results(formula);
+    if (as_form<InclusiveCount>(formula))
+        results.add(Rational(results.right().front() + 1));
     return results.take();
 }
 
@@ -131,6 +169,10 @@ constexpr Slip line_slips[] = {
      "each number stands beside the wrong step", 20, shifted_list},
     {"tie-the-other-way", "d = 0 decided the other way", "the scene's own rule for d = 0",
      "the line differs where it passes midway between two pixels", 30, tie_the_other_way},
+    {"last-pixel", "the last minus the first", "one more: the first counts, too",
+     "a gap at the end of each line", 300, last_pixel_left_out},
+    {"middle-row-twice", "the row of the middle vertex counted with both edges", "counted once",
+     "below the middle vertex, all ends stand one row too low", 100, middle_row_twice},
 };
 
 } // namespace

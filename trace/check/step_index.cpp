@@ -6,6 +6,7 @@
 #include <rastertrace/trace/text/json_scanner.h>
 
 #include <algorithm>
+#include <set>
 
 namespace rastertrace {
 
@@ -152,6 +153,20 @@ std::size_t StepIndex::place_before(std::size_t n) const {
     const auto& places = find(StepKind::vertex, {{"name", name_in(trace_->step(n)).text()}});
     const auto here = std::lower_bound(places.begin(), places.end(), n);
     return here == places.begin() ? 0 : *(here - 1);
+}
+
+std::vector<std::size_t> StepIndex::pixels_of(std::size_t primitive) const {
+    const Keys in{{"in", name_in(trace_->step(primitive)).text()}};
+    std::vector<std::size_t> steps = find(StepKind::pixel, in);
+    const auto& tests = find(StepKind::depth, in);
+    steps.insert(steps.end(), tests.begin(), tests.end());
+    std::sort(steps.begin(), steps.end());
+    std::set<std::pair<Index, Index>> seen;
+    std::erase_if(steps, [&](std::size_t n) {
+        const StepView step = trace_->step(n);
+        return !seen.emplace(y_in(step).value_or(0), x_in(step).value_or(0)).second;
+    });
+    return steps;
 }
 
 const Values& StepIndex::numbers(std::size_t step, std::string_view field) const {

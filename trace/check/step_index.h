@@ -51,6 +51,9 @@ public:
     /// The step before a `vertex` step of the same vertex, in the space that it comes from; 0 for none.
     std::size_t place_before(std::size_t n) const;
 
+    /// A step for each pixel that a primitive has, in the order in which it has them: the test of one that is hidden.
+    std::vector<std::size_t> pixels_of(std::size_t primitive) const;
+
     /// What a field of a step says, as numbers; nothing if it holds anything else.
     const Values& numbers(std::size_t step, std::string_view field) const;
 

@@ -15,6 +15,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <set>
 #include <variant>
 
 namespace rastertrace {
@@ -71,6 +72,46 @@ ToldValues told_z(const StepIndex& index, std::size_t test, bool is_inverse) {
     return std::vector{(is_inverse == holds_inverse ? *depth : Rational(1 / *depth)).get_str()};
 }
 
+bool is_seen(const StepIndex& index, std::size_t n) {
+    const StepView step = index.trace().step(n);
+    const Pixel pixel{static_cast<int>(x_in(step).value_or(0)),
+                      static_cast<int>(y_in(step).value_or(0))};
+    return index.trace().canvas.contains(pixel.x, pixel.y) &&
+           index.frame().drawn_by[index.trace().canvas.offset_of(pixel)] == n;
+}
+
+/// What follows from the pixels of a primitive.
+ToldValues told_of_pixels(const StepIndex& index, std::size_t primitive, std::string_view field) {
+    if (field == "visible") {
+        const auto& drawn =
+            index.find(StepKind::pixel, {{"in", name_in(index.trace().step(primitive)).text()}});
+        const bool is_visible = std::any_of(drawn.begin(), drawn.end(),
+                                            [&](std::size_t n) { return is_seen(index, n); });
+        return std::vector<std::string>{is_visible ? "true" : "false"};
+    }
+    std::vector<std::string> listed;
+    std::set<Index> rows;
+    for (const std::size_t n : index.pixels_of(primitive)) {
+        const StepView step = index.trace().step(n);
+        rows.insert(y_in(step).value_or(0));
+        for (const auto coordinate : {x_in(step), y_in(step)})
+            listed.push_back(std::to_string(coordinate.value_or(0)));
+    }
+    return field == "pixels"
+               ? listed
+               : std::vector{std::to_string(field == "rows" ? rows.size() : listed.size() / 2)};
+}
+
+/// The pixels of a row, or how many they are.
+std::vector<std::string> told_of_row(const ScanlineStep& row, std::string_view field) {
+    if (field == "count")
+        return {std::to_string(std::max<Index>(row.to - row.from + 1, 0))};
+    std::vector<std::string> pixels;
+    for (Index x = row.from; x <= row.to; ++x)
+        pixels.push_back(std::to_string(x));
+    return pixels;
+}
+
 } // namespace
 
 ToldValues told_in(const StepIndex& index, std::size_t step, const ClaimedField& field) {
@@ -83,6 +124,12 @@ ToldValues told_in(const StepIndex& index, std::size_t step, const ClaimedField&
         return told_z(index, step, field.name == "inverse_z");
     if (view.kind() == StepKind::face && field.name == "angle")
         return told_angle(index, step);
+    const bool is_of_pixels =
+        field.name == "pixels" || field.name == "count" || field.name == "visible";
+    if (view.kind() == StepKind::primitive && (is_of_pixels || field.name == "rows"))
+        return told_of_pixels(index, step, field.name);
+    if (view.kind() == StepKind::scanline && is_of_pixels)
+        return told_of_row(view.as<ScanlineStep>(), field.name);
     const auto json = view.field(field.name);
     if (json == "null" && field.name == "dx_dy")
         return std::vector{std::string(no_slope)};
@@ -144,6 +191,16 @@ bool is_inside_any(const StepIndex& index, const Subject& subject) {
            !index.find(StepKind::sample, tested).empty();
 }
 
+/// How far a pixel of a line has come from one of its colors to the other.
+ToldValues told_share(const StepIndex& index, std::size_t pixel) {
+    if (pixel == 0)
+        return std::nullopt;
+    Replay replay(index.trace());
+    replay.go_to(pixel);
+    const auto line = color_on_line(replay, primitive_of(replay));
+    return line ? ToldValues({line->share_by(line->is_by_distance).get_str()}) : std::nullopt;
+}
+
 /// What is told of a pixel of the final picture.
 ToldValues told_of_pixel(const StepIndex& index, std::size_t step, const Subject& subject,
                          std::string_view field) {
@@ -152,11 +209,17 @@ ToldValues told_of_pixel(const StepIndex& index, std::size_t step, const Subject
     // Of a primitive that is named, it is asked whether that one has plotted it.
     const bool names_primitive = std::any_of(subject.keys.begin(), subject.keys.end(),
                                              [](const auto& key) { return key.first == "in"; });
-    const bool is_plotted = names_primitive ? step != 0 : drawn_by != 0;
+    const bool is_plotted = names_primitive || subject.is_answer ? step != 0 : drawn_by != 0;
     if (field == "plotted")
         return std::vector<std::string>{is_plotted ? "true" : "false"};
     if (field == "inside")
         return std::vector<std::string>{is_inside_any(index, subject) ? "true" : "false"};
+    if (field == "visible")
+        return std::vector<std::string>{step != 0 && drawn_by == step ? "true" : "false"};
+    if (field == "share")
+        return told_share(index, drawn_by);
+    if (field == "color" && subject.is_answer)
+        return told_in(index, step, {.name = std::string(field), .values = {}});
     if (field == "color")
         return std::vector{drawn_by == 0 ? "none"
                                          : to_text(index.frame().image.at(pixel_of(subject)))};
@@ -246,6 +309,13 @@ std::size_t step_of(const Subject& subject, std::string_view field) {
         return subject.step;
     if (field == "z" || field == "inverse_z")
         return stored_by(*subject.exact, subject);
+    if (field == "inside" || field == "plotted")
+        if (const auto& samples = subject.exact->find(StepKind::sample, subject.keys);
+            samples.size() == 1)
+            return samples.front();
+    if (field == "color" || field == "share")
+        return subject.exact->frame()
+            .drawn_by[subject.exact->trace().canvas.offset_of(pixel_of(subject))];
     const std::size_t row = row_of_pixel(*subject.exact, subject);
     return (field == "plotted" || field == "inside") && row != 0 ? row : subject.step;
 }
@@ -253,6 +323,9 @@ std::size_t step_of(const Subject& subject, std::string_view field) {
 std::vector<Formula> formulas_of(const Subject& subject, const Numbers& numbers,
                                  std::string_view field) {
     if (subject.kind == StepKind::pixel && (field == "plotted" || field == "inside")) {
+        if (const std::size_t sample = step_of(subject, field);
+            sample != 0 && numbers.trace().kind_of(sample) == StepKind::sample)
+            return formulas_of(numbers, sample, "inside");
         const std::size_t row = row_of_pixel(numbers.index(), subject);
         return row == 0 ? std::vector<Formula>{}
                         : std::vector{in_row(numbers, row, Rational(pixel_of(subject).x))};

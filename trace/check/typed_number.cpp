@@ -117,6 +117,7 @@ private:
             at_ += divides ? 1 : 0;
             skip_blanks();
             const int operators_before = operators_;
+            const std::size_t literals_before = literals_.size();
             const bool has_bracket = peek() == '(';
             is_divisor_ = divides;
             const auto right = divides || multiplies ? factor() : std::nullopt;
@@ -126,6 +127,7 @@ private:
                 has_bracket && !divides && text_[at_ - 1] == ')' && operators_ == operators_before;
             if (!right || is_apart) {
                 at_ = from;
+                literals_.resize(literals_before);
                 break;
             }
             count_operator();

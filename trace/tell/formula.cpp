@@ -115,6 +115,37 @@ Values value(const BresenhamDecisions& line) {
     return of;
 }
 
+Values value(const LinePixels& line) {
+    Vec2 at = line.from;
+    Values of{at.x, at.y};
+    for (const Rational& d : value(line.decisions)) {
+        const Vec2& step = line.decisions.is_diagonal(d) ? line.diagonal : line.straight;
+        at = {at.x + step.x, at.y + step.y};
+        of.insert(of.end(), {at.x, at.y});
+    }
+    return of;
+}
+
+Values value(const LineForm& line) {
+    const auto form = slope_form_of({line.from, line.to}, !line.is_of_y);
+    return form ? Values{form->m, form->b} : Values{};
+}
+
+Values value(const InclusiveCount& count) {
+    return {count.last - count.first + 1};
+}
+
+Values value(const MixedColor& mixed) {
+    Values levels;
+    for (const auto channel : {&Color::red, &Color::green, &Color::blue}) {
+        Rational level = mixed.is_cut ? Rational(0) : Rational(1, 2);
+        for (std::size_t i = 0; i < mixed.colors.size(); ++i)
+            level += mixed.weights[i] * int{(mixed.colors[i].*channel)()};
+        levels.emplace_back(mpz_class(level.get_num() / level.get_den()));
+    }
+    return levels;
+}
+
 Values value(const MixedDepth& mixed) {
     const Rational depth = mixed.depth();
     if (!mixed.gives_inverse)
@@ -129,6 +160,14 @@ Values value(const DepthComparison& test) {
 Values value(const Weights& triangle) {
     const auto weights = triangle.value();
     return weights ? Values(weights->begin(), weights->end()) : Values{};
+}
+
+Values value(const InTriangle& sample) {
+    const auto weights = sample.weights.value();
+    if (!weights)
+        return {};
+    const int least = sgn(*std::min_element(weights->begin(), weights->end()));
+    return truth(least > 0 || (least == 0 && sample.has_its_edge));
 }
 
 } // namespace
@@ -237,9 +276,12 @@ Rational BresenhamDecisions::diagonal() const {
     return factor_in_steps * Rational(minor - major);
 }
 
+bool BresenhamDecisions::is_diagonal(const Rational& d) const {
+    return sgn(d) > 0 || (sgn(d) == 0 && steps_at_ties);
+}
+
 Rational BresenhamDecisions::next(const Rational& d) const {
-    const bool is_diagonal = sgn(d) > 0 || (sgn(d) == 0 && steps_at_ties);
-    return d + (is_diagonal ? diagonal() : straight());
+    return d + (is_diagonal(d) ? diagonal() : straight());
 }
 
 std::string BresenhamDecisions::written_out(const Rational& d) const {
@@ -364,6 +406,22 @@ FormulaRule rule(const BresenhamDecisions&) {
     return {"above 0, d steps diagonally, else straight on",
             "d = 2 dy - dx; then + 2 dy, or diagonally + 2 (dy - dx)"};
 }
+FormulaRule rule(const LinePixels& line) {
+    return rule(line.decisions);
+}
+FormulaRule rule(const LineForm& line) {
+    return line.is_of_y ? FormulaRule{"a line by its slope dx/dy, and its x where y = 0",
+                                      "x = m y + b, m = (x2 - x1) / (y2 - y1), b = x1 - m y1"}
+                        : FormulaRule{"a line by its slope dy/dx, and its y where x = 0",
+                                      "y = m x + b, m = (y2 - y1) / (x2 - x1), b = y1 - m x1"};
+}
+FormulaRule rule(const InclusiveCount&) {
+    return {"the first and the last count, too", "last - first + 1"};
+}
+FormulaRule rule(const MixedColor& mixed) {
+    return {"each color by its weight, channel by channel, then a whole level",
+            mixed.is_cut ? "floor(w1 c1 + w2 c2 + ...)" : "floor(w1 c1 + w2 c2 + ... + 1/2)"};
+}
 FormulaRule rule(const MixedDepth&) {
     return {"the depths at the ends or corners, each by its weight", "w1 d1 + w2 d2 + ..."};
 }
@@ -375,6 +433,9 @@ FormulaRule rule(const DepthComparison& test) {
 FormulaRule rule(const Weights&) {
     return {"the areas that the sample makes with two corners each, divided by the whole",
             "(ABx, ACx, PAx) x (ABy, ACy, PAy), divided by its third component"};
+}
+FormulaRule rule(const InTriangle&) {
+    return {"a sample lies in a triangle if none of its weights is negative", "w1, w2, w3 >= 0"};
 }
 
 } // namespace

@@ -11,6 +11,7 @@
 #include <rastertrace/core/numbers/conversion.h>
 #include <rastertrace/core/numbers/irrational.h>
 #include <rastertrace/core/numbers/vec.h>
+#include <rastertrace/core/raster/image.h>
 #include <rastertrace/core/raster/rounding.h>
 
 #include <array>
@@ -65,6 +66,7 @@ struct RoundedEnd {
     Rational x;
     SpanRounding rule;
     bool is_last = false; ///< of a row, where the rule tells both ends apart
+    Rational per_row = 0; ///< how far x goes for one row
 
     /// The pixel by another rule.
     Rational by(const SpanRounding& other) const;
@@ -205,11 +207,44 @@ struct BresenhamDecisions {
     Rational straight() const; ///< what a step along the major axis adds
     Rational diagonal() const; ///< what a step along both axes adds
 
+    /// True if a d steps along both axes.
+    bool is_diagonal(const Rational& d) const;
+
     /// What follows a d.
     Rational next(const Rational& d) const;
 
     /// -3 + 8 = 5: a d and the next.
     std::string written_out(const Rational& d) const;
+};
+
+/// The pixels of Bresenham's line: x and y of each in turn.
+struct LinePixels {
+    BresenhamDecisions decisions;
+    Vec<Rational, 2> from;
+    Vec<Rational, 2> straight; ///< the step along the longer direction
+    Vec<Rational, 2> diagonal; ///< the step along both
+};
+
+/// A line as y = m x + b: m and b. Of y: as x = m y + b.
+struct LineForm {
+    Vec<Rational, 2> from;
+    Vec<Rational, 2> to;
+    bool is_of_y = false;
+};
+
+/// How many pixels or rows there are from the first to the last.
+struct InclusiveCount {
+    Rational first;
+    Rational last;
+};
+
+/// Red, green and blue of colors, each by its weight, which become whole levels.
+struct MixedColor {
+    std::vector<Color> colors;
+    std::vector<Rational> weights;
+    bool is_cut = false; ///< to the level below; otherwise rounded
+    std::vector<Rational> other_weights =
+        {}; ///< by distance in the place of steps, or the other way round
 };
 
 /// A depth between others, by their weights: those of a triangle's corners, or of the ends of a row.
@@ -254,10 +289,18 @@ struct Weights {
     std::string written_out() const;
 };
 
+/// True if a sample lies in its triangle.
+struct InTriangle {
+    Weights weights;
+    bool has_its_edge =
+        false; ///< a sample on the edge that this one lies on belongs to the triangle
+};
+
 struct Formula {
     std::variant<TakenOver, Slope, Lerp, RoundedEnd, RoundedPlace, InRow, FaceNormal, Centroid,
                  FacePlane, Toward, FaceDot, FaceCosine, IsCulled, MatrixTimes, DividedByW,
-                 BresenhamDecisions, MixedDepth, DepthComparison, Weights>
+                 BresenhamDecisions, LinePixels, LineForm, InclusiveCount, MixedColor, MixedDepth,
+                 DepthComparison, Weights, InTriangle>
         of;
 };
 

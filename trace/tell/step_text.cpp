@@ -287,10 +287,12 @@ std::optional<LineEnds> ends_of_line(const Replay& replay, const PrimitiveText& 
     return std::nullopt;
 }
 
+Rational ColorOnLine::share_by(bool distance) const {
+    return distance ? Rational(1 - std::sqrt(nearest_double(to_end / length))) : step / steps;
+}
+
 double ColorOnLine::share() const {
-    if (is_by_distance)
-        return 1 - std::sqrt(nearest_double(to_end / length));
-    return nearest_double(step / steps);
+    return nearest_double(share_by(is_by_distance));
 }
 
 namespace {

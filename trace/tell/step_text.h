@@ -156,7 +156,8 @@ struct ColorOnLine {
     bool is_by_distance = false;
     Color color = {}; ///< what they make
 
-    /// What part of the color is that of the end `to`.
+    /// What part of the color is that of the end `to`: by the distance, or step by step.
+    Rational share_by(bool distance) const;
     double share() const;
 };
 std::optional<ColorOnLine> color_on_line(const Replay& replay, const PrimitiveText& primitive);

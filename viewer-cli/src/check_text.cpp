@@ -137,6 +137,9 @@ std::string text_of_one(const CheckedFile& file, CheckTold told) {
         else
             text += remarks_on(file, claim);
     }
+    if (file.claims.not_judged > 0)
+        text += fmt::format("{}: lines of pictures and workings, which are not judged: {}\n",
+                            printable(file.name), file.claims.not_judged);
     if (file.claims.has_decimal_comma)
         text += fmt::format("{}: commas are read as those of decimals: 0,25 is 1/4\n",
                             printable(file.name));
