@@ -153,7 +153,7 @@ private:
         const Subject& subject = *subjects_.back();
         CheckedField checked{.name = field.name, .found = joined(field.values, ", ")};
         const ToldValues exact = told_exactly(subject, field);
-        const bool decides = subject.is_answer || is_decision(subject.kind, field.name);
+        const bool decides = is_decision(subject.kind, field.name);
         const ToldValues decided = decides ? told_as_decided(subject, field) : exact;
         if (!decided && !exact) {
             refuse_untold(field, subject);

@@ -24,10 +24,11 @@ Fit fit_of(const TypedValue& claimed, const Rational& truth, const Rational& err
         return Fit::exact;
     constexpr int most_places = 1000; // more than anybody writes
     const int places = claimed.places.value_or(0);
-    if (!claimed.places || places < 0 || places > most_places)
+    if (!claimed.places || std::abs(places) > most_places)
         return Fit::none;
-    mpz_class power;
-    mpz_ui_pow_ui(power.get_mpz_t(), 10, static_cast<unsigned long>(places));
+    mpz_class digits;
+    mpz_ui_pow_ui(digits.get_mpz_t(), 10, static_cast<unsigned long>(std::abs(places)));
+    const Rational power = places < 0 ? Rational(1, digits) : Rational(digits);
     if (2 * (difference - error) * power <= 1)
         return Fit::rounded;
     // Toward 0; a number that may be a whole one is not cut off.

@@ -35,16 +35,24 @@ std::string_view mark_at(std::string_view text) {
     return {};
 }
 
-/// The length of the word at the front of `text`: to a blank, a mark, a quote or a comment. 3/4x are two.
+/// The length of the word at the front of `text`: to a blank, a mark, a quote or a comment. 4/3x+7/3 are three.
 std::size_t word_length(std::string_view text) {
     std::size_t length = 1;
     while (length < text.size() && (blanks.find(text[length]) == std::string_view::npos) &&
            text[length] != '"' && text[length] != '#' && mark_at(text.substr(length)).empty())
         ++length;
-    const bool is_product = length > 1 && text.find_first_not_of("+-./0123456789") == length - 1 &&
-                            (text[length - 1] == 'x' || text[length - 1] == 'y') &&
-                            is_digit(text[length - 2]);
-    return is_product ? length - 1 : length;
+    text = text.substr(0, length);
+    const std::size_t letter = text.find_first_not_of("+-./0123456789");
+    if (letter == std::string_view::npos || (text[letter] != 'x' && text[letter] != 'y'))
+        return length;
+    const std::string_view behind = text.substr(letter + 1);
+    const bool is_last = behind.empty();
+    const bool has_term =
+        behind.size() > 1 && (behind[0] == '+' || behind[0] == '-') && is_digit(behind[1]);
+    const bool has_factor = letter > 0 && is_digit(text[letter - 1]);
+    if (has_factor && (is_last || has_term))
+        return letter;
+    return has_term ? letter + 1 : length;
 }
 
 /// Characters of a line, and the plain ones that are read in their place. Of two that begin alike, the longer is first.

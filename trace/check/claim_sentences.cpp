@@ -2,6 +2,7 @@
 #include "claim_sentences.h"
 
 #include "claim_builder.h"
+#include "typed_number.h"
 
 #include <algorithm>
 #include <array>
@@ -77,17 +78,27 @@ private:
         const bool has_corners = line_.has("(") && !line_.peek(2).is(":") && !line_.peek(2).is("=");
         return is_kind && (has_corners || line_.has("clipped") || line_.has("trace"));
     }
+    bool tells_octant() const { return line_.has("octant"); }
     bool tells_space() const { return line_.has("space"); }
     bool tells_normal() const { return line_.has("normal") && line_.has("="); }
     bool tells_cut() const { return line_.has("clipped") && line_.has("plane"); }
     bool is_not_drawn() const { return line_.has("dropped") || line_.has("skipped"); }
     bool is_other() const { return line_.has("exact") || line_.has("convex"); }
 
+    /// True of a colon that belongs to a name: wing:1.
+    bool is_in_name(std::size_t at) const {
+        return line_.peek(at).is(":") && !line_.is_end(at + 1) &&
+               line_.peek(at + 1).begin == line_.peek(at).end;
+    }
+
     /// The words to the first of these, or to the end of the line.
     std::size_t words_to(std::initializer_list<std::string_view> ends) const {
+        const auto is_one = [&](std::size_t at) {
+            return !is_in_name(at) && std::any_of(ends.begin(), ends.end(),
+                                                  [&](auto end) { return line_.peek(at).is(end); });
+        };
         std::size_t at = 0;
-        while (!line_.is_end(at) && std::none_of(ends.begin(), ends.end(),
-                                                 [&](auto end) { return line_.peek(at).is(end); }))
+        while (!line_.is_end(at) && !is_one(at))
             ++at;
         return at;
     }
@@ -104,22 +115,57 @@ private:
         line_.skip(behind);
     }
 
-    /// What an equation comes to: the number behind its last `=`.
+    /// What an equation comes to: the number behind its last `=`. Of a number that stands there in two ways, the first: a
+    /// long fraction, and then about what it is. One that is shortened stands before that, or before one that it is a
+    /// hair away from: 49977918.../10141204... = 4.928204, 79999999.../40000000... < 2
     ClaimWord value(std::initializer_list<std::string_view> ends) {
-        go_behind_last("=", words_to(ends));
-        return line_.number({.has_mixed = false});
+        return value_in(words_to(ends));
+    }
+    ClaimWord value_in(std::size_t end) {
+        std::size_t from = 0;
+        bool is_rounded = false;
+        for (std::size_t at = 0; at < end; ++at) {
+            const ClaimWord word = line_.peek(at);
+            const bool is_beside = word.is("<") || word.is(">");
+            const ClaimWord next = line_.peek(at + 1);
+            if (is_beside && (next.is("=") || next.is("sample"))) // how an end lies to a sample
+                break;
+            is_rounded = is_rounded || is_beside || word.is("..");
+            const bool is_again =
+                word.is("=") && at == from + 1 && !is_rounded && typed_value(line_.peek(from).text);
+            if ((word.is("=") || is_beside) && !is_again)
+                from = at + 1;
+        }
+        line_.skip(from);
+        const std::size_t left = line_.left();
+        ClaimWord number = line_.number({.has_mixed = false});
+        line_.skip(end - from - (left - line_.left())); // behind what else is said of it
+        if (is_rounded)
+            number.text.insert(0, "~");
+        return number;
+    }
+
+    /// So many words as one name.
+    ClaimWord name_of_words(std::size_t count) {
+        ClaimWord name = line_.next();
+        while (--count > 0) {
+            name.end = line_.next().end;
+            name.text = line_.typed(name);
+        }
+        return name;
     }
 
     /// A name, which may have blanks in it, up to a mark or a word.
     ClaimWord name_to(std::string_view end) {
-        std::size_t count = std::max<std::size_t>(words_to({end}), 1);
-        ClaimWord name = line_.next();
-        for (ClaimWord last = name; --count > 0;) {
-            last = line_.next();
-            name.end = last.end;
-            name.text = line_.typed(name);
-        }
-        return name;
+        return name_of_words(std::max<std::size_t>(words_to({end}), 1));
+    }
+
+    /// A name without blanks in it.
+    ClaimWord plain_name() {
+        std::size_t count = 1;
+        while (is_in_name(count) || (count > 1 && is_in_name(count - 1)))
+            ++count;
+        return name_of_words(count);
     }
 
     /// (1/3, 4)
@@ -146,7 +192,7 @@ private:
         put("y", line_.key());
         for (const auto& [side, pixel] : {std::pair("left", "from"), std::pair("right", "to")}) {
             go_behind(side);
-            put(side, value({"->", ">", "<"}));
+            put(side, value({"->"}));
             go_behind_last("->", words_to({"right", "depth", "no"}));
             put(pixel, line_.key());
         }
@@ -226,14 +272,25 @@ private:
             go_behind(":");
         std::vector<ClaimWord> weights;
         while (!line_.at_end() && !line_.take(":")) {
-            line_.next();
-            weights.push_back(line_.key());
-            while (line_.take("="))
-                weights.back() = line_.key();
+            plain_name();
+            weights.push_back(value_in(words_of_weight()));
         }
         put_list("weights", weights);
         go_behind(",");
         read_verdict("inside", "inside or outside");
+    }
+
+    /// The words of a weight: to the name before the next one, or to the colon behind the last.
+    std::size_t words_of_weight() const {
+        const auto is_of_number = [this](std::size_t at) {
+            const std::string text = line_.peek(at).text;
+            return line_.peek(at).is_mark || text == "<" || text == ">" || text.front() == '/' ||
+                   typed_value(text);
+        };
+        std::size_t at = 1;
+        while (!line_.is_end(at) && !line_.peek(at).is(":") && is_of_number(at))
+            ++at;
+        return at;
     }
 
     /// depth at (2, -2): 1/5 against 1/3 of ABC: fails (1/z, larger is nearer; z = 5 against 3)
@@ -261,12 +318,11 @@ private:
     void read_primitive() {
         begin("primitive", {});
         line_.next();
-        ClaimWord name = line_.next();
-        while (!line_.at_end() && !line_.peek().is(":") &&
-               line_.between(name, line_.peek()).size() < gap.size()) {
-            name.end = line_.next().end;
-            name.text = line_.typed(name);
-        }
+        std::size_t count = 1;
+        while (!line_.is_end(count) && (!line_.peek(count).is(":") || is_in_name(count)) &&
+               line_.between(line_.peek(count - 1), line_.peek(count)).size() < gap.size())
+            ++count;
+        const ClaimWord name = name_of_words(count);
         primitive_ = name.text;
         put("name", name);
         std::vector<ClaimWord> names;
@@ -391,7 +447,7 @@ const std::array<SentenceReader::Form, 25> SentenceReader::sentences{{
     {{"row", "y", "="}, &SentenceReader::read_crossings, &SentenceReader::tells_windings},
     {{"edge"}, nullptr, &SentenceReader::tells_function},
     {{"edge"}, &SentenceReader::read_edge, &SentenceReader::tells_slope},
-    {{"side", any, ":", "octant"}, &SentenceReader::read_side},
+    {{"side"}, &SentenceReader::read_side, &SentenceReader::tells_octant},
     {{"x", "=", any, ":"}, &SentenceReader::read_along, &SentenceReader::tells_line},
     {{"y", "=", any, ":"}, &SentenceReader::read_along, &SentenceReader::tells_line},
     {{"at", "("}, &SentenceReader::read_decision},

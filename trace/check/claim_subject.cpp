@@ -79,7 +79,9 @@ class Finder {
 public:
     Finder(const Claim& claim, const Claims& claims, const TruthIndex& truth)
         : claim_(claim), claims_(claims), truth_(truth), kind_(*step_kind_named(claim.step)),
-          index_(kind_ == StepKind::face && !is_of_own_test() ? truth.faces() : truth.exact()) {}
+          index_(claim.is_answer ? truth.decided() // as the scene's own method tells it
+                 : kind_ == StepKind::face && !is_of_own_test() ? truth.faces()
+                                                                : truth.exact()) {}
 
     Subject find() {
         Subject subject{.kind = kind_, .exact = &index_, .decided = &truth_.decided()};

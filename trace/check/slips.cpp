@@ -85,11 +85,11 @@ std::vector<SlipResult> byte_cast(const Formula& formula) {
 
 std::vector<SlipResult> color_by_other_share(const Formula& formula) {
     SlipResults results(formula);
-    const auto* const mixed = as_form<MixedColor>(formula);
-    for (const bool is_cut : {true, false})
-        if (mixed != nullptr && !mixed->other_weights.empty())
-            results.add_formula({MixedColor{
-                .colors = mixed->colors, .weights = mixed->other_weights, .is_cut = is_cut}});
+    if (const auto* mixed = as_form<MixedColor>(formula); mixed && !mixed->other_weights.empty()) {
+        MixedColor other = *mixed;
+        std::swap(other.weights, other.other_weights);
+        results.add_formula({other});
+    }
     return results.take();
 }
 
@@ -594,7 +594,7 @@ constexpr Slip other_slips[] = {
     {"dy-dx-inverted", "(x2 - x1) / (y2 - y1)", "(y2 - y1) / (x2 - x1)",
      "steep edges lie flat, flat ones are steep", 70, dy_dx_inverted},
     {"edge-the-other-way", "a sample on an edge decided the other way", "the scene's own rule",
-     "pixels on edges are missing, or drawn twice", 30, edge_the_other_way},
+     "pixels on edges are missing, or drawn twice", 800, edge_the_other_way},
     {"byte-cast", "cutting a level off to a whole number, or rounding it", "the scene's own rule",
      "127 in the middle of 0 to 255", 40, byte_cast},
     {"color-by-distance", "the color by the distance, or by the steps", "the scene's own rule",
