@@ -350,7 +350,34 @@ const std::vector<std::string> right_sheets{
     "edge AC: -3/8",
     "A = (2, 5)",
     "B screen: -4 | -3",
+    "AB: y = 4/3 x + 7/3",
+    "line AC: x = -3/8y + 31/8",
+    "ABC: 9 rows, 49 pixels",
+    "y=2: 5 pixels",
     "(3,2): on\n(4,2): off"};
+
+/// Sentences of several scenes, as `show` prints them.
+const std::vector<std::string> sentences{
+    "  14  scanline y=2   left AB: x = 2 + 3/4 (2 - 5) = -1/4 -> floor -> -1   right AC: x = 2 - "
+    "3/8 (2 - 5) = 25/8 -> "
+    "floor -> 3   depth 1/3 to 1/5",
+    "First triangle   step 14 of 62\nvertex A in canonical space: (1, 2, 3) / 5 = (1/5, 2/5, "
+    "3/5)\n\n   1 2\n 1 . .\n",
+    "triangle ABC   A (2, 5)   B (-4, -3) #ff0000   C (5, -3)\nedge AB: dx/dy = 6 / 8 = 0.75 = "
+    "3/4; x = 2 + 3/4 (y - 5)",
+    "row y=8   AB at 1/2, winding 1   BC at 3, winding 0: inside where the winding number is odd",
+    "x = 3: y = 1/2 x + 0 = 3/2 -> nearest, ties up -> 2\nside AB: octant 3\nat (2, 1): d = 3 > 0, "
+    "diagonally to NE; d - 6 = -3",
+    "sample of (0, 0): (31, 14, 72) / 72: A 3/8 B 0.25 = 1/4 C 49977918.../10141204... = 4.928204: "
+    "none is negative, inside",
+    "depth at (2, -2): 1/5 against 1/3 of ABC: fails (1/z, larger is nearer; z = 5 against "
+    "3)\npixel (3, 2) #690000 (step 3 of 5)",
+    "face ABC: normal (0, 0, -4) . to eye (-1, -1, 3) = -12, cosine -0.9 (154.16 degrees): culled",
+    "light on ABC: normal (0, 0, 1) . light (1, 0, 1) = 1, intensity 0.707107, color #b4b4b4 "
+    "(level 180)",
+    "the painter draws, farthest first: ABC at 4, ACD at 79999999.../40000000... < 2",
+    "model matrix of cube = rotate x translate:  [1 0 0 0]  [0 1 0 0]  [0 0 1 -4]  [0 0 0 1]",
+    "ABC clipped at the near plane: 2 of 3 vertices inside, 4 left"};
 
 TEST(Check, RightSheetsAreRight) {
     for (const std::string& sheet : right_sheets) {
@@ -401,8 +428,10 @@ TEST(Check, AChangedDigitIsNeverCalledRight) {
 TEST(Check, AnySheetIsReadOrRefused) {
     Random random(20261128);
     const Truth truth({"scene.json", triangle}, {});
-    for (std::size_t i = 0; i < random_cases(1000U); ++i) {
-        std::string sheet = right_sheets[i % right_sheets.size()];
+    std::vector<std::string> sheets = right_sheets;
+    sheets.insert(sheets.end(), sentences.begin(), sentences.end());
+    for (std::size_t i = 0; i < random_cases(4000U); ++i) {
+        std::string sheet = sheets[i % sheets.size()];
         for (int changes = random.whole(1, 4); changes > 0 && !sheet.empty(); --changes)
             sheet = mutated(sheet, random);
         const auto claims = read_claims({"claims", sheet});

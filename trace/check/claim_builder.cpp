@@ -69,6 +69,8 @@ void ClaimBuilder::put_value(const VerdictWord& verdict, const ClaimWord& word) 
 }
 
 void ClaimBuilder::put_list(std::string_view name, const std::vector<ClaimWord>& words) {
+    if (words.empty())
+        line_.fail(line_.peek(), fmt::format("a value for {}", name));
     const ClaimField field = field_named(name);
     ClaimedField claimed{.name = std::string(name),
                          .values = {},

@@ -141,14 +141,29 @@ private:
         ClaimWord number = line_.number({.has_mixed = false});
         line_.skip(end - from - (left - line_.left())); // behind what else is said of it
         if (is_rounded)
-            number.text.insert(0, "~");
+            number.text = shortened_number(number.text);
         return number;
     }
 
-    /// So many words as one name.
+    /// A number that was rounded to seven digits, zeros at the end left out: 6e+09 is 6.000000e+09.
+    static std::string shortened_number(std::string text) {
+        constexpr std::size_t decimals = 6;
+        const std::size_t exponent = text.find('e');
+        if (exponent != std::string::npos) {
+            const std::size_t point = std::min(text.find('.'), exponent);
+            const std::size_t written = exponent - point;
+            text.insert(exponent,
+                        written == 0
+                            ? "." + std::string(decimals, '0')
+                            : std::string(decimals + 1 - std::min(written, decimals + 1), '0'));
+        }
+        return "~" + text;
+    }
+
+    /// So many words, or one, as one name.
     ClaimWord name_of_words(std::size_t count) {
         ClaimWord name = line_.next();
-        while (--count > 0) {
+        for (std::size_t taken = 1; taken < count; ++taken) {
             name.end = line_.next().end;
             name.text = line_.typed(name);
         }
@@ -156,9 +171,7 @@ private:
     }
 
     /// A name, which may have blanks in it, up to a mark or a word.
-    ClaimWord name_to(std::string_view end) {
-        return name_of_words(std::max<std::size_t>(words_to({end}), 1));
-    }
+    ClaimWord name_to(std::string_view end) { return name_of_words(words_to({end})); }
 
     /// A name without blanks in it.
     ClaimWord plain_name() {
@@ -416,7 +429,7 @@ private:
         put("name", line_.next());
         line_.next();
         if (line_.take("of"))
-            put("object", name_to("="));
+            put("object", name_of_words(words_to({"=", ":"})));
         go_behind(":");
         std::vector<ClaimWord> entries;
         while (line_.take("[")) {
