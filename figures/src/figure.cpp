@@ -280,7 +280,8 @@ double add_below(const Beside& beside, const Lattice& lattice, const Column& col
 FigureMaker::FigureMaker(const Trace& trace, std::vector<FigureFrame> frames, FigureOptions options)
     : trace_(trace), frames_(std::move(frames)), options_(std::move(options)),
       view_(options_.view.value_or(default_view(trace))), has_colors_(has_colors(trace)),
-      replay_(trace, {.writes = true, .depths = true}) {
+      replay_(trace, {.writes = view_ == View::writes || is_in(options_.with, FigurePart::writes),
+                      .depths = true}) {
     std::vector<std::size_t> painted;
     std::size_t order = 0;
     for (std::size_t n = 1; n <= trace.size(); ++n) {
