@@ -158,6 +158,19 @@ const std::vector<Form> forms{
      R"({"step":"matrix","name":"model","rows":[[1,0,0,0],[0,1,0,0],[0,0,1,4],[0,0,0,1]]})"},
     {"AB x=3: 9/4 -> 2", R"({"step":"along","in":"AB","x":3,"value":"9/4","pixel":2})"},
     {"AB y=3: 2.25", R"({"step":"along","in":"AB","y":3,"value":2.25})"},
+    {"the slope of AB is 3/4", R"({"step":"edge","edge":"AB","dx_dy":"3/4"})"},
+    {"AB: slope 3/4", R"({"step":"edge","edge":"AB","dx_dy":"3/4"})"},
+    {"at y=2 x goes from -1/4 to 25/8",
+     R"({"step":"scanline","y":2,"left":"-1/4","right":"25/8"})"},
+    {"y=2, left -1/4, right 25/8", R"({"step":"scanline","y":2,"left":"-1/4","right":"25/8"})"},
+    {"y=2 -> -1/4, 25/8", R"({"step":"scanline","y":2,"left":"-1/4","right":"25/8"})"},
+    {"left edge at y=2: -1/4", R"({"step":"scanline","y":2,"left":"-1/4"})"},
+    {"y=2 right: 25/8", R"({"step":"scanline","y":2,"right":"25/8"})"},
+    {"row 2 has 5 pixels", R"({"step":"scanline","y":2,"count":5})"},
+    {"ABC has 9 rows", R"({"step":"primitive","name":"ABC","rows":9})"},
+    {"3,2: on", R"({"step":"pixel","x":3,"y":2,"plotted":true})"},
+    {"pixel 3, 2 is off", R"({"step":"pixel","x":3,"y":2,"plotted":false})"},
+    {"A world: 2, 5", R"({"step":"vertex","name":"A","space":"world","at":[2,5]})"},
     {"AB: y = 4/3 x + 7/3", R"({"step":"edge","edge":"AB","y_form":["4/3","7/3"]})"},
     {"line AB: y=4/3x+7/3", R"({"step":"edge","edge":"AB","y_form":["4/3","7/3"]})"},
     {"edge AB: x = -y - 2", R"({"step":"edge","edge":"AB","x_form":[-1,-2]})"},
@@ -312,10 +325,9 @@ TEST(Claims, FaultsOfATableArePointedAt) {
                                "norml ABC: 0, 0, 4\n"
                                "      ^\n"
                                "hint: did you mean normal?"},
-        {"A world: 2, 5", "claims.txt:1:14: expected 3 numbers in all, found the end of "
-                          "the line\n"
-                          "A world: 2, 5\n"
-                          "             ^"},
+        {"A clip: 2, 5", "claims.txt:1:13: expected 4 numbers in all, found the end of the line\n"
+                         "A clip: 2, 5\n"
+                         "            ^"},
         {"normal ABC: 0, 0, 4, 1", "claims.txt:1:20: expected the end of the line, found ,\n"
                                    "normal ABC: 0, 0, 4, 1\n"
                                    "                   ^"},

@@ -104,12 +104,15 @@ void ClaimBuilder::read_place() {
 }
 
 std::array<ClaimWord, 2> ClaimBuilder::point() {
-    line_.expect("(", "a pixel, like (3,2)");
+    const bool has_brackets = line_.take("(");
+    if (!has_brackets && !typed_value(line_.peek().text))
+        line_.fail(line_.peek(), "a pixel, like (3,2)");
     ClaimWord x = line_.key();
     if (!line_.take(";") && !line_.take("|"))
         line_.expect(",", "a comma between x and y");
     ClaimWord y = line_.key();
-    line_.expect(")", "`)` behind x and y");
+    if (has_brackets)
+        line_.expect(")", "`)` behind x and y");
     return {std::move(x), std::move(y)};
 }
 

@@ -55,6 +55,7 @@ constexpr std::array<FaceWord, 9> face_words{{{"normal", "face", "normal", 3},
 
 /// What people call a row, a pixel and an edge before they say which.
 constexpr auto row_words = std::to_array<std::string_view>({"row", "scanline", "line"});
+constexpr auto sides = std::to_array<std::string_view>({"left", "right"});
 constexpr auto pixel_words = std::to_array<std::string_view>({"pixel", "point"});
 constexpr auto counted_words = std::to_array<std::string_view>({"rows", "pixels"});
 constexpr auto edge_words = std::to_array<std::string_view>({"edge", "slope", "dx/dy"});
@@ -96,14 +97,20 @@ public:
     using ClaimBuilder::ClaimBuilder;
 
     void read() {
-        if (line_.peek().is("line") && line_.peek(1).is_name() && !is_row_next())
+        line_.leave_out_fillers();
+        if ((line_.peek().is("line") && line_.peek(1).is_name() && !is_row_next()) ||
+            (line_.peek().is("x") && line_.peek(1).is("y")))
             line_.next();
         const ClaimWord first = line_.peek();
         const ClaimWord second = line_.peek(1);
         const auto* const face_word =
             std::find_if(face_words.begin(), face_words.end(),
                          [&first](const FaceWord& known) { return first.is(known.word); });
-        if (first.is("(") || (is_one_of(first, pixel_words) && second.is("(")))
+        const bool names_pixel =
+            is_one_of(first, pixel_words) && (second.is("(") || is_number(second));
+        const bool is_bare_pixel =
+            is_number(first) && second.is(",") && is_number(line_.peek(2)) && line_.peek(3).is(":");
+        if (first.is("(") || names_pixel || is_bare_pixel)
             read_pixel();
         else if (first.is("depth"))
             read_depth();
@@ -115,6 +122,8 @@ public:
             read_matrix();
         else if (is_row_next())
             read_row({});
+        else if (is_one_of(first, sides) && second.is_name())
+            read_side(line_.next());
         else if (is_one_of(first, edge_words))
             read_edge({});
         else if (face_word != face_words.end())
@@ -168,13 +177,14 @@ private:
             put(field.name, line_.next());
     }
 
+    static bool is_number(const ClaimWord& one) {
+        return !one.is_quoted && std::holds_alternative<Number>(parse_number(one.text));
+    }
+
     /// True if a row is named next: y=2, row 2, row y=2, 2:.
     bool is_row_next() const {
         const ClaimWord word = line_.peek();
         const ClaimWord second = line_.peek(1);
-        const auto is_number = [](const ClaimWord& one) {
-            return !one.is_quoted && std::holds_alternative<Number>(parse_number(one.text));
-        };
         // 01 is the name of a line from 0 to 1.
         const bool is_plain = word.text == "0" || !word.text.starts_with('0');
         return ((word.is("y") || word.is("Y")) && second.is("=")) ||
@@ -196,6 +206,9 @@ private:
             read_row(name);
         else if (second.is("x") && line_.peek(1).is("="))
             read_along(name);
+        else if (is_one_of(second, edge_words) &&
+                 (line_.peek(1).is("=") || line_.peek(1).is(":") || line_.is_end(2)))
+            read_slope_of(name);
         else if (is_one_of(second, edge_words))
             read_edge(name);
         else if (is_one_of(second, counted_words))
@@ -208,8 +221,17 @@ private:
             line_.fail(second, fmt::format("what is claimed of {}", name.text), std::string(forms));
     }
 
+    /// left y=2: -1/4, left edge y=2: -1/4
+    void read_side(const ClaimWord& side) {
+        if (!line_.take("edge") && !line_.take("end"))
+            line_.take("x");
+        if (!is_row_next())
+            line_.fail(line_.peek(), "a row, like y=2");
+        read_row({}, side.text);
+    }
+
     /// [ABC ]y=2: -1/4, 25/8 -> -1..3, or the ends of all spans of a polygon in the row.
-    void read_row(const std::optional<ClaimWord>& primitive) {
+    void read_row(const std::optional<ClaimWord>& primitive, std::string_view side = {}) {
         begin("scanline", primitive);
         if (is_one_of(line_.peek(), row_words))
             line_.next();
@@ -217,8 +239,7 @@ private:
             line_.expect("=", "`=` and the row");
         put("y", line_.key());
         const bool is_depth = line_.take("depth");
-        if (!line_.peek().is("->"))
-            line_.expect(":", "`:`");
+        go_to_ends();
         if (is_depth)
             return put_ends("left_depth", "right_depth", line_.numbers(2));
         if (line_.take("->") || is_pixels_word())
@@ -227,6 +248,9 @@ private:
         if (line_.peek(1).is("from"))
             line_.take("x");
         const bool says_x = line_.peek().is("from") || line_.peek(1).is("=");
+        const ClaimWord before = line_.peek();
+        if (is_one_of(before, sides))
+            side = before.text;
         const std::vector<ClaimWord> ends = line_.numbers(0, 2);
         const bool are_pixels = ends.size() == 2 && !says_x && are_apart_by_dots(ends) &&
                                 is_whole(ends[0]) && is_whole(ends[1]);
@@ -234,6 +258,8 @@ private:
             return put_ends("from", "to", ends);
         if (ends.size() == 1 && counts_pixels(ends.front()) && line_.at_end())
             return put("count", ends.front());
+        if (ends.size() == 1 && !side.empty())
+            return put(side, ends.front());
         if (ends.size() == 1 && primitive) { // of a line that is longer in y
             claim_.step = "along";
             return put_along(ends.front());
@@ -249,6 +275,15 @@ private:
             line_.expect("->", "`->` and the pixels, or the end of the line");
         is_pixels_word();
         read_pixels_of_row();
+    }
+
+    /// Goes behind the colon of a row. None is needed before an arrow or a word.
+    void go_to_ends() {
+        constexpr std::array<std::string_view, 6> words{"left", "right",  "x",
+                                                        "from", "pixels", "->"};
+        const bool has_comma = line_.peek().is(",") && is_one_of(line_.peek(1), words);
+        if (!line_.take(has_comma ? "," : ":") && !is_one_of(line_.peek(), words))
+            line_.expect(":", "`:`");
     }
 
     /// Goes behind a word that says that pixels follow.
@@ -285,6 +320,11 @@ private:
     /// -1..3, or all of them: -1, 0, 1, 2, 3
     void read_pixels_of_row() {
         const std::vector<ClaimWord> pixels = line_.numbers(0);
+        const bool are_ends = pixels.size() == 2 && claim_.find("left") == nullptr &&
+                              !are_apart_by_dots(pixels) &&
+                              !(is_whole(pixels[0]) && is_whole(pixels[1]));
+        if (are_ends) // y=2 -> -1/4, 25/8
+            return put_ends("left", "right", pixels);
         bool has_all = true;
         for (std::size_t i = 1; pixels.size() > 2 && i < pixels.size(); ++i)
             has_all = has_all &&
@@ -298,13 +338,13 @@ private:
     /// (3,2): on, z 10/3
     void read_pixel() {
         begin("pixel", {});
-        if (!line_.peek().is("("))
+        if (is_one_of(line_.peek(), pixel_words))
             line_.next();
         read_place();
         if (line_.peek().is_name() && !is_of_pixel(line_.peek()) && line_.peek(1).is(":"))
             return read_in_primitive(line_.next());
-        if (!line_.take(":") && !line_.take("="))
-            line_.take("is");
+        if (!line_.take(":"))
+            line_.take("=");
         if (find_verdict(line_.peek(), "inside"))
             return read_verdict("inside", "inside or outside");
         do
@@ -494,7 +534,6 @@ private:
     void read_edge(const std::optional<ClaimWord>& primitive) {
         begin("edge", primitive);
         line_.next();
-        line_.take("of");
         const ClaimWord name = line_.next();
         const bool says_slope = line_.take("dx/dy"); // edge AB dx/dy 3/4
         if (!line_.take("=") && !line_.take(":") && !says_slope)
@@ -503,6 +542,16 @@ private:
             return read_form(name);
         put("edge", name);
         line_.take("dx/dy", "=");
+        read_slope();
+    }
+
+    /// AB slope 3/4, AB: dx/dy = 3/4
+    void read_slope_of(const ClaimWord& edge) {
+        begin("edge", {});
+        put("edge", edge);
+        line_.next();
+        if (!line_.take("="))
+            line_.take(":");
         read_slope();
     }
 
@@ -522,7 +571,7 @@ private:
 
     bool is_no_slope() const {
         return line_.peek().is("none") || line_.peek().is("horizontal") ||
-               (line_.peek().is("no") && line_.peek(1).is("slope"));
+               line_.peek().is("undefined") || (line_.peek().is("no") && line_.peek(1).is("slope"));
     }
 
     void put_no_slope() {
@@ -549,6 +598,8 @@ private:
             line_.take("=");
         if (is_form_next())
             return read_form(name);
+        if (is_one_of(line_.peek(), edge_words))
+            return read_slope_of(name);
         if (are_points_next()) {
             begin("primitive", {});
             put("name", name);
@@ -590,7 +641,11 @@ private:
         put("name", name);
         put("space", second);
         go_to_value();
-        put_list("at", line_.numbers(space->coordinates));
+        const std::vector<ClaimWord> at = line_.numbers(0, space->coordinates);
+        const bool lacks_only_z = space->coordinates == 3 && at.size() == 2;
+        if (at.size() != space->coordinates && !lacks_only_z && !at.front().is(open_value))
+            line_.fail(line_.peek(), fmt::format("{} numbers in all", space->coordinates));
+        put_list("at", at);
         if (space->name == "screen" && line_.take("->"))
             put_list("snapped", line_.numbers(space->coordinates));
     }
@@ -613,9 +668,9 @@ private:
 } // namespace
 
 std::vector<std::string_view> first_words() {
-    std::vector<std::string_view> words{"y",        "depth",  "edge",    "slope", "row",
-                                        "scanline", "line",   "pixel",   "point", "order",
-                                        "weights",  "matrix", "picture", "scene", "round"};
+    std::vector<std::string_view> words{"left",    "right",    "y",       "depth", "edge",  "slope",
+                                        "row",     "scanline", "line",    "pixel", "point", "order",
+                                        "weights", "matrix",   "picture", "scene", "round"};
     for (const FaceWord& known : face_words)
         words.push_back(known.word);
     return words;

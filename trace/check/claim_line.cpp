@@ -239,6 +239,19 @@ bool ClaimLine::has(std::string_view plain) const {
                        [plain](const ClaimWord& word) { return word.is(plain); });
 }
 
+void ClaimLine::leave_out_fillers() {
+    constexpr std::array<std::string_view, 4> fillers{"the", "of", "at", "goes"};
+    std::erase_if(words_, [&](const ClaimWord& word) {
+        return std::any_of(fillers.begin(), fillers.end(),
+                           [&word](std::string_view filler) { return word.is(filler); });
+    });
+    for (ClaimWord& word : words_)
+        if (word.is("is") || word.is("has")) {
+            word.text = ":";
+            word.is_mark = true;
+        }
+}
+
 bool ClaimLine::take(std::string_view plain) {
     const bool is_next = peek().is(plain);
     next_ += is_next ? 1 : 0;

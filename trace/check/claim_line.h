@@ -67,6 +67,9 @@ public:
     bool take(std::string_view plain);
     bool take(std::string_view plain, std::string_view mark);
 
+    /// Leaves out what only makes a sentence of it: the, of, at, goes. `is` and `has` become a colon.
+    void leave_out_fillers();
+
     /// True of a place behind the last word.
     bool is_end(std::size_t ahead) const { return next_ + ahead >= words_.size(); }
 

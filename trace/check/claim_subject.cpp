@@ -150,6 +150,16 @@ private:
         const bool has_other_places = kind_ == StepKind::pixel || kind_ == StepKind::vertex;
         if (has_other_places || !index_.find(kind_, {}).empty())
             return;
+        const ClaimedField* const in = claim_.find("in");
+        auto names = names_for("in");
+        for (const std::string& edge : index_.values_of(StepKind::edge, "edge"))
+            names.push_back(edge);
+        if (kind_ == StepKind::decide && in != nullptr &&
+            std::find(names.begin(), names.end(), in->values.front()) == names.end())
+            fail("in",
+                 fmt::format("expected the name of something in the scene ({}), found {}",
+                             listed(names), json_quoted(in->values.front())),
+                 did_you_mean(in->values.front(), {names.begin(), names.end()}));
         constexpr std::array<std::pair<StepKind, std::string_view>, 7> ways{
             {{StepKind::decide, "lines are drawn so by --line bresenham"},
              {StepKind::along, "lines are drawn so by --line naive and --line dda"},
