@@ -19,6 +19,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <map>
 #include <optional>
 #include <set>
@@ -362,7 +363,7 @@ std::vector<Rational> decisions_here(const Place& place, Rational& major, Ration
 
 Result planted_decisions(const Place& place, const std::string& slip,
                          const std::vector<Rational>& right, const std::vector<Rational>& wrong) {
-    const bool is_right =
+    const bool is_right = // or nothing
         wrong.size() <= right.size() && std::equal(wrong.begin(), wrong.end(), right.begin());
     if (is_right)
         return std::nullopt;
@@ -413,6 +414,199 @@ Result shift_the_list(const Place& place) {
     return planted_decisions(place, "shifted-list", right, {right.begin() + 1, right.end()});
 }
 
+mpz_class floor_of(const Rational& number) {
+    mpz_class below;
+    mpz_fdiv_q(below.get_mpz_t(), number.get_num_mpz_t(), number.get_den_mpz_t());
+    return below;
+}
+
+/// A pixel at an end of a row whose rule is floor(x).
+Result planted_pixel(const Place& place, const std::string& slip, const std::string& field,
+                     const Rational& wrong) {
+    const auto row = place.step<ScanlineStep>();
+    const std::string rounding = place.trace.method_value("rounding");
+    if (place.trace.method_value("fill") == "top-left" || // it asks samples
+        rounding.substr(0, rounding.find('+')) != "floor" ||
+        wrong == Rational(field == "from" ? row.from : row.to))
+        return std::nullopt;
+    return Planted{slip, place.row_claim(field, wrong)};
+}
+
+/// An end of the row, as the columns of pixels count it.
+Rational end_in_columns(const Place& place, bool is_left) {
+    const auto row = place.step<ScanlineStep>();
+    return told_samples(place.trace)
+        .triangles.in_columns(*(is_left ? row.left : row.right).exact());
+}
+
+Result round_to_nearest(const Place& place) {
+    return planted_pixel(place, "nearest-for-floor", "from",
+                         Rational(floor_of(end_in_columns(place, true) + Rational(1, 2))));
+}
+
+Result take_only_pixels_between(const Place& place) {
+    return planted_pixel(place, "inside-for-floor", "from",
+                         Rational(-floor_of(-end_in_columns(place, true))));
+}
+
+Result leave_out_the_right_end(const Place& place) {
+    return planted_pixel(place, "half-open-for-floor", "to",
+                         Rational(-floor_of(-end_in_columns(place, false)) - 1));
+}
+
+Result take_the_pixel_for_the_end(const Place& place) {
+    const Rational x = *place.step<ScanlineStep>().left.exact();
+    return planted_row(place, "pixel-for-end", Rational(floor_of(x)));
+}
+
+Result take_no_slope(const Place& place) {
+    const auto end = left_end(place);
+    return end ? planted_row(place, "slope-of-zero", end->x1) : std::nullopt;
+}
+
+Result divide_whole_numbers(const Place& place) {
+    const auto end = left_end(place);
+    if (!end)
+        return std::nullopt;
+    const Rational slope = end->slope();
+    const Rational whole(mpz_class(slope.get_num() / slope.get_den()));
+    return planted_row(place, "integer-division", end->x1 + whole * (end->y - end->y1));
+}
+
+Result leave_out_the_last_pixel(const Place& place) {
+    const auto row = place.step<ScanlineStep>();
+    return row.to < row.from
+               ? std::nullopt
+               : Result({"last-pixel", place.row_claim("count", Rational(row.to - row.from))});
+}
+
+Result count_the_middle_row_twice(const Place& place) {
+    std::set<Index> rows;
+    for (std::size_t n = place.n + 1;
+         n <= place.trace.size() && place.trace.kind_of(n) != StepKind::primitive; ++n)
+        if (place.trace.kind_of(n) == StepKind::pixel || place.trace.kind_of(n) == StepKind::depth)
+            rows.insert(*y_in(place.trace.step(n)));
+    const bool has_gaps =
+        rows.empty() || *rows.rbegin() - *rows.begin() + 1 != static_cast<Index>(rows.size());
+    if (has_gaps || place.step<PrimitiveStep>().kind != PrimitiveKind::triangle)
+        return std::nullopt;
+    return Planted{"middle-row-twice", R"({"step":"primitive","name":")" +
+                                           place.step<PrimitiveStep>().name.text() +
+                                           R"(","rows":)" + std::to_string(rows.size() + 1) + "}"};
+}
+
+/// y = m x + b of an edge from corner to corner, with x and y exchanged in m.
+Result invert_the_slope_of_a_line(const Place& place) {
+    const std::string edge = place.step<EdgeStep>().edge.text();
+    if (edge.size() != 2)
+        return std::nullopt;
+    const auto from = place.corner(edge[0]);
+    const auto to = place.corner(edge[1]);
+    if (from.empty() || to.empty() || from[0] == to[0] || from[1] == to[1])
+        return std::nullopt;
+    const Rational m = (to[1] - from[1]) / (to[0] - from[0]);
+    const Rational b = from[1] - m * from[0];
+    if (abs(m) == 1)
+        return std::nullopt;
+    return Planted{"dy-dx-inverted", R"({"step":"edge",)" + place.in() + R"("edge":")" + edge +
+                                         R"(","y_form":)" + quoted({1 / m, b}) + "}"};
+}
+
+/// A sample on an edge, whose verdict is turned round.
+Result decide_an_edge_otherwise(const Place& place) {
+    const auto sample = place.step<SampleStep>();
+    const auto weights = rationals(sample.weights);
+    if (weights.empty() || sgn(*std::min_element(weights.begin(), weights.end())) != 0)
+        return std::nullopt;
+    return Planted{"edge-the-other-way",
+                   fmt::format(R"({{"step":"sample",{}"x":{},"y":{},"inside":{}}})", place.in(),
+                               sample.x, sample.y, sample.inside.is_false())};
+}
+
+std::vector<Rational> normal_of(const Place& place) {
+    return rationals(place.step<FaceStep>().normal);
+}
+
+Result take_the_normal_for_the_view(const Place& place) {
+    return rationals(place.step<FaceStep>().view) == normal_of(place)
+               ? std::nullopt
+               : Result({"normal-for-view", place.face_claim("view", quoted(normal_of(place)))});
+}
+
+Result exchange_x_and_y(const Place& place) {
+    auto normal = normal_of(place);
+    if (normal.size() != 3 || normal[0] == normal[1])
+        return std::nullopt;
+    std::swap(normal[0], normal[1]);
+    return Planted{"coordinates-exchanged", place.face_claim("normal", quoted(normal))};
+}
+
+/// The cosine as its face tells it, in so many digits as a calculator shows.
+std::optional<double> cosine_of(const Place& place) {
+    const auto cosine = place.step<FaceStep>().cosine.nearest_double();
+    return cosine && std::abs(*cosine) < 0.99 && std::abs(*cosine) > 0.01 ? cosine : std::nullopt;
+}
+
+Result take_the_angle(const Place& place) {
+    const auto cosine = cosine_of(place);
+    return cosine ? Result({"angle-for-cosine",
+                            place.face_claim("cosine", fmt::format("{:.6f}", std::acos(*cosine)))})
+                  : std::nullopt;
+}
+
+Result take_the_sine(const Place& place) {
+    const auto cosine = cosine_of(place);
+    if (!cosine || std::abs(*cosine * *cosine - 0.5) < 1e-3)
+        return std::nullopt;
+    return Planted{
+        "complement-of-angle",
+        place.face_claim("cosine", fmt::format("{:.6f}", std::sqrt(1 - *cosine * *cosine)))};
+}
+
+/// d with another sum, of a line from 0 to 1 or its mirror images.
+Result decide_by(const Place& place, const std::string& slip, const auto& wrong) {
+    Rational major;
+    Rational minor;
+    const auto right = decisions_here(place, major, minor);
+    const auto ours = decided(right.size(), 2 * minor - major, 2 * minor, 2 * (minor - major));
+    if (right.empty() || ours != right) // its ties step, or another octant
+        return std::nullopt;
+    return planted_decisions(place, slip, right, wrong(right.size(), major, minor));
+}
+
+/// Where d is above 0 to the end, this is what comes of exchanged steps, too.
+Result forget_dx(const Place& place) {
+    return decide_by(place, "diagonal-of-one-axis",
+                     [](std::size_t count, const Rational& dx, const Rational& dy) {
+                         const Rational start = 2 * dy - dx;
+                         auto all = decided(count, start, 2 * dy, 2 * dy);
+                         return all == decided(count, start, 2 * (dy - dx), 2 * dy)
+                                    ? std::vector<Rational>{}
+                                    : all;
+                     });
+}
+
+Result forget_to_double(const Place& place) {
+    return decide_by(place, "factor-2-dropped",
+                     [](std::size_t count, const Rational& dx, const Rational& dy) {
+                         return decided(count, dy - dx, dy, dy - dx);
+                     });
+}
+
+Result exchange_dx_and_dy(const Place& place) {
+    return decide_by(place, "dx-and-dy-exchanged",
+                     [](std::size_t count, const Rational& dx, const Rational& dy) {
+                         return decided(count, 2 * dx - dy, 2 * dx, 2 * (dx - dy));
+                     });
+}
+
+Result keep_a_sign(const Place& place) {
+    return decide_by(place, "octant-ignored",
+                     [](std::size_t count, const Rational& dx, const Rational& dy) {
+                         return decided(count, -2 * dy - dx, -2 * dy, -2 * (dy + dx));
+                     });
+}
+
 /// A way to make a mistake, and the kind of step that it is made in.
 struct Planter {
     StepKind kind;
@@ -435,6 +629,20 @@ constexpr std::array planters{
     Planter{StepKind::scanline, round_the_slope},
     Planter{StepKind::scanline, invert_slope_from_the_other_end},
     Planter{StepKind::vertex, divide_only_z},
+    Planter{StepKind::scanline, round_to_nearest},
+    Planter{StepKind::scanline, take_only_pixels_between},
+    Planter{StepKind::scanline, leave_out_the_right_end},
+    Planter{StepKind::scanline, take_the_pixel_for_the_end},
+    Planter{StepKind::scanline, take_no_slope},
+    Planter{StepKind::scanline, divide_whole_numbers},
+    Planter{StepKind::scanline, leave_out_the_last_pixel},
+    Planter{StepKind::primitive, count_the_middle_row_twice},
+    Planter{StepKind::edge, invert_the_slope_of_a_line},
+    Planter{StepKind::sample, decide_an_edge_otherwise},
+    Planter{StepKind::face, take_the_normal_for_the_view},
+    Planter{StepKind::face, exchange_x_and_y},
+    Planter{StepKind::face, take_the_angle},
+    Planter{StepKind::face, take_the_sine},
 };
 
 constexpr std::array planters_of_lines{
@@ -442,6 +650,10 @@ constexpr std::array planters_of_lines{
     Planter{StepKind::decide, exchange_the_steps},
     Planter{StepKind::decide, begin_with_the_other_axis},
     Planter{StepKind::decide, shift_the_list},
+    Planter{StepKind::decide, forget_dx},
+    Planter{StepKind::decide, forget_to_double},
+    Planter{StepKind::decide, exchange_dx_and_dy},
+    Planter{StepKind::decide, keep_a_sign},
 };
 
 /// A mistake in some step of the trace that it can be made in.
@@ -512,16 +724,17 @@ TEST(Slips, APlantedOneIsNamed) {
     EXPECT_GE(all.named, all.planted * 9 / 10);
     EXPECT_GE(all.first, all.planted * 8 / 10);
     for (const auto& [slip, tally] : tallies) {
-        EXPECT_GE(tally.planted, random_cases(10U)) << slip;
-        EXPECT_GE(tally.named, tally.planted / 2) << slip;
+        EXPECT_GE(tally.planted, random_cases(5U)) << slip;
+        EXPECT_GE(tally.named, tally.planted * 2 / 5) << slip << " of " << tally.planted;
     }
-    EXPECT_GE(tallies.size(), 14U);
+    EXPECT_GE(tallies.size(), 28U);
 }
 
 TEST(Slips, APlantedOneOfALineIsNamed) {
     const std::size_t wanted = random_cases(400U);
     Random random(20261127);
     std::map<std::string, Tally> tallies;
+    std::map<std::string, std::string> instead; ///< a claim that another slip is named for
     for (std::size_t count = 0; count < wanted;) {
         const std::string scene = fmt::format(
             R"({{"canvas":{{"width":31,"height":31}},"vertices":{{"A":[{},{}],"B":[{},{}]}},"lines":["AB"],)"
@@ -539,12 +752,16 @@ TEST(Slips, APlantedOneOfALineIsNamed) {
             const auto names = slip_names(checked.claims[0].fields[0]);
             Tally& tally = tallies[mistake->slip];
             ++tally.planted;
-            tally.first += !names.empty() && names.front() == mistake->slip ? 1 : 0;
+            const bool is_first = !names.empty() && names.front() == mistake->slip;
+            tally.first += is_first ? 1 : 0;
+            if (!is_first)
+                instead[mistake->slip] = mistake->claim + (names.empty() ? "" : names.front());
         }
     }
     EXPECT_EQ(tallies.size(), planters_of_lines.size());
     for (const auto& [slip, tally] : tallies)
-        EXPECT_GE(tally.first, tally.planted * 9 / 10) << slip << " " << tally.planted;
+        EXPECT_GE(tally.first, tally.planted * 9 / 10)
+            << slip << " " << tally.planted << " " << instead[slip];
 }
 
 /// A number that a row's left end or an edge does not have: another digit, ten times as much, another number.
@@ -602,7 +819,8 @@ TEST(Slips, ChanceIsRarelyTakenForOne) {
                 named += field.slips.empty() ? 0 : 1;
         }
     }
-    EXPECT_LT(named * 100, wrong * 5); // in scenes of small whole numbers, where much is near
+    EXPECT_LT(named * 100, wrong * 3)
+        << named; // in scenes of small whole numbers, where much is near
 }
 
 TEST(Slips, TheTableHasEachNameOnce) {
