@@ -57,8 +57,8 @@ public:
         if (problems_.empty())
             return;
         constexpr std::size_t most_in_claims = 3;
-        if (claims_.claims.empty() && problems_.size() > most_in_claims)
-            problems_.resize(1); // no line can be read: it is something else
+        if (problems_.size() > most_in_claims * (1 + claims_.claims.size()))
+            problems_.resize(1); // hardly a line can be read: it is something else
         throw first_of(std::move(problems_));
     }
 
