@@ -137,9 +137,10 @@ private:
                 from = at + 1;
         }
         line_.skip(from);
-        const std::size_t left = line_.left();
+        const std::size_t left_at_end = line_.left() - std::min(end - from, line_.left());
         ClaimWord number = line_.number({.has_mixed = false});
-        line_.skip(end - from - (left - line_.left())); // behind what else is said of it
+        line_.skip(line_.left() -
+                   std::min(left_at_end, line_.left())); // behind what else is said of it
         if (is_rounded)
             number.text = shortened_number(number.text);
         return number;
