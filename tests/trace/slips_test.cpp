@@ -475,9 +475,9 @@ Result divide_whole_numbers(const Place& place) {
 
 Result leave_out_the_last_pixel(const Place& place) {
     const auto row = place.step<ScanlineStep>();
-    return row.to < row.from
-               ? std::nullopt
-               : Result({"last-pixel", place.row_claim("count", Rational(row.to - row.from))});
+    return row.to < row.from ? std::nullopt
+                             : Result({"last-pixel", place.row_claim("pixel_count",
+                                                                     Rational(row.to - row.from))});
 }
 
 Result count_the_middle_row_twice(const Place& place) {
@@ -490,9 +490,9 @@ Result count_the_middle_row_twice(const Place& place) {
         rows.empty() || *rows.rbegin() - *rows.begin() + 1 != static_cast<Index>(rows.size());
     if (has_gaps || place.step<PrimitiveStep>().kind != PrimitiveKind::triangle)
         return std::nullopt;
-    return Planted{"middle-row-twice", R"({"step":"primitive","name":")" +
-                                           place.step<PrimitiveStep>().name.text() +
-                                           R"(","rows":)" + std::to_string(rows.size() + 1) + "}"};
+    return Planted{"middle-row-twice",
+                   R"({"step":"primitive","name":")" + place.step<PrimitiveStep>().name.text() +
+                       R"(","row_count":)" + std::to_string(rows.size() + 1) + "}"};
 }
 
 /// y = m x + b of an edge from corner to corner, with x and y exchanged in m.

@@ -17,11 +17,11 @@
 //             color                that is seen there
 //             share                of the way from one color of a line to the other
 //             visible              it is the named primitive that is seen there
-//     primitive rows, count        how many it has, seen or hidden, of rows and of pixels
+//     primitive  row_count, pixel_count  how many it has, seen or hidden
 //             pixels               x and y of each, in the order in which they are drawn
 //             visible              it is seen in a pixel
 //     primitive, edge  y_form, x_form  m and b of y = m x + b, and of x = m y + b, on a line
-//     scanline count, pixels       how many pixels it has; the x of each
+//     scanline  pixel_count, pixels  how many pixels it has; the x of each
 //     face    centroid, plane      of the corners in the world; A, B, C, D of A x + B y + C z + D = 0
 //             angle                between normal and view, in degrees
 //     decide  d                    a list: all of a line, in order

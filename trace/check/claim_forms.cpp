@@ -84,8 +84,8 @@ constexpr auto field_words = std::to_array<FieldWords>({{"left", "left end"},
                                                         {"pass", "depth test"},
                                                         {"culled", "face"},
                                                         {"visible", "seen"},
-                                                        {"rows", "number of rows"},
-                                                        {"count", "number of pixels"},
+                                                        {"row_count", "number of rows"},
+                                                        {"pixel_count", "number of pixels"},
                                                         {"share", "share of the color"},
                                                         {"y_form", "m, b of y = m x + b"},
                                                         {"x_form", "m, b of x = m y + b"},
@@ -257,7 +257,7 @@ private:
         if (are_pixels)
             return put_ends("from", "to", ends);
         if (ends.size() == 1 && counts_pixels(ends.front()) && line_.at_end())
-            return put("count", ends.front());
+            return put("pixel_count", ends.front());
         if (ends.size() == 1 && !side.empty())
             return put(side, ends.front());
         if (ends.size() == 1 && primitive) { // of a line that is longer in y
@@ -415,7 +415,7 @@ private:
         if (!are_rows && line_.peek().is("("))
             read_points();
         else
-            put(are_rows ? "rows" : "count", line_.one_number());
+            put(are_rows ? "row_count" : "pixel_count", line_.one_number());
     }
 
     void read_points() {
@@ -436,7 +436,7 @@ private:
             const bool are_rows = line_.take("rows") || line_.take("row");
             if (!are_rows && !counts_pixels(number))
                 line_.fail(line_.peek(), "rows or pixels");
-            put(are_rows ? "rows" : "count", number);
+            put(are_rows ? "row_count" : "pixel_count", number);
         } while (line_.take(",") || line_.take("and"));
     }
 

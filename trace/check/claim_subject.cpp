@@ -437,7 +437,7 @@ bool is_decision(StepKind kind, std::string_view field) {
     if (kind == StepKind::pixel)
         return field == "plotted" || field == "inside" || field == "color" || field == "visible";
     if (kind == StepKind::primitive || kind == StepKind::scanline)
-        for (const std::string_view counted : {"rows", "count", "pixels", "visible"})
+        for (const std::string_view counted : {"row_count", "pixel_count", "pixels", "visible"})
             if (field == counted)
                 return true;
     const StepField* const known = field_of(kind, field);

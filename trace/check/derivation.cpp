@@ -377,7 +377,7 @@ Formulas Deriver::of_pixels() const {
 Formulas Deriver::of_count(std::string_view field) const {
     const auto steps = numbers_.index().pixels_of(step_);
     const bool is_line = view_.as<PrimitiveStep>().kind == PrimitiveKind::line;
-    if (steps.empty() || (field == "count" && !is_line))
+    if (steps.empty() || (field == "pixel_count" && !is_line))
         return {};
     const auto between = [&](const auto& coordinate) {
         const auto [low, high] =
@@ -389,7 +389,7 @@ Formulas Deriver::of_count(std::string_view field) const {
     const InclusiveCount rows = between([](const StepView& step) { return y_in(step); });
     const InclusiveCount columns = between([](const StepView& step) { return x_in(step); });
     const bool is_by_column =
-        field == "count" && columns.last - columns.first > rows.last - rows.first;
+        field == "pixel_count" && columns.last - columns.first > rows.last - rows.first;
     return {{is_by_column ? columns : rows}};
 }
 
@@ -568,10 +568,10 @@ std::vector<Formula> formulas_of(const Numbers& numbers, std::size_t step, std::
                : name == "y_form" || name == "x_form" ? of.of_form(name == "x_form")
                                                       : Formulas{};
     case StepKind::primitive:
-        return name == "y_form" || name == "x_form" ? of.of_form(name == "x_form")
-               : name == "pixels"                   ? of.of_pixels()
-               : name == "rows" || name == "count"  ? of.of_count(name)
-                                                    : Formulas{};
+        return name == "y_form" || name == "x_form"           ? of.of_form(name == "x_form")
+               : name == "pixels"                             ? of.of_pixels()
+               : name == "row_count" || name == "pixel_count" ? of.of_count(name)
+                                                              : Formulas{};
     case StepKind::pixel:
         return name == "color" ? of.of_color() : Formulas{};
     case StepKind::scanline:
@@ -580,7 +580,7 @@ std::vector<Formula> formulas_of(const Numbers& numbers, std::size_t step, std::
         if (name == "left_depth" || name == "right_depth")
             return of.of_row_depth(name.substr(0, name.find('_')));
         return name == "from" || name == "to" ? of.of_row_pixel(name)
-               : name == "count"              ? of.of_row_count()
+               : name == "pixel_count"        ? of.of_row_count()
                                               : Formulas{};
     case StepKind::vertex:
         return name == "at" ? of.of_place() : name == "snapped" ? of.of_snapped() : Formulas{};

@@ -97,14 +97,14 @@ ToldValues told_of_pixels(const StepIndex& index, std::size_t primitive, std::st
         for (const auto coordinate : {x_in(step), y_in(step)})
             listed.push_back(std::to_string(coordinate.value_or(0)));
     }
-    return field == "pixels"
-               ? listed
-               : std::vector{std::to_string(field == "rows" ? rows.size() : listed.size() / 2)};
+    return field == "pixels" ? listed
+                             : std::vector{std::to_string(
+                                   field == "row_count" ? rows.size() : listed.size() / 2)};
 }
 
 /// The pixels of a row, or how many they are.
 std::vector<std::string> told_of_row(const ScanlineStep& row, std::string_view field) {
-    if (field == "count")
+    if (field == "pixel_count")
         return {std::to_string(std::max<Index>(row.to - row.from + 1, 0))};
     std::vector<std::string> pixels;
     for (Index x = row.from; x <= row.to; ++x)
@@ -125,8 +125,8 @@ ToldValues told_in(const StepIndex& index, std::size_t step, const ClaimedField&
     if (view.kind() == StepKind::face && field.name == "angle")
         return told_angle(index, step);
     const bool is_of_pixels =
-        field.name == "pixels" || field.name == "count" || field.name == "visible";
-    if (view.kind() == StepKind::primitive && (is_of_pixels || field.name == "rows"))
+        field.name == "pixels" || field.name == "pixel_count" || field.name == "visible";
+    if (view.kind() == StepKind::primitive && (is_of_pixels || field.name == "row_count"))
         return told_of_pixels(index, step, field.name);
     if (view.kind() == StepKind::scanline && is_of_pixels)
         return told_of_row(view.as<ScanlineStep>(), field.name);
