@@ -111,7 +111,9 @@ TEST(Check, ARowWithAHoleIsWrongThere) {
     const Checked checked = check_claims(triangle, "y=2: -1, 0, 2, 3\n");
     EXPECT_EQ(first_wrong(checked).place, 3U);
     EXPECT_EQ(first_wrong(checked).expected, "1");
-    EXPECT_EQ(verdicts(check_claims(triangle, "y=2: -1, 0, 1, 2, 3\n")), "r");
+    EXPECT_EQ(verdicts(check_claims(triangle, "y=2: -1, 0, 1, 2, 3\ny=2: -1, 0, 1, 2\n"
+                                              "y=7: 0 pixels\n(4,2) ABC: hidden\n")),
+              "rwrw");
 }
 
 TEST(Check, CountsOfRowsAndPixels) {

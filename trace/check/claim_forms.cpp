@@ -58,6 +58,8 @@ constexpr auto row_words = std::to_array<std::string_view>({"row", "scanline", "
 constexpr auto sides = std::to_array<std::string_view>({"left", "right"});
 constexpr auto pixel_words = std::to_array<std::string_view>({"pixel", "point"});
 constexpr auto counted_words = std::to_array<std::string_view>({"rows", "pixels"});
+constexpr auto names_in_lists =
+    std::to_array<std::string_view>({"d", "dk", "d_k", "p", "pk", "p_k", "x", "y", "z", "w"});
 constexpr auto edge_words = std::to_array<std::string_view>({"edge", "slope", "dx/dy"});
 
 bool is_one_of(const ClaimWord& word, std::span<const std::string_view> known) {
@@ -98,7 +100,9 @@ public:
 
     void read() {
         line_.leave_out_fillers();
-        if ((line_.peek().is("line") && line_.peek(1).is_name() && !is_row_next()) ||
+        const bool has_kind = line_.peek().is("line") || line_.peek().is("triangle") ||
+                              line_.peek().is("vertex") || line_.peek().is("polygon");
+        if ((has_kind && line_.peek(1).is_name() && !is_row_next()) ||
             (line_.peek().is("x") && line_.peek(1).is("y")))
             line_.next();
         const ClaimWord first = line_.peek();
@@ -251,7 +255,11 @@ private:
         const ClaimWord before = line_.peek();
         if (is_one_of(before, sides))
             side = before.text;
-        const std::vector<ClaimWord> ends = line_.numbers(0, 2);
+        std::vector<ClaimWord> ends = line_.numbers(0, 2);
+        if (ends.size() > 1 && counts_pixels(ends.back())) {
+            put("pixel_count", ends.back());
+            ends.pop_back();
+        }
         const bool are_pixels = ends.size() == 2 && !says_x && are_apart_by_dots(ends) &&
                                 is_whole(ends[0]) && is_whole(ends[1]);
         if (are_pixels)
@@ -293,7 +301,8 @@ private:
 
     /// True of 5 pixels, which is a number with its unit.
     bool counts_pixels(const ClaimWord& number) const {
-        return line_.typed(number).find("pixel") != std::string_view::npos;
+        const std::string_view typed = line_.typed(number);
+        return typed.ends_with("pixels") || typed.ends_with("pixel");
     }
 
     static bool is_whole(const ClaimWord& number) {
@@ -319,7 +328,11 @@ private:
 
     /// -1..3, or all of them: -1, 0, 1, 2, 3
     void read_pixels_of_row() {
-        const std::vector<ClaimWord> pixels = line_.numbers(0);
+        std::vector<ClaimWord> pixels = line_.numbers(0);
+        if (pixels.size() > 1 && counts_pixels(pixels.back())) { // -1..3, 5 pixels
+            put("pixel_count", pixels.back());
+            pixels.pop_back();
+        }
         const bool are_ends = pixels.size() == 2 && claim_.find("left") == nullptr &&
                               !are_apart_by_dots(pixels) &&
                               !(is_whole(pixels[0]) && is_whole(pixels[1]));
@@ -469,12 +482,37 @@ private:
             m = constant(line_.next().is(other) ? "1" : "-1");
         } else {
             b = line_.one_number();
-            if (line_.take(other))
-                std::swap(m, b);
+            if (line_.take("-", other))
+                m = constant("-1");
+            else if (line_.take("+", other))
+                m = constant("1");
+            else if (line_.take(other))
+                split_sum(m, b, constant("0"));
         }
         if (!line_.at_end())
             b = line_.one_number();
+        if (b.is(open_value) && m.text == "0")
+            m = b;
         put_list(axis.is("y") ? "y_form" : "x_form", {m, b});
+    }
+
+    /// Of 7/3 + 4/3, before x, the last term is m; of one term, all of it.
+    void split_sum(ClaimWord& m, ClaimWord& b, const ClaimWord& zero) const {
+        const std::string_view typed = line_.typed(b);
+        const std::size_t sign = std::max(typed.rfind(" + ") + 1, typed.rfind(" - ") + 1);
+        const auto term = [](std::string_view text) {
+            const auto read = number_at(text, {});
+            const auto* const number = std::get_if<TypedNumber>(&read);
+            return number == nullptr ? std::string() : number->text;
+        };
+        const bool is_sum = sign > 0 && typed.find(')', sign) == std::string_view::npos;
+        m = b;
+        if (is_sum) {
+            m.text = term(typed.substr(sign));
+            b.text = term(typed.substr(0, sign - 1));
+        } else {
+            b = zero;
+        }
     }
 
     /// order: ABC, ACD
@@ -625,8 +663,26 @@ private:
             put("edge", name);
             return put_no_slope();
         }
+        if (line_.peek().is("m") && line_.peek(1).is("="))
+            return read_slope_and_constant(name);
+        if (line_.peek().is_name() && line_.peek(1).is("=") &&
+            !is_one_of(line_.peek(), names_in_lists))
+            line_.fail(line_.peek(), "numbers, or a line, like y = 4/3 x + 7/3");
         begin("decide", name);
         put_list("d", line_.numbers(0));
+    }
+
+    /// AB: m = 4/3, b = 7/3
+    void read_slope_and_constant(const ClaimWord& name) {
+        begin("edge", {});
+        put("edge", name);
+        line_.skip(2);
+        const ClaimWord m = line_.one_number();
+        ClaimWord b{.text = std::string(open_value), .offset = m.offset};
+        line_.take(",");
+        if (line_.take("b", "="))
+            b = line_.one_number();
+        put_list("y_form", {m, b});
     }
 
     /// A screen: -10/3, 10/3 -> -4, 3

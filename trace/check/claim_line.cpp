@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
+#include <cmath>
 #include <utility>
 #include <variant>
 
@@ -311,11 +312,27 @@ ClaimWord ClaimLine::value_of_list() {
     constexpr std::array<std::string_view, 2> sides{"left", "right"};
     const bool is_side = std::any_of(sides.begin(), sides.end(),
                                      [this](std::string_view side) { return peek().is(side); });
-    if (peek().is_name() && (peek(1).is("=") || (is_side && peek(1).is(":"))))
+    if (peek().is_name() && !typed_value(peek().text) &&
+        (peek(1).is("=") || (is_side && peek(1).is(":"))))
         next_ += 2;
     else if (is_side)
         ++next_;
-    return number({.has_decimal_comma = commas_.is_decimal});
+    ClaimWord value = number({.has_decimal_comma = commas_.is_decimal});
+    while (peek().is("=") && !peek(1).is_mark) { // 2 - 9/4 = -1/4
+        ++next_;
+        const ClaimWord same = number({.has_decimal_comma = commas_.is_decimal});
+        const auto first = typed_value(value.text);
+        const auto second = typed_value(same.text);
+        const Rational difference = first && second ? first->value - second->value : Rational(0);
+        const int places = second ? second->places.value_or(0) : 0;
+        const bool is_rounded =
+            places > 0 && std::abs(difference.get_d()) * std::pow(10.0, places) <= 1;
+        if (sgn(difference) != 0 && !is_rounded)
+            fail(same, "a number that is equal to the one before it");
+        if (!is_rounded)
+            value = same;
+    }
+    return value;
 }
 
 bool ClaimLine::take_separator() {
@@ -336,7 +353,8 @@ void ClaimLine::note_commas(bool takes_one) {
             words_[i - 1].end == words_[i].begin && words_[i].end == words_[i + 1].begin &&
             is_digit(spelled_[words_[i].begin - 1]) && is_digit(spelled_[words_[i].end]);
         tight += is_tight ? 1 : 0;
-        loose += !is_tight && (words_[i].is(",") || words_[i].is(";")) ? 1 : 0;
+        const bool is_apart = i + 1 < words_.size() && words_[i].end < words_[i + 1].begin;
+        loose += (words_[i].is(",") && is_apart) || words_[i].is(";") ? 1 : 0;
     }
     if (tight > 0 && (loose > 0 || takes_one))
         commas_.is_decimal = commas_.is_seen = true;

@@ -2,6 +2,7 @@
 #include "claim_meaning.h"
 
 #include <rastertrace/trace/record/traced_steps.h>
+#include <rastertrace/trace/tell/step_text.h>
 #include <rastertrace/trace/text/text.h>
 
 #include <fmt/core.h>
@@ -72,27 +73,48 @@ Claim row_as_meant(Claim claim, const StepIndex& told) {
     if (!told.find(StepKind::crossings, {}).empty())
         return claim;
     claim.step = name_of(StepKind::scanline);
-    for (ClaimedField& field : claim.fields)
-        if (field.name == "x")
-            field.name = "pixels";
+    for (ClaimedField& field : claim.fields) {
+        if (field.name != "x")
+            continue;
+        field.name = "pixels";
+        bool has_all = true;
+        for (std::size_t i = 1; i < field.values.size(); ++i)
+            has_all = has_all &&
+                      number_in(field.values[i]) == number_in(field.values[i - 1]).value_or(0) + 1;
+        if (!has_all)
+            continue;
+        ClaimedField last{.name = "to", .values = {field.values.back()}, .offset = field.offset};
+        field = {.name = "from", .values = {field.values.front()}, .offset = field.offset};
+        claim.fields.push_back(std::move(last));
+        break;
+    }
     return claim;
 }
 
 /// A claim about an edge, or about a line of that name.
 Claim line_as_meant(Claim claim, const StepIndex& told) {
-    for (ClaimedField& field : claim.fields)
-        if (field.name == "edge" &&
-            told.find(StepKind::edge, {{"edge", edge_in(told, field.values.front())}}).empty()) {
-            claim.step = name_of(StepKind::primitive);
+    const ClaimedField* const edge = claim.find("edge");
+    if (edge == nullptr ||
+        !told.find(StepKind::edge, {{"edge", edge_in(told, edge->values.front())}}).empty() ||
+        told.find(StepKind::primitive, {{"name", edge->values.front()}}).empty())
+        return claim;
+    claim.step = name_of(StepKind::primitive);
+    for (ClaimedField& field : claim.fields) {
+        if (field.name == "edge")
             field.name = "name";
+        if (field.name == "dx_dy") { // of a line, the slope is dy/dx
+            field.name = "y_form";
+            field.is_list = true;
+            field.values.emplace_back(open_value);
         }
+    }
     return claim;
 }
 
 } // namespace
 
 Claim as_meant(Claim claim, const Claims& claims, const TruthIndex& truth) {
-    if (claim.find("y_form") != nullptr || claim.find("x_form") != nullptr)
+    if (claims.is_table && claim.find("edge") != nullptr)
         return line_as_meant(std::move(claim), truth.exact());
     if (claim.step == name_of(StepKind::crossings) && claims.is_table)
         return row_as_meant(std::move(claim), truth.exact());

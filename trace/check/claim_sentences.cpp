@@ -206,6 +206,8 @@ private:
         put("y", line_.key());
         for (const auto& [side, pixel] : {std::pair("left", "from"), std::pair("right", "to")}) {
             go_behind(side);
+            if (line_.peek().is_name() && !line_.peek().is(":"))
+                put(std::string(side) + "_edge", name_to(":"));
             put(side, value({"->"}));
             go_behind_last("->", words_to({"right", "depth", "no"}));
             put(pixel, line_.key());
@@ -314,6 +316,9 @@ private:
         read_place();
         line_.expect(":", "`:`");
         put("depth", value({"against"}));
+        line_.next();
+        if (!line_.take("nothing"))
+            put("stored", value({"of", ":"}));
         go_behind(":");
         read_verdict("pass", "passes or fails");
     }
@@ -353,6 +358,8 @@ private:
             return;
         put_list("vertices", names);
         put_list("at", places);
+        if (line_.take("radius"))
+            put("radius", line_.key());
     }
 
     /// vertex A in screen space: (1, 2, 3) / 5 = (1/5, 2/5, 3/5) -> (0, 0)
@@ -369,8 +376,10 @@ private:
             line_.next();
         }
         put_list("at", coordinates());
-        if (line_.take("->"))
+        if (line_.has("->")) {
+            go_behind("->");
             put_list("snapped", coordinates());
+        }
     }
 
     /// face ABC: normal (0, 0, -4) . to eye (-1, -1, 3) = -12, cosine -0.9 (154.16 degrees): culled
@@ -387,6 +396,8 @@ private:
         if (line_.take(",")) {
             line_.next();
             put("cosine", line_.key());
+            if (line_.take("("))
+                put("angle", line_.number({}));
         }
         go_behind_last(":", words_to({}));
         read_verdict("culled", "culled or drawn");

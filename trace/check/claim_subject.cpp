@@ -245,9 +245,10 @@ private:
     /// The step that has these keys; 0 if none has.
     std::size_t step_in(const StepIndex& index, const StepIndex::Keys& keys) const {
         const auto& steps = index.find(kind_, keys);
-        if (claim_.is_answer)
-            if (const std::size_t same = step_that_says_so(index, steps); same != 0)
-                return same;
+        const bool may_be_any = claim_.is_answer || kind_ == StepKind::matrix;
+        if (may_be_any && steps.size() > 1)
+            if (const std::size_t nearest = step_that_says_most(index, steps); nearest != 0)
+                return nearest;
         if (kind_ == StepKind::decide && is_whole_line())
             return first_of_line(index, steps);
         if (kind_ == StepKind::pixel)
@@ -262,19 +263,26 @@ private:
         return span;
     }
 
-    /// Of the steps that a sentence could be, the first that says what it says; 0 if none does.
-    std::size_t step_that_says_so(const StepIndex& index,
-                                  const std::vector<std::size_t>& steps) const {
-        const auto says_so = [&](std::size_t n) {
-            return std::all_of(claim_.fields.begin(), claim_.fields.end(), [&](const auto& field) {
-                if (is_key(kind_, field.name) || field.name == "plotted")
-                    return true;
-                const ToldValues told = told_in(index, n, field);
-                return told && compare(field, *told, NumbersHeld::doubles, false).is_right;
-            });
+    /// Of the steps that a sentence could be, the first that has most of its values; 0 if none has any.
+    std::size_t step_that_says_most(const StepIndex& index,
+                                    const std::vector<std::size_t>& steps) const {
+        const auto values_of = [&](std::size_t n) {
+            return std::count_if(
+                claim_.fields.begin(), claim_.fields.end(), [&](const auto& field) {
+                    if (is_key(kind_, field.name))
+                        return false;
+                    const ToldValues told = told_in(index, n, field);
+                    return told && compare(field, *told, NumbersHeld::doubles, false).is_right;
+                });
         };
-        const auto found = std::find_if(steps.begin(), steps.end(), says_so);
-        return found == steps.end() ? 0 : *found;
+        std::size_t best = 0;
+        std::ptrdiff_t most = 0;
+        for (const std::size_t n : steps)
+            if (const auto count = values_of(n); count > most) {
+                most = count;
+                best = n;
+            }
+        return best;
     }
 
     /// Of the spans of a polygon in one row, the one whose end is nearest to the first that is claimed; 0 if they are of

@@ -390,7 +390,9 @@ Formulas Deriver::of_count(std::string_view field) const {
     const InclusiveCount columns = between([](const StepView& step) { return x_in(step); });
     const bool is_by_column =
         field == "pixel_count" && columns.last - columns.first > rows.last - rows.first;
-    return {{is_by_column ? columns : rows}};
+    InclusiveCount count = is_by_column ? columns : rows;
+    count.is_of_rows = field == "row_count";
+    return {{count}};
 }
 
 Formulas Deriver::of_row_count() const {

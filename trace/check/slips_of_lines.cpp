@@ -147,7 +147,7 @@ std::vector<SlipResult> last_pixel_left_out(const Formula& formula) {
 /// The row of the middle corner, which both edges of the shorter side have.
 std::vector<SlipResult> middle_row_twice(const Formula& formula) {
     SlipResults results(formula);
-    if (as_form<InclusiveCount>(formula))
+    if (const auto* count = as_form<InclusiveCount>(formula); count && count->is_of_rows)
         results.add(Rational(results.right().front() + 1));
     return results.take();
 }

@@ -148,6 +148,8 @@ ToldValues told_in(const StepIndex& index, std::size_t step, const ClaimedField&
     std::vector<std::string> values;
     for (const Rational& value : value_of(formulas.front()))
         values.push_back(value.get_str());
+    if (values.empty()) // y = m x + b of a line that is vertical
+        values.emplace_back(no_slope);
     return values;
 }
 
@@ -214,6 +216,8 @@ ToldValues told_of_pixel(const StepIndex& index, std::size_t step, const Subject
         return std::vector<std::string>{is_plotted ? "true" : "false"};
     if (field == "inside")
         return std::vector<std::string>{is_inside_any(index, subject) ? "true" : "false"};
+    if (field == "visible" && !is_inside_any(index, subject))
+        return std::vector<std::string>{"outside"};
     if (field == "visible")
         return std::vector<std::string>{step != 0 && drawn_by == step ? "true" : "false"};
     if (field == "share")
@@ -251,6 +255,8 @@ ToldValues told(const StepIndex& index, std::size_t step, const Subject& subject
                 const ClaimedField& field) {
     if (subject.kind == StepKind::pixel)
         return told_of_pixel(index, step, subject, field.name);
+    if (subject.kind == StepKind::scanline && step == 0 && field.name == "pixel_count")
+        return std::vector<std::string>{"0"}; // there is no such row
     if (subject.kind == StepKind::vertex && step != 0 &&
         index.trace().kind_of(step) == StepKind::primitive)
         return told_in_primitive(index, step, value_of_key(subject, "name"));

@@ -236,6 +236,7 @@ struct LineForm {
 struct InclusiveCount {
     Rational first;
     Rational last;
+    bool is_of_rows = false; ///< of a primitive
 };
 
 /// Red, green and blue of colors, each by its weight, which become whole levels.
