@@ -419,10 +419,14 @@ private:
         return line_.peek().is("(") && line_.peek(end + (has_mark ? 2 : 1)).is("(");
     }
 
-    /// AB pixels: (2,5) (1,4), AB pixels: 9, ABC rows: 9
-    void read_counted(const ClaimWord& name) {
+    void begin_primitive(const ClaimWord& name) {
         begin("primitive", {});
         put("name", name);
+    }
+
+    /// AB pixels: (2,5) (1,4), AB pixels: 9, ABC rows: 9
+    void read_counted(const ClaimWord& name) {
+        begin_primitive(name);
         const bool are_rows = line_.next().is("rows");
         go_to_value();
         if (!are_rows && line_.peek().is("("))
@@ -639,18 +643,15 @@ private:
         if (is_one_of(line_.peek(), edge_words))
             return read_slope_of(name);
         if (are_points_next()) {
-            begin("primitive", {});
-            put("name", name);
+            begin_primitive(name);
             return read_points();
         }
         if (find_verdict(line_.peek(), "visible")) {
-            begin("primitive", {});
-            put("name", name);
+            begin_primitive(name);
             return read_verdict("visible", "visible or hidden");
         }
         if (line_.has("rows") || line_.has("pixels")) {
-            begin("primitive", {});
-            put("name", name);
+            begin_primitive(name);
             return read_counts();
         }
         if (find_verdict(line_.peek(), "culled")) {

@@ -266,7 +266,7 @@ private:
         put("pixel", line_.key());
     }
 
-    /// at (2, 1): d = 3 > 0, diagonally to ne; d - 6 = -3
+    /// at (2, 1): d = 3 > 0, diagonally to NE; d - 6 = -3
     void read_decision() {
         begin("decide", primitive());
         line_.next();
@@ -382,17 +382,22 @@ private:
         }
     }
 
-    /// face ABC: normal (0, 0, -4) . to eye (-1, -1, 3) = -12, cosine -0.9 (154.16 degrees): culled
-    void read_face() {
-        begin("face", {});
-        line_.next();
+    /// ABC: normal (0, 0, -4) . to eye (-1, -1, 3) = -12, with the other vector as this field.
+    void read_product(std::string_view other) {
         put("name", name_to(":"));
         go_to({"("});
         put_list("normal", coordinates());
         go_to({"("});
-        put_list("view", coordinates());
+        put_list(other, coordinates());
         line_.expect("=", "`=`");
         put("dot", value({","}));
+    }
+
+    /// face ABC: normal (0, 0, -4) . to eye (-1, -1, 3) = -12, cosine -0.9 (154.16 degrees): culled
+    void read_face() {
+        begin("face", {});
+        line_.next();
+        read_product("view");
         if (line_.take(",")) {
             line_.next();
             put("cosine", line_.key());
@@ -407,13 +412,7 @@ private:
     void read_light() {
         begin("light", {});
         line_.skip(2);
-        put("name", name_to(":"));
-        go_to({"("});
-        put_list("normal", coordinates());
-        go_to({"("});
-        put_list("light", coordinates());
-        line_.expect("=", "`=`");
-        put("dot", value({","}));
+        read_product("light");
         go_behind("intensity");
         put("intensity", value({","}));
         go_behind("color");
