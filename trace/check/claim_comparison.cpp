@@ -116,6 +116,12 @@ Values claimed_values(const ClaimedField& field, const std::vector<std::string>&
     return values;
 }
 
+bool are_consecutive(const std::vector<std::string>& numbers) {
+    return std::adjacent_find(numbers.begin(), numbers.end(), [](const auto& a, const auto& b) {
+               return number_in(b) != number_in(a).value_or(0) + 1;
+           }) == numbers.end();
+}
+
 Values levels_in(std::string_view text) {
     const auto color = parse_color(text);
     return color ? Values{int{color->red()}, int{color->green()}, int{color->blue()}} : Values{};

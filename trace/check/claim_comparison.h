@@ -52,6 +52,9 @@ Comparison compare(const ClaimedField& claimed, const std::vector<std::string>& 
 /// The numbers of a claim, 1 and 0 for true and false; what is open as it is told. Nothing if one is no number.
 Values claimed_values(const ClaimedField& field, const std::vector<std::string>& told);
 
+/// True of whole numbers each of which is one more than the one before it.
+bool are_consecutive(const std::vector<std::string>& numbers);
+
 /// Red, green and blue of a color; nothing of any other text.
 Values levels_in(std::string_view text);
 

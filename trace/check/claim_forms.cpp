@@ -2,6 +2,7 @@
 #include "claim_forms.h"
 
 #include "claim_builder.h"
+#include "claim_comparison.h"
 
 #include <rastertrace/core/numbers/number.h>
 #include <rastertrace/trace/tell/step_text.h>
@@ -55,7 +56,6 @@ constexpr std::array<FaceWord, 9> face_words{{{"normal", "face", "normal", 3},
 
 /// What people call a row, a pixel and an edge before they say which.
 constexpr auto row_words = std::to_array<std::string_view>({"row", "scanline", "line"});
-constexpr auto sides = std::to_array<std::string_view>({"left", "right"});
 constexpr auto pixel_words = std::to_array<std::string_view>({"pixel", "point"});
 constexpr auto counted_words = std::to_array<std::string_view>({"rows", "pixels"});
 constexpr auto names_in_lists =
@@ -126,7 +126,7 @@ public:
             read_matrix();
         else if (is_row_next())
             read_row({});
-        else if (is_one_of(first, sides) && second.is_name())
+        else if (is_one_of(first, row_sides) && second.is_name())
             read_side(line_.next());
         else if (is_one_of(first, edge_words))
             read_edge({});
@@ -253,7 +253,7 @@ private:
             line_.take("x");
         const bool says_x = line_.peek().is("from") || line_.peek(1).is("=");
         const ClaimWord before = line_.peek();
-        if (is_one_of(before, sides))
+        if (is_one_of(before, row_sides))
             side = before.text;
         std::vector<ClaimWord> ends = line_.numbers(0, 2);
         if (ends.size() > 1 && counts_pixels(ends.back())) {
@@ -338,11 +338,10 @@ private:
                               !(is_whole(pixels[0]) && is_whole(pixels[1]));
         if (are_ends) // y=2 -> -1/4, 25/8
             return put_ends("left", "right", pixels);
-        bool has_all = true;
-        for (std::size_t i = 1; pixels.size() > 2 && i < pixels.size(); ++i)
-            has_all = has_all &&
-                      number_in(pixels[i].text) == number_in(pixels[i - 1].text).value_or(0) + 1;
-        if (has_all)
+        std::vector<std::string> numbers;
+        for (const ClaimWord& pixel : pixels)
+            numbers.push_back(pixel.text);
+        if (pixels.size() <= 2 || are_consecutive(numbers))
             put_ends("from", "to", pixels);
         else
             put_list("pixels", pixels);

@@ -309,8 +309,7 @@ ClaimWord ClaimLine::number(const NumberSpelling& spelling) {
 
 /// The next one of a list, perhaps with its name before it: xl = -1/4, left -1/4.
 ClaimWord ClaimLine::value_of_list() {
-    constexpr std::array<std::string_view, 2> sides{"left", "right"};
-    const bool is_side = std::any_of(sides.begin(), sides.end(),
+    const bool is_side = std::any_of(row_sides.begin(), row_sides.end(),
                                      [this](std::string_view side) { return peek().is(side); });
     if (peek().is_name() && !typed_value(peek().text) &&
         (peek(1).is("=") || (is_side && peek(1).is(":"))))

@@ -11,6 +11,7 @@
 #include "typed_number.h"
 
 #include <algorithm>
+#include <array>
 #include <rastertrace/core/raster/canvas.h>
 #include <rastertrace/trace/text/problem.h>
 
@@ -40,6 +41,9 @@ struct ClaimWord {
 
 /// The most words and marks of a line: twice those of Bresenham's d, with commas, along the longest line.
 inline constexpr std::size_t most_words = 4 * std::size_t{largest_canvas_side};
+
+/// What the ends of a row are called.
+inline constexpr std::array<std::string_view, 2> row_sides{"left", "right"};
 
 /// How the commas of a file are read: one between two digits is that of a decimal, if any line says so.
 struct CommaUse {

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "claim_meaning.h"
 
+#include "claim_comparison.h"
+
 #include <rastertrace/trace/record/traced_steps.h>
-#include <rastertrace/trace/tell/step_text.h>
 #include <rastertrace/trace/text/text.h>
 
 #include <fmt/core.h>
@@ -77,11 +78,7 @@ Claim row_as_meant(Claim claim, const StepIndex& told) {
         if (field.name != "x")
             continue;
         field.name = "pixels";
-        bool has_all = true;
-        for (std::size_t i = 1; i < field.values.size(); ++i)
-            has_all = has_all &&
-                      number_in(field.values[i]) == number_in(field.values[i - 1]).value_or(0) + 1;
-        if (!has_all)
+        if (!are_consecutive(field.values))
             continue;
         ClaimedField last{.name = "to", .values = {field.values.back()}, .offset = field.offset};
         field = {.name = "from", .values = {field.values.front()}, .offset = field.offset};
