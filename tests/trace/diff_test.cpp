@@ -8,6 +8,7 @@
 
 #include <rastertrace/core/numbers/conversion.h>
 #include <rastertrace/trace/compare/diff.h>
+#include <rastertrace/trace/compare/diff_rules.h>
 #include <rastertrace/trace/record/traced_steps.h>
 #include <rastertrace/trace/text/text.h>
 
@@ -16,6 +17,7 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
@@ -205,7 +207,7 @@ void change_every_field(const std::string& name, const std::string& trace) {
             Json mutated = step;
             mutated[key] = changed(item.value());
             other.steps[n] = mutated.dump();
-            const TraceDiff found = diff_of(trace, other.text());
+            const TraceDiff found = diff_of(trace, other.text(), {.compares_names = true});
             SCOPED_TRACE(name + " step " + std::to_string(n + 1) + " " + key + ": " +
                          other.steps[n] + "\n" + diff_text(found));
             ASSERT_FALSE(found.is_same);
@@ -237,7 +239,8 @@ void change_every_field(const std::string& name, const std::string& trace) {
                 EXPECT_TRUE(diff_of(trace, other.text(), {.ignored = {kind + "." + key}}).is_same);
             }
             EXPECT_TRUE(diff_of(trace, other.text(), {.ignored = {kind}}).is_same);
-            EXPECT_EQ(counts_of(diff_of(other.text(), trace)), mirrored_counts_of(found));
+            EXPECT_EQ(counts_of(diff_of(other.text(), trace, {.compares_names = true})),
+                      mirrored_counts_of(found));
         }
     }
 }
@@ -784,6 +787,204 @@ TEST(Diff, OneNameInTwoWaysToWriteIt) {
     other.replace(other.find("\"y\":1"), 5, "\"y\":0");
     const TraceDiff found = diff_of(trace("AB", "\r\n"), other);
     EXPECT_EQ(found.first->a->number, 2U);
+}
+
+/// The trace of a scene.
+std::string drawn(const std::string& scene) {
+    std::string trace = trace_of_example({"scene.json", scene}, {}, TraceLayout::jsonl);
+    EXPECT_FALSE(trace.empty()) << scene;
+    return trace;
+}
+
+/// Triangles of a scene that may be drawn under any names.
+struct NamelessTriangle {
+    int id; ///< stays with it
+    std::array<int, 6> at;
+    int color;
+};
+
+enum class Naming { by_id, all_alike, by_place };
+
+/// The trace of them. A scene has no two triangles of one name; another program may.
+std::string trace_named(const std::vector<NamelessTriangle>& triangles, Naming naming) {
+    Json scene{{"canvas", {{"width", 20}, {"height", 20}, {"origin", "top-left"}}},
+               {"method", {{"fill", "top-left"}}}};
+    for (std::size_t place = 0; place < triangles.size(); ++place) {
+        const NamelessTriangle& one = triangles[place];
+        const std::string number =
+            std::to_string(naming == Naming::by_id ? one.id : static_cast<int>(place));
+        Json names = Json::array();
+        for (std::size_t i = 0; i < 3; ++i) {
+            const std::string name = "P" + number + "abc"[i];
+            names.push_back(name);
+            scene["vertices"][name] = {one.at[2 * i] / 4.0, one.at[2 * i + 1] / 4.0};
+        }
+        scene["triangles"].push_back({{"vertices", names},
+                                      {"name", "T" + number},
+                                      {"color", one.color == 0 ? "#102030" : "#405060"}});
+    }
+    Lines lines(drawn(scene.dump()));
+    for (std::string& step : lines.steps)
+        if (naming == Naming::all_alike && step.find(R"("name":"T)") != std::string::npos) {
+            Json named = Json::parse(step);
+            named["name"] = "T";
+            step = named.dump();
+        }
+    return lines.text();
+}
+
+NamelessTriangle random_nameless(Random& random, int id) {
+    NamelessTriangle one{.id = id, .at = {}, .color = 0};
+    for (int& coordinate : one.at)
+        coordinate = static_cast<int>(random.whole(0, 4 * 19));
+    return one;
+}
+
+/// Drops one, puts one in, moves a vertex, exchanges two neighbors or changes a color.
+void mutate(std::vector<NamelessTriangle>& triangles, Random& random) {
+    const auto place =
+        static_cast<std::size_t>(random.whole(0, static_cast<int>(triangles.size()) - 2));
+    const auto at = triangles.begin() + static_cast<std::ptrdiff_t>(place);
+    switch (random.whole(0, 4)) {
+    case 0:
+        triangles.erase(at);
+        break;
+    case 1:
+        triangles.insert(at, random_nameless(random, 1000 + static_cast<int>(place)));
+        break;
+    case 2:
+        at->at[static_cast<std::size_t>(random.whole(0, 5))] +=
+            static_cast<int>(random.whole(1, 9));
+        break;
+    case 3:
+        std::iter_swap(at, at + 1);
+        break;
+    default:
+        at->color = 1;
+    }
+}
+
+TEST(Diff, PrimitivesAreFoundWhateverTheirNames) {
+    Random random(42);
+    std::size_t renamed = 0;
+    for (std::uint64_t round = 0; round < random_cases(500); ++round) {
+        std::vector<NamelessTriangle> before;
+        const int count = static_cast<int>(random.whole(2, 16));
+        for (int id = 0; id < count; ++id)
+            before.push_back(random_nameless(random, id));
+        std::vector<NamelessTriangle> now = before;
+        mutate(now, random);
+        const auto compared = [&](Naming old_names, Naming new_names, const DiffOptions& options) {
+            return diff_of(trace_named(before, old_names), trace_named(now, new_names), options);
+        };
+        const TraceDiff by_names = compared(Naming::by_id, Naming::by_id, {});
+        for (const auto& [old_names, new_names] : {std::pair(Naming::all_alike, Naming::all_alike),
+                                                   std::pair(Naming::by_place, Naming::by_place),
+                                                   std::pair(Naming::by_id, Naming::all_alike),
+                                                   std::pair(Naming::all_alike, Naming::by_id)}) {
+            const TraceDiff found = compared(old_names, new_names, {});
+            SCOPED_TRACE(diff_text(by_names) + "\n" + diff_text(found));
+            EXPECT_EQ(counts_of(found), counts_of(by_names));
+            const auto tells_names = [](const std::string& remark) {
+                return remark.ends_with("renamed");
+            };
+            const bool is_renamed = std::ranges::any_of(found.remarks, tells_names);
+            renamed += is_renamed ? 1 : 0;
+            if (is_renamed) {
+                EXPECT_NE(counts_of(compared(old_names, new_names, {.compares_names = true})),
+                          counts_of(by_names));
+            }
+        }
+    }
+    EXPECT_GT(renamed, random_cases<std::size_t>(500));
+}
+
+TEST(Diff, OneTriangleOfAHundredThatIsGoneIsToldAlone) {
+    std::vector<NamelessTriangle> all;
+    for (int id = 0; id < 100; ++id) {
+        const int x = 8 * (id % 10);
+        const int y = 8 * (id / 10);
+        all.push_back({.id = id, .at = {x, y, x + 7, y, x, y + 7}, .color = 0});
+    }
+    std::vector<NamelessTriangle> fewer = all;
+    fewer.erase(fewer.begin() + 50);
+    const Lines lines(trace_named(all, Naming::by_id));
+    const std::size_t own_steps = primitives_in(lines)[51].size();
+    for (const Naming naming : {Naming::by_id, Naming::all_alike, Naming::by_place}) {
+        const TraceDiff found = diff_of(trace_named(all, naming), trace_named(fewer, naming));
+        std::size_t alone = 0;
+        for (const KindDifference& kind : found.kinds) {
+            alone += kind.only_a;
+            EXPECT_EQ(kind.changed + kind.only_b + kind.moved, 0U) << diff_text(found);
+        }
+        EXPECT_EQ(alone, own_steps) << diff_text(found);
+        if (naming == Naming::by_place) {
+            EXPECT_THAT(found.remarks, ::testing::Contains("49 primitives are renamed"));
+        }
+    }
+}
+
+// Names also stand in front of the primitives: faces, lights, vertices.
+TEST(Diff, NamesInFrontOfPrimitivesAreTranslated) {
+    const auto scene = [](const std::string& first, const std::string& second) {
+        return R"({"vertices":{"A":[0,0,0],"B":[4,0,0],"C":[0,4,0],"D":[4,4,1]},"method":{"cull":"back"},)"
+               R"("camera":{"position":[1,1,9],"look_at":[1,1,0]},)"
+               R"("projection":{"type":"frustum","fov_y":60,"near":1,"far":50},)"
+               R"("canvas":{"width":32,"height":32},"triangles":[{"vertices":"ABC","name":")" +
+               first + R"("},{"vertices":"BDC","name":")" + second + R"("}]})";
+    };
+    const std::string one = drawn(scene("one", "two"));
+    ASSERT_THAT(one, HasSubstr(R"({"step":"face","name":"one")"));
+    const TraceDiff found = diff_of(one, drawn(scene("eins", "zwei")));
+    EXPECT_TRUE(found.is_same) << diff_text(found);
+    EXPECT_THAT(found.remarks, ElementsAre("2 primitives are renamed"));
+    EXPECT_FALSE(diff_of(one, drawn(scene("eins", "zwei")), {.compares_names = true}).is_same);
+}
+
+TEST(Diff, OnlyWhatBothTellIsComparedIfSoAsked) {
+    const std::string full = first_triangle_trace();
+    Lines fewer(full);
+    std::erase_if(fewer.steps, [](const std::string& step) {
+        return step.starts_with(R"({"step":"edge")") || step.starts_with(R"({"step":"primitive")");
+    });
+    for (std::string& step : fewer.steps)
+        if (step.starts_with(R"({"step":"scanline")")) {
+            Json row = Json::parse(step);
+            row.erase("left_edge");
+            row["speed"] = 7;
+            step = row.dump();
+        }
+    EXPECT_FALSE(diff_of(full, fewer.text(), {.ignored = {"end"}}).is_same);
+    const TraceDiff found =
+        diff_of(full, fewer.text(), {.ignored = {"end"}, .compares_common = true});
+    EXPECT_TRUE(found.is_same) << diff_text(found);
+    EXPECT_THAT(found.remarks, ::testing::Contains("compared: only the fields that both traces "
+                                                   "have, of pixel, scanline"));
+}
+
+TEST(Diff, StepsOfAKindOfOnesOwnAreFoundByTheirKeys) {
+    const auto trace = [](const std::vector<std::string>& tiles) {
+        std::string text = R"({"rastertrace":1,"canvas":{"width":4,"height":4}})"
+                           "\n";
+        for (const std::string& tile : tiles)
+            text += R"({"step":"tile",)" + tile + "}\n";
+        return text + R"({"end":{}})" + "\n";
+    };
+    const std::string a = trace(
+        {R"("tx":0,"ty":0,"cost":1)", R"("tx":1,"ty":0,"cost":2)", R"("tx":0,"ty":1,"cost":3)"});
+    const std::string b = trace({R"("tx":1,"ty":0,"cost":2)", R"("tx":0,"ty":1,"cost":4)"});
+    DiffOptions options;
+    add_step_key(options, "tile=tx,ty");
+    EXPECT_THAT(counts_of(diff_of(a, b, options)), ElementsAre("tile 1 1 0 0"));
+    EXPECT_THAT(counts_of(diff_of(a, b)), ElementsAre("tile 2 1 0 0"));
+}
+
+TEST(Diff, ThePlaceInTheCodeIsNoDifference) {
+    Lines lines(first_triangle_trace());
+    for (std::size_t n = 0; n < lines.steps.size(); ++n)
+        lines.steps[n].insert(lines.steps[n].size() - 1,
+                              R"(,"code":"raster.cpp:)" + std::to_string(n) + "\"");
+    EXPECT_TRUE(diff_of(first_triangle_trace(), lines.text()).is_same);
 }
 
 } // namespace

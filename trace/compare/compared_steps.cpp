@@ -69,6 +69,24 @@ bool is_told(const StepLine& step, const std::optional<Region>& region) {
     }
 }
 
+/// The kinds of step that a trace has.
+std::set<std::string, std::less<>> kinds_in(const TraceText& text) {
+    std::set<std::string, std::less<>> kinds;
+    StepLines lines(text);
+    for (;;) {
+        const LinePlace behind =
+            lines.go_through(lines.unread_lines(), [&](std::string_view line, LinePlace) {
+                const std::string_view json = step_of_line(line);
+                if (!StepLines::is_blank(line))
+                    kinds.insert(std::string(StepView(json).kind_name()));
+                return true;
+            });
+        if (behind.offset == lines.place().offset)
+            return kinds;
+        lines.pass_lines(behind);
+    }
+}
+
 bool is_told(const std::string& primitive, const Trace& trace) {
     const std::string& only = trace.left_out.primitive;
     return only.empty() || primitive == only || primitive.starts_with(only + "/");
@@ -76,13 +94,24 @@ bool is_told(const std::string& primitive, const Trace& trace) {
 
 } // namespace
 
+ComparedSteps::ComparedSteps(const TraceText& a, const TraceText& b, const DiffOptions& options)
+    : a_(a.header()), b_(b.header()), options_(options) {
+    if (!options.compares_common)
+        return;
+    common_ = kinds_in(a);
+    const auto in_b = kinds_in(b);
+    std::erase_if(*common_, [&in_b](const std::string& kind) { return !in_b.contains(kind); });
+}
+
 bool ComparedSteps::has_kind(std::string_view kind) const {
-    return (options_.only.empty() || rastertrace::has(options_.only, kind)) &&
+    return (!common_ || common_->contains(kind)) &&
+           (options_.only.empty() || rastertrace::has(options_.only, kind)) &&
            !rastertrace::has(options_.ignored, kind) && tells(a_, kind) && tells(b_, kind);
 }
 
 bool ComparedSteps::has_primitives() const {
-    return tells(a_, "primitive") && tells(b_, "primitive");
+    return tells(a_, "primitive") && tells(b_, "primitive") &&
+           (!common_ || common_->contains("primitive"));
 }
 
 bool ComparedSteps::has(const StepLine& step) const {
@@ -120,6 +149,9 @@ std::vector<std::string> ComparedSteps::remarks() const {
         remarks.push_back(
             fmt::format("compared: only steps of {}, which both traces tell", joined(kinds, ", ")));
     }
+    if (common_)
+        remarks.push_back(fmt::format("compared: only the fields that both traces have, of {}",
+                                      joined(std::vector(common_->begin(), common_->end()), ", ")));
     if (const auto part = region())
         remarks.push_back(
             fmt::format("compared: only what is about the pixels from ({}, {}) to ({}, {})",

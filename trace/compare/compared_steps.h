@@ -11,7 +11,9 @@
 #include <rastertrace/trace/record/step_lines.h>
 #include <rastertrace/trace/record/trace_options.h>
 
+#include <functional>
 #include <optional>
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -20,8 +22,7 @@ namespace rastertrace {
 
 class ComparedSteps {
 public:
-    ComparedSteps(const TraceText& a, const TraceText& b, const DiffOptions& options)
-        : a_(a.header()), b_(b.header()), options_(options) {}
+    ComparedSteps(const TraceText& a, const TraceText& b, const DiffOptions& options);
 
     /// True if steps of a kind are compared.
     bool has_kind(std::string_view kind) const;
@@ -50,6 +51,8 @@ private:
     const Trace& a_;
     const Trace& b_;
     const DiffOptions& options_;
+    std::optional<std::set<std::string, std::less<>>>
+        common_; ///< the kinds that both have, if asked for
 };
 
 } // namespace rastertrace

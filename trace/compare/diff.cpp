@@ -13,6 +13,7 @@
 
 #include <algorithm>
 #include <cstring>
+#include <optional>
 #include <tuple>
 #include <utility>
 
@@ -133,8 +134,13 @@ TraceDiff diff(const TraceText& a, const TraceText& b, const DiffOptions& option
     if (have_same_bytes(a, b))
         return same_bytes(std::move(found), a, b);
 
-    TraceComparison comparison(a, b, options);
-    comparison.run();
+    std::optional<TraceComparison> compared;
+    compared.emplace(a, b, options).run();
+    if (compared->needs_names_in_front()) {
+        Renames names = compared->names();
+        compared.emplace(a, b, options, std::move(names)).run();
+    }
+    const TraceComparison& comparison = *compared;
     const DiffTally& tally = comparison.tally();
     found.kinds = tally.kinds();
     found.remarks = comparison.remarks();
@@ -144,6 +150,9 @@ TraceDiff diff(const TraceText& a, const TraceText& b, const DiffOptions& option
         std::tie(found.picture, found.led_to) = *std::move(picture);
     if (!is_ignored(options, "header"))
         found.header = differing_keys(a.header_json(), b.header_json());
+    if (options.compares_common)
+        std::erase_if(found.header,
+                      [](const FieldDifference& key) { return key.a.empty() || key.b.empty(); });
 
     if (!comparison.is_cut_off()) {
         const Trace end_a = end_of(a, comparison.end_of_a(), found.damage);

@@ -2,7 +2,8 @@
 #pragma once
 
 // What two traces do differently. Steps are compared, not lines: a primitive is found in the other trace by its name
-// (the second of a name is the second there), and each of its steps by the key fields of its kind (step_kind.h).
+// and vertices, or else by one of the two (primitive_pairs.h), and each of its steps by the key fields of its kind
+// (step_kind.h).
 // Numbers are compared by value, as they are written: "25/8" is 3.125.
 //
 //     const TraceDiff found = diff(one, other, {});  // throws a Problem
@@ -17,6 +18,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -41,6 +43,10 @@ struct DiffOptions {
     std::vector<std::string>
         ignored{}; ///< `header`, `end`, a kind of step, or one of its fields: pixel.color
     std::vector<std::string> only{}; ///< these kinds alone; none: all
+    std::map<std::string, std::vector<std::string>>
+        keys{};                   ///< of kinds of one's own: the fields that a step is found by
+    bool compares_names = false;  ///< a primitive, vertex or edge that has another name differs
+    bool compares_common = false; ///< only kinds and fields that both traces tell
 };
 
 /// A step of one of the two traces.
@@ -99,7 +105,7 @@ struct PixelDifference {
 };
 
 /// The letters that stand for primitives in a picture, in this order; more than there are have `#`.
-inline constexpr std::string_view primitive_letters = "abcdefghijklmnopqrstuvwxyz0123456789";
+inline constexpr std::string_view primitive_letters = "ABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789";
 
 /// How the final pictures differ.
 struct PictureDifference {

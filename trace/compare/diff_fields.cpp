@@ -4,6 +4,7 @@
 #include "value_difference.h"
 
 #include <rastertrace/trace/record/field_type.h>
+#include <rastertrace/trace/record/traced_steps.h>
 #include <rastertrace/trace/text/json_scanner.h>
 
 #include <fmt/core.h>
@@ -65,11 +66,13 @@ std::vector<FieldDifference> FieldComparison::differing(const StepLine& a,
     const std::vector<Field> of_a = fields_in(a.json);
     const std::vector<Field> of_b = fields_in(b.json);
     const auto is_compared = [&](std::string_view name) {
-        return !is_ignored(fmt::format("{}.{}", a.kind_name, name));
+        return name != key_of_code && !is_ignored(fmt::format("{}.{}", a.kind_name, name));
     };
     for (const auto& [name, value] : of_a) {
         const auto other = value_in(of_b, name);
         if (!is_compared(name))
+            continue;
+        if (!other && options_.compares_common)
             continue;
         if (!other) {
             differences.push_back({.name = std::string(name), .a = std::string(value)});
@@ -85,6 +88,8 @@ std::vector<FieldDifference> FieldComparison::differing(const StepLine& a,
                                    .b = std::string(*other),
                                    .distance = here->distance});
     }
+    if (options_.compares_common)
+        return differences;
     for (const auto& [name, value] : of_b)
         if (!value_in(of_a, name) && is_compared(name))
             differences.push_back({.name = std::string(name), .b = std::string(value)});

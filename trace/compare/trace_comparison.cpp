@@ -5,8 +5,11 @@
 #include <rastertrace/trace/record/traced_steps.h>
 #include <rastertrace/trace/text/text.h>
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <cstring>
+#include <functional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -81,17 +84,26 @@ std::vector<PrimitivePlace> primitives_from_here(DiffSide& side) {
     const auto begin = [&](const std::string_view step, LinePlace place) {
         if (!primitives.empty())
             primitives.back().end = place;
-        primitives.push_back({.name = name_in(StepView(step)).text(), .begin = place});
+        primitives.push_back(primitive_place(std::string(step), place));
+    };
+    const auto add_content = [&primitives](std::string_view step) {
+        if (!primitives.empty())
+            primitives.back().content =
+                primitives.back().content * 31 + std::hash<std::string_view>()(step);
     };
     while (const StepLine* const ahead = side.lines.front()) {
         if (ahead->kind == StepKind::primitive)
             begin(ahead->json, ahead->place);
+        else
+            add_content(ahead->json);
         side.pass(*ahead);
         for (bool goes_on = true; goes_on;) {
             const LinePlace behind =
                 go_through(side.lines, side.lines.unread_lines(), [&](const SeenLine& seen) {
                     if (seen.step.what == SeenStep::What::primitive)
                         begin(step_of_line(seen.line), seen.place);
+                    else
+                        add_content(step_of_line(seen.line));
                     side.see(seen.step, seen.line, seen.place);
                     return true;
                 });
@@ -142,16 +154,30 @@ OwnerOfPixels DiffSide::primitive(std::uint32_t number) const {
     return owner;
 }
 
-TraceComparison::TraceComparison(const TraceText& a, const TraceText& b, const DiffOptions& options)
-    : compared_(a, b, options), has_primitives_(compared_.has_primitives()),
+TraceComparison::TraceComparison(const TraceText& a, const TraceText& b, const DiffOptions& options,
+                                 Renames names)
+    : options_(options), names_(std::move(names)), had_names_(!names_.is_empty()),
+      renames_front_(had_names_), compared_(a, b, options),
+      has_primitives_(compared_.has_primitives()),
       fields_(options, a.header().method_value("scalar") == "float" ||
                            b.header().method_value("scalar") == "float"),
-      a_(a, true), b_(b, false), bytes_to_search_(a.size() + b.size()),
-      remarks_(compared_.remarks()) {}
+      a_(a, true, {.keys = options.keys}), b_(b, false, reading_of_b()),
+      bytes_to_search_(a.size() + b.size()), remarks_(compared_.remarks()) {}
+
+/// In front of the first primitive of b its names are those of a, as far as they are known.
+StepReading TraceComparison::reading_of_b() const {
+    StepReading reading{.keys = options_.keys};
+    if (renames_front_)
+        reading.rewrite = [this](std::string_view step) {
+            return renames_front_ && !begins_primitive(step) ? names_.in_step(step, {})
+                                                             : std::string(step);
+        };
+    return reading;
+}
 
 void TraceComparison::run() {
     if (!compare_in_order())
-        compare_by_name();
+        compare_pairs();
     if (is_cut_off())
         remarks_.emplace_back("what follows the place where a trace breaks off was not compared");
 }
@@ -202,8 +228,8 @@ bool TraceComparison::compare_in_order() {
         const StepLine* const b = b_.lines.front();
         if (a == nullptr && b == nullptr)
             return true;
-        if (a == nullptr || b == nullptr ||
-            name_in(StepView(a->json)).text() != name_in(StepView(b->json)).text()) {
+        renames_front_ = false;
+        if (had_names_ || a == nullptr || b == nullptr || !begin_same_primitive(a->json, b->json)) {
             common_primitives_ = static_cast<std::uint32_t>(a_.primitives.size());
             return false;
         }
@@ -239,7 +265,8 @@ void TraceComparison::compare(const StepLine& a, const StepLine& b) {
 /// Compares the steps up to the next primitive.
 void TraceComparison::compare_section(DiffSide& a, DiffSide& b) {
     for (;;) {
-        pass_equal_lines(a, b);
+        if (!renames_front_ && !renames_section_)
+            pass_equal_lines(a, b);
         const StepLine* const of_a = next_compared(a);
         const StepLine* const of_b = next_compared(b);
         if (of_a == nullptr && of_b == nullptr)
@@ -438,12 +465,12 @@ std::size_t TraceComparison::pass_lines(DiffSide& a, DiffSide& b, std::string_vi
     return bytes;
 }
 
-// Where the primitives come in another order they are found by their names.
+// Where the primitives are not the same in the same order, those that are the same are looked for.
 
-void TraceComparison::compare_by_name() {
+void TraceComparison::compare_pairs() {
     const std::vector<PrimitivePlace> of_a = primitives_from_here(a_);
     const std::vector<PrimitivePlace> of_b = primitives_from_here(b_);
-    const std::vector<std::size_t> in_b = find_by_name(of_a, of_b);
+    const std::vector<std::size_t> in_b = pair_primitives(of_a, of_b);
     const std::vector<bool> stays = in_common_order(in_b);
     std::vector<std::size_t> in_a(of_b.size(), nowhere);
     for (std::size_t i = 0; i < in_b.size(); ++i) {
@@ -453,10 +480,13 @@ void TraceComparison::compare_by_name() {
         partner_.push_back(is_there ? common_primitives_ + static_cast<std::uint32_t>(in_b[i]) + 1
                                     : 0);
     }
-
-    if (compared_.tells_all_primitives())
+    const bool is_one_order = std::ranges::all_of(stays, std::identity()) &&
+                              std::ranges::find(in_a, nowhere) == in_a.end();
+    if (!is_one_order && compared_.tells_all_primitives())
         remarks_.emplace_back("the primitives are not the same in the same order: from there on "
                               "the traces were read twice");
+    if (!options_.compares_names)
+        find_names(of_a, of_b, in_b);
 
     // Both lists together: what only one has, what has moved, and what is in the same order in both.
     const auto is_broken = [&](std::size_t in_list_a, std::size_t in_list_b) {
@@ -488,6 +518,35 @@ void TraceComparison::compare_by_name() {
     }
 }
 
+/// Finds what is named otherwise in b.
+void TraceComparison::find_names(const std::vector<PrimitivePlace>& of_a,
+                                 const std::vector<PrimitivePlace>& of_b,
+                                 const std::vector<std::size_t>& in_b) {
+    std::size_t renamed = 0;
+    for (std::size_t i = 0; i < of_a.size(); ++i) {
+        if (in_b[i] == nowhere || of_a[i].names == of_b[in_b[i]].names)
+            continue;
+        names_.add(primitive_step(a_.text, of_a[i]), primitive_step(b_.text, of_b[in_b[i]]));
+        ++renamed;
+    }
+    if (renamed == 0)
+        return;
+    remarks_.push_back(renamed == 1 ? "1 primitive is renamed"
+                                    : fmt::format("{} primitives are renamed", renamed));
+    const auto has_front = [](const DiffSide& side) {
+        return !side.primitives.empty() && side.primitives.front().steps > 0;
+    };
+    needs_names_in_front_ = !had_names_ && (has_front(a_) || has_front(b_));
+}
+
+/// The step that begins a primitive.
+std::string TraceComparison::primitive_step(const TraceText& text,
+                                            const PrimitivePlace& primitive) const {
+    StepLines lines(text, primitive.begin, primitive.end.offset);
+    const StepLine* const step = lines.front();
+    return step == nullptr ? "" : step->json;
+}
+
 /// A primitive that only one trace has, with all its steps.
 void TraceComparison::add_primitive(const TraceText& text, const PrimitivePlace& primitive,
                                     bool is_in_a) {
@@ -511,8 +570,15 @@ void TraceComparison::add_primitive(const TraceText& text, const PrimitivePlace&
 /// A primitive that both traces have, perhaps at another place.
 void TraceComparison::compare_primitives(const PrimitivePlace& of_a, const PrimitivePlace& of_b,
                                          bool has_moved, bool breaks_off) {
-    DiffSide a(a_.text, true, of_a.begin, of_a.end.offset);
-    DiffSide b(b_.text, false, of_b.begin, of_b.end.offset);
+    Renames names;
+    renames_section_ = !options_.compares_names && !names_.is_empty();
+    StepReading reading_b{.keys = options_.keys};
+    if (renames_section_) {
+        names.add(primitive_step(a_.text, of_a), primitive_step(b_.text, of_b));
+        reading_b.rewrite = [&](std::string_view step) { return names.in_step(step, names_); };
+    }
+    DiffSide a(a_.text, true, of_a, {.keys = options_.keys});
+    DiffSide b(b_.text, false, of_b, std::move(reading_b));
     const StepLine* const step_a = a.lines.front();
     const StepLine* const step_b = b.lines.front();
     if (step_a == nullptr || step_b == nullptr)

@@ -13,7 +13,8 @@
 #include "diff_fields.h"
 #include "diff_picture.h"
 #include "diff_tally.h"
-#include "primitive_order.h"
+#include "primitive_pairs.h"
+#include "renames.h"
 #include "waiting_steps.h"
 
 #include <rastertrace/trace/record/step_lines.h>
@@ -40,12 +41,13 @@ struct DiffSide {
     bool breaks_off = false;               ///< of a part: the trace ends within it
 
     /// The whole trace, with its picture.
-    DiffSide(const TraceText& of, bool is_first)
-        : text(of), is_a(is_first), lines(of), picture(of.header().canvas) {}
+    DiffSide(const TraceText& of, bool is_first, StepReading reading)
+        : text(of), is_a(is_first), lines(of, {}, nowhere, std::move(reading)),
+          picture(of.header().canvas) {}
 
     /// A part of it.
-    DiffSide(const TraceText& of, bool is_first, LinePlace from, std::size_t end)
-        : text(of), is_a(is_first), lines(of, from, end) {}
+    DiffSide(const TraceText& of, bool is_first, const PrimitivePlace& part, StepReading reading)
+        : text(of), is_a(is_first), lines(of, part.begin, part.end.offset, std::move(reading)) {}
 
     /// Goes on by a step, of which so much has been seen.
     void see(const SeenStep& step, std::string_view line, LinePlace place);
@@ -66,9 +68,16 @@ struct DiffGap {
 
 class TraceComparison {
 public:
-    TraceComparison(const TraceText& a, const TraceText& b, const DiffOptions& options);
+    /// `names` are what in front of the first primitive of b is named otherwise than in a.
+    TraceComparison(const TraceText& a, const TraceText& b, const DiffOptions& options,
+                    Renames names = {});
 
     void run();
+
+    /// What is named otherwise in b; run() has compared the steps in front of the first primitive without these names if
+    /// it has just found them.
+    const Renames& names() const { return names_; }
+    bool needs_names_in_front() const { return needs_names_in_front_; }
 
     const DiffTally& tally() const { return tally_; }
     const std::vector<std::string>& remarks() const { return remarks_; }
@@ -87,7 +96,11 @@ public:
 
 private:
     bool compare_in_order();
-    void compare_by_name();
+    StepReading reading_of_b() const;
+    void compare_pairs();
+    void find_names(const std::vector<PrimitivePlace>& of_a,
+                    const std::vector<PrimitivePlace>& of_b, const std::vector<std::size_t>& in_b);
+    std::string primitive_step(const TraceText& text, const PrimitivePlace& primitive) const;
     void compare_section(DiffSide& a, DiffSide& b);
     void compare_primitives(const PrimitivePlace& of_a, const PrimitivePlace& of_b, bool has_moved,
                             bool breaks_off);
@@ -115,6 +128,12 @@ private:
 
     std::uint32_t b_of_a(std::uint32_t of_a) const;
 
+    const DiffOptions& options_;
+    Renames names_;
+    bool needs_names_in_front_ = false;
+    bool had_names_;     ///< from the beginning
+    bool renames_front_; ///< the steps in front of the first primitive are read with `names_`
+    bool renames_section_ = false; ///< so are those of the current primitive, with its own names
     ComparedSteps compared_;
     bool has_primitives_;
     FieldComparison fields_;

@@ -6,6 +6,7 @@
 #include "field_type.h"
 #include "step_kind.h"
 #include "trace_keys.h"
+#include "traced_steps.h"
 #include "write_trace.h"
 
 #include <rastertrace/core/raster/canvas.h>
@@ -89,7 +90,10 @@ Json step() {
         cases.push_back({{"if", is_kind}, {"then", reference_to(fmt::format("step-{}", name))}});
     }
     return {{"type", "object"},
-            {"properties", {{"step", {{"type", "string"}, {"anyOf", Json::array({kinds, true})}}}}},
+            {"properties",
+             {{"step", {{"type", "string"}, {"anyOf", Json::array({kinds, true})}}},
+              {std::string(key_of_code),
+               {{"description", "The place in the program that drew it, raster.cpp:120"}}}}},
             {"required", {"step"}},
             {"allOf", std::move(cases)}};
 }

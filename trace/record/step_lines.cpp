@@ -31,7 +31,7 @@ void add_key(std::string& key, std::string_view name, std::string_view json) {
     key += number ? std::to_string(*number) : plain_text(json);
 }
 
-std::string key_of(const StepLine& line) {
+std::string key_of(const StepLine& line, const StepReading& reading) {
     std::string key = line.kind_name;
     const StepView step(line.json);
     if (line.kind) {
@@ -41,8 +41,10 @@ std::string key_of(const StepLine& line) {
                     add_key(key, field.name, *json);
         return key;
     }
-    // Of a kind that we do not know: what other kinds have for a key.
-    for (const std::string_view name : {"name", "x", "y"})
+    // Of a kind that we do not know: what it was said to have, or what other kinds have.
+    static const std::vector<std::string> usual{"name", "x", "y"};
+    const auto own = reading.keys.find(line.kind_name);
+    for (const std::string& name : own == reading.keys.end() ? usual : own->second)
         if (const auto json = step.field(name))
             add_key(key, name, *json);
     return key;
@@ -63,8 +65,8 @@ bool begins_primitive(std::string_view line) {
     return StepView(step_of_line(line)).kind() == StepKind::primitive;
 }
 
-StepLines::StepLines(const TraceText& text, LinePlace from, std::size_t end)
-    : text_(text), place_(from), end_(end) {
+StepLines::StepLines(const TraceText& text, LinePlace from, std::size_t end, StepReading reading)
+    : text_(text), place_(from), end_(end), reading_(std::move(reading)) {
     if (place_.offset == 0)
         place_.offset = text.begin();
 }
@@ -175,7 +177,7 @@ const StepLine* StepLines::at(std::size_t i) {
 }
 
 StepLine StepLines::step_in(std::string_view json) const {
-    Source source{text_.name(), std::string(json), {}};
+    Source source{text_.name(), reading_.rewrite ? reading_.rewrite(json) : std::string(json), {}};
     StepLine line;
     try {
         line.kind = checked_kind(source, 0, source.text.size());
@@ -185,7 +187,7 @@ StepLine StepLines::step_in(std::string_view json) const {
     }
     line.json = std::move(source.text);
     line.kind_name = line.kind ? std::string(name_of(*line.kind)) : StepView(line.json).kind_name();
-    line.key = key_of(line);
+    line.key = key_of(line, reading_);
     line.place = place_;
     line.number = place_.steps + 1;
     return line;

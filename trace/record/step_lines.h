@@ -15,10 +15,13 @@
 #include <cstddef>
 #include <cstdint>
 #include <deque>
+#include <functional>
 #include <limits>
+#include <map>
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace rastertrace {
 
@@ -40,11 +43,21 @@ struct StepLine {
     std::size_t number = 0; ///< from 1
 };
 
+/// How steps are understood.
+struct StepReading {
+    /// The fields that tell a step of a kind that we do not know from others of its kind; else `name`, `x` and `y`.
+    std::map<std::string, std::vector<std::string>> keys{};
+
+    /// What is taken for the JSON of a step; nothing: as it stands.
+    std::function<std::string(std::string_view json)> rewrite{};
+};
+
 class StepLines {
 public:
     /// Goes from a place on, the first line if that is at offset 0, to the end of the steps or to `end`.
     explicit StepLines(const TraceText& text, LinePlace from = {},
-                       std::size_t end = std::numeric_limits<std::size_t>::max());
+                       std::size_t end = std::numeric_limits<std::size_t>::max(),
+                       StepReading reading = {});
 
     /// The next step; nullptr behind the last. Throws a Problem if it is none that can be understood.
     const StepLine* front() { return at(0); }
@@ -106,6 +119,7 @@ private:
     std::size_t passed_ = 0; ///< bytes of the buffer
     LinePlace place_;
     std::size_t end_;
+    StepReading reading_;
     std::deque<StepLine> ahead_;
     bool has_all_ = false; ///< the text has been read to its end
     bool is_behind_ = false;

@@ -139,12 +139,12 @@ std::string name_of_whole(const PrimitiveStep& primitive) {
     return primitive.part.is_true() ? name.substr(0, name.rfind('/')) : name;
 }
 
-TracedText name_in(const StepView& step) {
-    const auto name = step.plain_pixel() == nullptr ? step.field("name") : std::nullopt;
-    return name ? TracedText(*name) : TracedText();
-}
-
 namespace {
+
+TracedText text_field(const StepView& step, std::string_view name) {
+    const auto text = step.plain_pixel() == nullptr ? step.field(name) : std::nullopt;
+    return text ? TracedText(*text) : TracedText();
+}
 
 std::optional<Index> whole_field(const StepView& step, std::string_view name) {
     const auto value = step.field(name);
@@ -152,6 +152,14 @@ std::optional<Index> whole_field(const StepView& step, std::string_view name) {
 }
 
 } // namespace
+
+TracedText name_in(const StepView& step) {
+    return text_field(step, "name");
+}
+
+TracedText code_in(const StepView& step) {
+    return text_field(step, key_of_code);
+}
 
 std::optional<Index> x_in(const StepView& step) {
     const Pixel* const pixel = step.plain_pixel();

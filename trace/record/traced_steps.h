@@ -573,4 +573,9 @@ TracedText name_in(const StepView& step);
 std::optional<Index> x_in(const StepView& step);
 std::optional<Index> y_in(const StepView& step);
 
+/// The place in the program that drew it, `raster.cpp:120`, which any step of a foreign rasterizer may tell. It says
+/// nothing of what was decided, and is never compared.
+inline constexpr std::string_view key_of_code = "code";
+TracedText code_in(const StepView& step);
+
 } // namespace rastertrace

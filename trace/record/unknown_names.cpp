@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "unknown_names.h"
 
+#include "traced_steps.h"
+
 #include <rastertrace/trace/text/json_scanner.h>
 #include <rastertrace/trace/text/text.h>
 
@@ -47,7 +49,8 @@ void UnknownNames::add(const StepView& step, std::optional<StepKind> kind) {
         const auto is_field = [&fields](const StepField& field) {
             return field.name == fields.key();
         };
-        if (fields.key() != "step" && std::none_of(known.begin(), known.end(), is_field))
+        if (fields.key() != "step" && fields.key() != key_of_code &&
+            std::none_of(known.begin(), known.end(), is_field))
             ++fields_[fmt::format("{}.{}", name_of(*kind), fields.key())];
     }
 }

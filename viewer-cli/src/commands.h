@@ -182,6 +182,8 @@ struct DiffCommand {
     Arguments arguments = Arguments::two;
     std::string against; ///< METHOD: the only scene, drawn by another one
     DiffOptions options;
+    std::string convention{}; ///< of the rules, for scenes
+    std::string rules; ///< a file of them; "": the one beside the first file, if there is one
     bool json = false;
     MethodOverrides method;
     InputLimits input;

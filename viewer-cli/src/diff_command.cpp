@@ -10,6 +10,7 @@
 
 #include <rastertrace/trace/audit/redo.h>
 #include <rastertrace/trace/compare/diff.h>
+#include <rastertrace/trace/compare/diff_rules.h>
 #include <rastertrace/trace/record/frame.h>
 #include <rastertrace/trace/record/traced_steps.h>
 #include <rastertrace/trace/tell/describe.h>
@@ -60,6 +61,29 @@ void mark_wrong_sentences(const TraceText& text, std::vector<DiffStep>& before,
     std::for_each(after.begin(), after.end(), mark);
 }
 
+/// With the rules that the team shares. A convention is about scenes alone.
+DiffCommand with_rules(const DiffCommand& command) {
+    const auto rules = command.rules.empty()
+                           ? rules_beside(command.files.front(), command.input)
+                           : std::optional(read_rules(command.rules, command.input));
+    DiffCommand asked = command;
+    if (!rules)
+        return asked;
+    asked.options = joined_options(rules->options, command.options);
+    const auto names_convention = [](const auto& choice) { return choice.first == "convention"; };
+    if (!rules->convention.empty() && std::ranges::none_of(asked.method, names_convention))
+        asked.convention = rules->convention;
+    return asked;
+}
+
+/// The method for one of the files: what is asked for, and the convention of the rules.
+SceneOptions options_for(const OpenedTrace& opened, const DiffCommand& command) {
+    SceneOptions options = options_of(command);
+    if (is_scene(opened) && !command.convention.empty())
+        options.method.emplace(options.method.begin(), "convention", command.convention);
+    return options;
+}
+
 /// Compares two files. Options that say how to draw are about those that are scenes.
 TraceDiff diff_of_files(const std::string& path_a, const std::string& path_b,
                         const DiffCommand& command) {
@@ -70,8 +94,10 @@ TraceDiff diff_of_files(const std::string& path_a, const std::string& path_b,
     const SceneOptions options = options_of(command);
     if (!is_scene(a) && !is_scene(b))
         refuse_scene_options({path_a, {}, {}}, options);
-    const TraceText text_a = trace_text(std::move(a), path_a, options);
-    const TraceText text_b = trace_text(std::move(b), path_b, options);
+    const SceneOptions options_a = options_for(a, command);
+    const SceneOptions options_b = options_for(b, command);
+    const TraceText text_a = trace_text(std::move(a), path_a, options_a);
+    const TraceText text_b = trace_text(std::move(b), path_b, options_b);
     TraceDiff found = diff(text_a, text_b, command.options);
     if (found.first) {
         mark_wrong_sentences(text_a, found.before_a, found.first->a, found.after_a);
@@ -192,9 +218,9 @@ int run(const DiffCommand& command) {
     case DiffCommand::Arguments::two:
         break;
     }
-    return tell(command, command.against.empty()
-                             ? diff_of_files(command.files[0], command.files[1], command)
-                             : diff_of_methods(command));
+    const DiffCommand asked = with_rules(command);
+    return tell(asked, asked.against.empty() ? diff_of_files(asked.files[0], asked.files[1], asked)
+                                             : diff_of_methods(asked));
 }
 
 namespace {
@@ -207,6 +233,7 @@ public:
             "rastertrace diff golden.json scene.json\n\n"
             "Steps are found by their primitive and what they are about, numbers compared by "
             "value.\n"
+            "Primitives are found by name and vertices, or by one of the two.\n"
             "With git: git config diff.trace.command \"rastertrace diff --git\", or\n"
             "diff.trace.textconv \"rastertrace diff --textconv\", and *.trace.json diff=trace in\n"
             ".gitattributes."};
@@ -233,6 +260,19 @@ public:
                        "Leave out kinds of steps, fields, or header: sample,pixel.color,header",
                        "NAMES");
         options.option("--only", only_, "Compare these kinds of steps alone", "KINDS");
+        options
+            .option("--key", keys_,
+                    "The fields that a step of a kind of your own is found by: tile=tx,ty; may be "
+                    "given again",
+                    "KIND=FIELDS")
+            .repeatable();
+        options.flag("--names", command_.options.compares_names,
+                     "A primitive, vertex or edge that is named otherwise differs");
+        options.flag("--common", command_.options.compares_common,
+                     "Compare only the kinds and fields that both traces have");
+        options.option("--rules", command_.rules,
+                       "What the team has agreed on; if not given, rastertrace-rules.json beside A",
+                       "FILE");
         options.flag("--git", is_git_,
                      "Take the arguments that git gives to an external diff command; always "
                      "exit status 0");
@@ -295,6 +335,8 @@ public:
             command_.options.ignored = split_at(ignored_, ',');
         if (!only_.empty())
             command_.options.only = split_at(only_, ',');
+        for (const std::string& one : keys_)
+            add_step_key(command_.options, one);
         drawing_.read_into(command_);
         command_.files.insert(command_.files.end(), git_words_.begin(), git_words_.end());
         check_diff_files();
@@ -324,6 +366,7 @@ private:
     std::optional<AddedOption> traces_;
     std::vector<std::string> git_words_; ///< files, from the end of the command line
     std::vector<std::string> tolerances_;
+    std::vector<std::string> keys_;
     std::string ignored_;
     std::string only_;
     bool is_git_ = false;

@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: MIT
+#include "diff_rules.h"
+
+#include <rastertrace/trace/record/step_kind.h>
+#include <rastertrace/trace/text/conventions.h>
+#include <rastertrace/trace/text/json_reader.h>
+#include <rastertrace/trace/text/text.h>
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <array>
+#include <filesystem>
+#include <string_view>
+#include <utility>
+
+namespace rastertrace {
+
+namespace {
+
+constexpr const char* rules_name = "rastertrace-rules.json";
+
+constexpr std::array rules_keys{
+    schema_key,
+    JsonKey{"ignore", "texts", "What is not compared: header, end, a kind of step, or a field"},
+    JsonKey{"tolerance", "texts", "How far apart numbers may be: scanline.left=1e-9, 4ulp"},
+    JsonKey{"key", "keys", "Of each kind of one's own: the fields that a step is found by"},
+    JsonKey{"convention", "convention", "The named set that scenes are drawn by"},
+};
+
+class RulesReader {
+public:
+    explicit RulesReader(const Source& source) : json_{source} {}
+
+    DiffRules read() const {
+        auto document = parse_json(json_.source);
+        if (!document)
+            throw document.problem();
+        const JsonValue root = document.value().root();
+        if (root.kind != JsonValue::Kind::object)
+            json_.fail_expecting(root, R"(rules, like {"ignore": ["header"]})");
+        json_.allow_keys(root, rules_keys);
+        DiffRules rules{.path = json_.source.name};
+        rules.options.ignored = texts_in(root, "ignore");
+        for (const JsonValue& one : list_in(root, "tolerance"))
+            at(one, [&] { rules.options.tolerances.push_back(parse_tolerance(one.text)); });
+        if (const auto keys = root.find("key"))
+            for (const auto& [kind, fields] : keys->members())
+                at(fields, [&] {
+                    add_step_key(rules.options,
+                                 fmt::format("{}={}", kind.text, joined(text_list(fields), ",")));
+                });
+        if (const auto convention = root.find("convention")) {
+            rules.convention = json_.string_in(*convention, "the name of a convention");
+            check_convention(*convention);
+        }
+        return rules;
+    }
+
+private:
+    /// Points what `read` finds wrong to a value.
+    template <typename Read> void at(const JsonValue& value, const Read& read) const {
+        try {
+            read();
+        } catch (const Problem& problem) {
+            json_.fail(value, problem.message, problem.hint);
+        }
+    }
+
+    std::vector<JsonValue> list_in(const JsonValue& root, std::string_view key) const {
+        std::vector<JsonValue> list;
+        if (const auto value = root.find(key))
+            for (const JsonValue& one : json_.array_in(*value, "a list of texts"))
+                list.push_back(one);
+        return list;
+    }
+
+    std::vector<std::string> text_list(const JsonValue& value) const {
+        std::vector<std::string> texts;
+        for (const JsonValue& one : json_.array_in(value, "a list of texts"))
+            texts.push_back(json_.string_in(one, "a text"));
+        return texts;
+    }
+    std::vector<std::string> texts_in(const JsonValue& root, std::string_view key) const {
+        const auto value = root.find(key);
+        return value ? text_list(*value) : std::vector<std::string>{};
+    }
+
+    void check_convention(const JsonValue& value) const {
+        std::vector<std::string_view> names;
+        for (const ConventionRow& row : convention_rows())
+            names.push_back(row.name);
+        if (std::ranges::find(names, value.text) == names.end())
+            json_.fail_expecting(value, fmt::format("a convention ({})", joined(names, ", ")),
+                                 did_you_mean(value.text, names, "\""));
+    }
+
+    JsonReader json_;
+};
+
+} // namespace
+
+DiffRules read_rules(const std::string& path, const InputLimits& limits) {
+    const auto source = read_named_file(path, limits);
+    if (!source)
+        throw source.problem();
+    return RulesReader(source.value()).read();
+}
+
+std::optional<DiffRules> rules_beside(const std::string& golden, const InputLimits& limits) {
+    const std::filesystem::path path = std::filesystem::path(golden).parent_path() / rules_name;
+    std::error_code error;
+    if (golden == "-" || !std::filesystem::exists(path, error))
+        return std::nullopt;
+    return read_rules(path.string(), limits);
+}
+
+DiffOptions joined_options(DiffOptions rules, const DiffOptions& asked) {
+    const auto append = [](auto& list, const auto& more) {
+        list.insert(list.end(), more.begin(), more.end());
+    };
+    append(rules.tolerances, asked.tolerances);
+    append(rules.ignored, asked.ignored);
+    for (const auto& [kind, fields] : asked.keys)
+        rules.keys[kind] = fields;
+    rules.only = asked.only;
+    rules.compares_names = asked.compares_names;
+    rules.compares_common = asked.compares_common;
+    return rules;
+}
+
+void add_step_key(DiffOptions& options, const std::string& text) {
+    const std::size_t equals = text.find('=');
+    const std::string kind = text.substr(0, equals);
+    std::vector<std::string> fields;
+    if (equals != std::string::npos)
+        fields = split_at(text.substr(equals + 1), ',');
+    if (kind.empty() || fields.empty() || std::ranges::find(fields, "") != fields.end())
+        throw problem_of(
+            "", fmt::format("--key: expected KIND=FIELD,..., like tile=tx,ty, found \"{}\"",
+                            printable(text)));
+    if (step_kind_named(kind))
+        throw problem_of("", fmt::format("--key: expected a kind of step of your own, found {}, "
+                                         "whose steps are found by fields of their own",
+                                         kind));
+    options.keys[kind] = std::move(fields);
+}
+
+} // namespace rastertrace

@@ -1,0 +1,229 @@
+// SPDX-License-Identifier: MIT
+#include "primitive_pairs.h"
+
+#include <rastertrace/trace/record/traced_steps.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <string_view>
+#include <unordered_map>
+#include <utility>
+
+namespace rastertrace {
+
+namespace {
+
+std::uint64_t mixed(std::uint64_t hash, std::uint64_t more) {
+    // The last step of SplitMix64 (Steele, Lea, Flood, Fast splittable pseudorandom number generators, 2014).
+    hash = (hash ^ more) + 0x9e3779b97f4a7c15U;
+    hash = (hash ^ (hash >> 30U)) * 0xbf58476d1ce4e5b9U;
+    hash = (hash ^ (hash >> 27U)) * 0x94d049bb133111ebU;
+    return hash ^ (hash >> 31U);
+}
+
+/// The same for numbers that are near each other; what is no number counts as it is written.
+std::uint64_t hash_of(const TracedNumber& number) {
+    constexpr double scale = 1024;
+    const auto value = number.nearest_double();
+    if (!value || std::abs(*value) > 1e15)
+        return std::hash<std::string_view>()(number.json());
+    return static_cast<std::uint64_t>(std::llround(*value * scale));
+}
+
+/// The names of primitives, and which of those that are left have each.
+using Places = std::unordered_map<std::uint64_t, std::vector<std::size_t>>;
+
+class Pairing {
+public:
+    Pairing(const std::vector<PrimitivePlace>& a, const std::vector<PrimitivePlace>& b)
+        : a_(a), b_(b), in_b_(a.size(), nowhere), is_taken_(b.size(), false) {}
+
+    /// Pairs those of the same key in order; with `once`, where each list has a single one left. A key of 0 is none.
+    template <typename KeyOf> void pair_by(const KeyOf& key_of, bool once) {
+        Places left_a;
+        Places left_b;
+        for (std::size_t i = 0; i < a_.size(); ++i)
+            if (const std::uint64_t key = key_of(a_[i]); in_b_[i] == nowhere && key != 0)
+                left_a[key].push_back(i);
+        for (std::size_t j = 0; j < b_.size(); ++j)
+            if (const std::uint64_t key = key_of(b_[j]); !is_taken_[j] && key != 0)
+                left_b[key].push_back(j);
+        for (const auto& [key, of_a] : left_a) {
+            const auto of_b = left_b.find(key);
+            if (of_b == left_b.end() || (once && (of_a.size() > 1 || of_b->second.size() > 1)))
+                continue;
+            for (std::size_t n = 0; n < std::min(of_a.size(), of_b->second.size()); ++n)
+                pair(of_a[n], of_b->second[n]);
+        }
+    }
+
+    /// Pairs what is left between two pairs that stand in the same order in both lists.
+    void pair_in_gaps() {
+        const std::vector<bool> stays = in_common_order(in_b_);
+        std::size_t begin_a = 0;
+        std::size_t begin_b = 0;
+        for (std::size_t i = 0; i <= a_.size(); ++i) {
+            if (i < a_.size() && !stays[i])
+                continue;
+            const std::size_t end_b = i < a_.size() ? in_b_[i] : b_.size();
+            pair_most_alike(left_in_a(begin_a, i), left_in_b(begin_b, end_b));
+            begin_a = i + 1;
+            begin_b = end_b + 1;
+        }
+    }
+
+    std::vector<std::size_t> places() && { return std::move(in_b_); }
+
+private:
+    void pair(std::size_t i, std::size_t j) {
+        in_b_[i] = j;
+        is_taken_[j] = true;
+    }
+
+    std::vector<std::size_t> left_in_a(std::size_t begin, std::size_t end) const {
+        std::vector<std::size_t> left;
+        for (std::size_t i = begin; i < end; ++i)
+            if (in_b_[i] == nowhere)
+                left.push_back(i);
+        return left;
+    }
+    std::vector<std::size_t> left_in_b(std::size_t begin, std::size_t end) const {
+        std::vector<std::size_t> left;
+        for (std::size_t j = begin; j < end; ++j)
+            if (!is_taken_[j])
+                left.push_back(j);
+        return left;
+    }
+
+    /// How much two primitives have in common; 0: nothing that says that they are one.
+    static int likeness(const PrimitivePlace& a, const PrimitivePlace& b) {
+        constexpr int of_corner = 4;
+        constexpr int of_content = 2;
+        int score = a.name == b.name ? 1 : 0;
+        if (a.corners.size() == b.corners.size())
+            for (std::size_t i = 0; i < a.corners.size(); ++i)
+                score += a.corners[i] == b.corners[i] ? of_corner : 0;
+        return score + (a.content == b.content && a.content != 0 ? of_content : 0);
+    }
+
+    /// An alignment of two short lists with the largest sum of likenesses (Needleman, Wunsch, 1970). Long lists, whose
+    /// table would take too long, are left to their names.
+    void pair_most_alike(const std::vector<std::size_t>& of_a,
+                         const std::vector<std::size_t>& of_b) {
+        constexpr std::size_t largest_table = 1'000'000;
+        if (of_a.empty() || of_b.empty() || of_a.size() > largest_table / of_b.size())
+            return;
+        const std::size_t columns = of_b.size() + 1;
+        std::vector<int> best((of_a.size() + 1) * columns, 0); // of what is left from (i, j) on
+        const auto at = [&](std::size_t i, std::size_t j) -> int& { return best[i * columns + j]; };
+        const auto paired = [&](std::size_t i, std::size_t j) {
+            const int score = likeness(a_[of_a[i]], b_[of_b[j]]);
+            return score == 0 ? -1 : score + at(i + 1, j + 1);
+        };
+        for (std::size_t i = of_a.size(); i-- > 0;)
+            for (std::size_t j = of_b.size(); j-- > 0;)
+                at(i, j) = std::max({paired(i, j), at(i + 1, j), at(i, j + 1)});
+        for (std::size_t i = 0, j = 0; i < of_a.size() && j < of_b.size();)
+            if (at(i, j) == paired(i, j))
+                pair(of_a[i++], of_b[j++]);
+            else if (at(i, j) == at(i + 1, j))
+                ++i;
+            else
+                ++j;
+    }
+
+    const std::vector<PrimitivePlace>& a_;
+    const std::vector<PrimitivePlace>& b_;
+    std::vector<std::size_t> in_b_;
+    std::vector<bool> is_taken_;
+};
+
+std::uint64_t hash_of_name(const PrimitivePlace& one) {
+    return mixed(1, std::hash<std::string>()(one.name));
+}
+std::uint64_t hash_of_corners(const PrimitivePlace& one) {
+    std::uint64_t hash = one.corners.size();
+    for (const std::uint64_t corner : one.corners)
+        hash = mixed(hash, corner);
+    return hash;
+}
+
+/// Within 0.001, or that part of the larger one.
+bool are_near(const TracedNumber& a, const TracedNumber& b) {
+    constexpr double enough = 1e-3;
+    const auto of_a = a.nearest_double();
+    const auto of_b = b.nearest_double();
+    if (!of_a || !of_b)
+        return a.json() == b.json();
+    return std::abs(*of_a - *of_b) <= enough * std::max({1.0, std::abs(*of_a), std::abs(*of_b)});
+}
+
+} // namespace
+
+PrimitivePlace primitive_place(const std::string& primitive_json, LinePlace begin) {
+    const auto step = StepView(primitive_json).as<PrimitiveStep>();
+    PrimitivePlace place{.name = step.name.text(), .begin = begin};
+    place.names = hash_of_name(place);
+    for (const std::string& vertex : step.vertices.texts())
+        place.names = mixed(place.names, std::hash<std::string>()(vertex));
+    for (const TracedList<TracedNumber>& corner : step.at.values()) {
+        std::uint64_t hash = mixed(std::hash<std::string_view>()(step.kind.json()),
+                                   static_cast<std::uint64_t>(step.radius.value_or(0)));
+        for (const TracedNumber& number : corner.values())
+            hash = mixed(hash, hash_of(number));
+        place.corners.push_back(hash);
+    }
+    return place;
+}
+
+bool begin_same_primitive(const std::string& a, const std::string& b) {
+    const auto of_a = StepView(a).as<PrimitiveStep>();
+    const auto of_b = StepView(b).as<PrimitiveStep>();
+    if (of_a.kind.text() != of_b.kind.text() || of_a.name.text() != of_b.name.text() ||
+        of_a.vertices.texts() != of_b.vertices.texts())
+        return false;
+    if (!of_a.at || !of_b.at)
+        return true;
+    const auto near_corners = [](const auto& corner, const auto& other) {
+        return std::ranges::equal(corner.values(), other.values(), are_near);
+    };
+    return std::ranges::equal(of_a.at.values(), of_b.at.values(), near_corners);
+}
+
+std::vector<std::size_t> pair_primitives(const std::vector<PrimitivePlace>& a,
+                                         const std::vector<PrimitivePlace>& b) {
+    Pairing pairing(a, b);
+    pairing.pair_by(
+        [](const PrimitivePlace& one) { return mixed(hash_of_name(one), hash_of_corners(one)); },
+        false);
+    pairing.pair_by(hash_of_corners, false);
+    pairing.pair_by(hash_of_name, true);
+    pairing.pair_in_gaps();
+    pairing.pair_by(hash_of_name, false);
+    return std::move(pairing).places();
+}
+
+std::vector<bool> in_common_order(const std::vector<std::size_t>& places) {
+    // The last element of the best sequence of each length so far, and what comes before each element.
+    std::vector<std::size_t> ends;
+    std::vector<std::size_t> before(places.size(), nowhere);
+    for (std::size_t i = 0; i < places.size(); ++i) {
+        if (places[i] == nowhere)
+            continue;
+        const auto longer = std::lower_bound(
+            ends.begin(), ends.end(), places[i],
+            [&places](std::size_t end, std::size_t place) { return places[end] < place; });
+        before[i] = longer == ends.begin() ? nowhere : *(longer - 1);
+        if (longer == ends.end())
+            ends.push_back(i);
+        else
+            *longer = i;
+    }
+    std::vector<bool> stays(places.size(), false);
+    for (std::size_t i = ends.empty() ? nowhere : ends.back(); i != nowhere; i = before[i])
+        stays[i] = true;
+    return stays;
+}
+
+} // namespace rastertrace

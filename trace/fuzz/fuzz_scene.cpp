@@ -1,0 +1,289 @@
+// SPDX-License-Identifier: MIT
+#include "fuzz_scene.h"
+
+#include <rastertrace/trace/text/canvas_json.h>
+#include <rastertrace/trace/text/color_text.h>
+#include <rastertrace/trace/text/named_value.h>
+#include <rastertrace/trace/text/text.h>
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <map>
+#include <random>
+#include <utility>
+
+namespace rastertrace {
+
+namespace {
+
+constexpr std::int64_t half = fuzz_unit / 2;
+
+/// Far enough that all names fit, and that pictures tell whose a pixel is.
+constexpr std::array<Color, 6> colors{Color(230, 25, 75),  Color(60, 180, 75),
+                                      Color(0, 130, 200),  Color(245, 130, 48),
+                                      Color(145, 30, 180), Color(70, 240, 240)};
+
+/// The engine is defined by the C++ standard, the distributions are not.
+class Choices {
+public:
+    explicit Choices(std::uint64_t seed) : engine_(seed) {}
+
+    std::int64_t whole(std::int64_t low, std::int64_t high) {
+        return low +
+               static_cast<std::int64_t>(engine_() % static_cast<std::uint64_t>(high - low + 1));
+    }
+    bool chance(int of) { return whole(1, of) == 1; }
+
+private:
+    std::mt19937_64 engine_;
+};
+
+class RandomFuzzScene {
+public:
+    RandomFuzzScene(std::uint64_t seed, const FuzzChoice& choice) : random_(seed) {
+        scene_.kind = choice.kinds[index_below(choice.kinds.size())];
+        scene_.origin = choice.origin;
+        scene_.method = choice.method;
+        scene_.width = side(choice.largest_canvas);
+        scene_.height = side(choice.largest_canvas);
+    }
+
+    FuzzScene made() && {
+        const auto count = static_cast<std::size_t>(random_.whole(1, 5));
+        while (scene_.primitives.size() < count)
+            add(scene_.kind == FuzzKind::lines ? line() : triangle());
+        if (scene_.kind != FuzzKind::lines && random_.chance(3))
+            add_neighbor();
+        return std::move(scene_);
+    }
+
+private:
+    std::size_t index_below(std::size_t count) {
+        return static_cast<std::size_t>(random_.whole(0, static_cast<std::int64_t>(count) - 1));
+    }
+
+    int side(int largest) {
+        int size = largest;
+        for (auto halvings = random_.whole(0, 2); halvings > 0 && size > 4; --halvings)
+            size /= 2;
+        return size;
+    }
+
+    void add(std::vector<FuzzVertex> vertices) {
+        const std::size_t n = scene_.primitives.size();
+        scene_.primitives.push_back(
+            {.name = fmt::format("{}{}", scene_.kind == FuzzKind::lines ? 'L' : 'T', n + 1),
+             .vertices = std::move(vertices),
+             .color = colors[n % colors.size()]});
+    }
+
+    /// A coordinate on an axis of so many pixels: whole, a half (where samples are), a quarter, any; now and then far.
+    std::int64_t coordinate(int pixels) {
+        const bool is_centered = scene_.origin == Origin::center;
+        const std::int64_t low = is_centered ? -pixels / 2 : 0;
+        const std::int64_t whole = random_.whole(low - 1, low + pixels + 1) * fuzz_unit;
+        if (random_.chance(16))
+            return whole * random_.whole(10, 400) + half * random_.whole(0, 1);
+        switch (random_.whole(0, 4)) {
+        case 0:
+        case 1:
+            return whole;
+        case 2:
+            return whole + half;
+        case 3:
+            return whole + fuzz_unit / 4 * random_.whole(0, 3);
+        default:
+            return whole + random_.whole(0, fuzz_unit - 1);
+        }
+    }
+
+    /// In clip space: around the view, in front of the eye and behind it.
+    FuzzVertex clip_vertex() {
+        const std::int64_t w = random_.chance(6) ? random_.whole(-2, 0) : random_.whole(1, 4);
+        const auto place = [&] {
+            return fuzz_unit * random_.whole(-3, 3) / 2 * std::max<std::int64_t>(w, 1);
+        };
+        const std::int64_t x = place();
+        const std::int64_t y = place();
+        return {x, y, fuzz_unit * random_.whole(-4, 4) / 4 * std::max<std::int64_t>(w, 1),
+                w * fuzz_unit};
+    }
+
+    FuzzVertex vertex() {
+        // One that is there already: corners that meet.
+        if (!scene_.primitives.empty() && random_.chance(4)) {
+            const auto& vertices =
+                scene_.primitives[index_below(scene_.primitives.size())].vertices;
+            return vertices[index_below(vertices.size())];
+        }
+        if (scene_.kind == FuzzKind::clip)
+            return clip_vertex();
+        const bool has_depth = scene_.kind == FuzzKind::depth;
+        const std::int64_t x = coordinate(scene_.width);
+        const std::int64_t y = coordinate(scene_.height);
+        return {x, y, has_depth ? random_.whole(1, 9) * fuzz_unit : 0, fuzz_unit};
+    }
+
+    std::vector<FuzzVertex> line() { return {vertex(), vertex()}; }
+
+    std::vector<FuzzVertex> triangle() {
+        std::vector<FuzzVertex> corners{vertex(), vertex(), vertex()};
+        if (scene_.kind == FuzzKind::clip)
+            return corners;
+        switch (random_.whole(0, 9)) {
+        case 0: // a sliver
+            corners[2] = corners[1];
+            corners[2][index_below(2)] += random_.whole(1, 64);
+            break;
+        case 1: // a horizontal edge
+            corners[2][1] = corners[1][1];
+            break;
+        case 2: // a vertical one
+            corners[1][0] = corners[0][0];
+            break;
+        case 3: // without area
+            corners[2] = {2 * corners[1][0] - corners[0][0], 2 * corners[1][1] - corners[0][1],
+                          corners[2][2], fuzz_unit};
+            break;
+        case 4: // smaller than a pixel
+            for (std::size_t i = 1; i < 3; ++i)
+                for (std::size_t axis = 0; axis < 2; ++axis)
+                    corners[i][axis] = corners[0][axis] + random_.whole(-fuzz_unit, fuzz_unit);
+            break;
+        default:
+            break;
+        }
+        return corners;
+    }
+
+    /// A triangle that has an edge in common with the last one: each pixel on it is to be drawn once.
+    void add_neighbor() {
+        const auto& corners = scene_.primitives.back().vertices;
+        add({corners[1], corners[0], vertex()});
+    }
+
+    Choices random_;
+    FuzzScene scene_;
+};
+
+/// An exact decimal of k/1024.
+std::string decimal(std::int64_t value) {
+    // 1/1024 has ten decimals.
+    constexpr std::int64_t scale = 9765625; // 10^10 / 1024
+    const std::int64_t whole = std::abs(value) / fuzz_unit;
+    std::string text = fmt::format("{}{}", value < 0 ? "-" : "", whole);
+    if (const std::int64_t rest = std::abs(value) % fuzz_unit; rest != 0) {
+        text += fmt::format(".{:010}", rest * scale);
+        text.erase(text.find_last_not_of('0') + 1);
+    }
+    return text;
+}
+
+/// How many coordinates of a vertex are told.
+std::size_t count_coordinates(const FuzzScene& scene) {
+    return scene.kind == FuzzKind::clip ? 4 : scene.kind == FuzzKind::depth ? 3 : 2;
+}
+
+std::string coordinates(const FuzzVertex& vertex, std::size_t count, std::string_view separator) {
+    std::vector<std::string> numbers;
+    for (std::size_t i = 0; i < count; ++i)
+        numbers.push_back(decimal(vertex[i]));
+    return joined(numbers, separator);
+}
+
+/// Each different vertex with its number, in the order in which they come.
+std::map<FuzzVertex, std::size_t> numbered_vertices(const FuzzScene& scene) {
+    std::map<FuzzVertex, std::size_t> numbers;
+    for (const FuzzPrimitive& primitive : scene.primitives)
+        for (const FuzzVertex& vertex : primitive.vertices)
+            numbers.try_emplace(vertex, numbers.size());
+    return numbers;
+}
+
+std::vector<FuzzVertex> vertices_in_order(const std::map<FuzzVertex, std::size_t>& numbers) {
+    std::vector<FuzzVertex> vertices(numbers.size());
+    for (const auto& [vertex, number] : numbers)
+        vertices[number] = vertex;
+    return vertices;
+}
+
+std::string vertex_name(std::size_t number, std::size_t count) {
+    constexpr std::size_t letters = 26;
+    return count <= letters ? std::string(1, static_cast<char>('A' + number))
+                            : fmt::format("P{}", number + 1);
+}
+
+} // namespace
+
+std::optional<FuzzKind> fuzz_kind_named(std::string_view name) {
+    return value_named<FuzzKind>(fuzz_kind_names, name);
+}
+
+FuzzScene random_scene(std::uint64_t seed, const FuzzChoice& choice) {
+    return RandomFuzzScene(seed, choice).made();
+}
+
+std::size_t count_vertices(const FuzzScene& scene) {
+    return numbered_vertices(scene).size();
+}
+
+std::string scene_json(const FuzzScene& scene) {
+    const auto numbers = numbered_vertices(scene);
+    std::vector<std::string> vertices;
+    for (const FuzzVertex& vertex : vertices_in_order(numbers))
+        vertices.push_back(fmt::format(R"("{}": [{}])",
+                                       vertex_name(vertices.size(), numbers.size()),
+                                       coordinates(vertex, count_coordinates(scene), ", ")));
+    std::vector<std::string> primitives;
+    for (const FuzzPrimitive& primitive : scene.primitives) {
+        std::vector<std::string> names;
+        for (const FuzzVertex& vertex : primitive.vertices)
+            names.push_back(json_quoted(vertex_name(numbers.at(vertex), numbers.size())));
+        primitives.push_back(fmt::format(R"({{"vertices": [{}], "name": {}, "color": "{}"}})",
+                                         joined(names, ", "), json_quoted(primitive.name),
+                                         to_text(primitive.color)));
+    }
+    std::vector<std::string> method;
+    for (const auto& [key, value] : scene.method)
+        method.push_back(fmt::format("{}: {}", json_quoted(key), json_quoted(value)));
+    return fmt::format("{{\"canvas\": {{\"width\": {}, \"height\": {}, \"origin\": \"{}\"}},\n"
+                       " \"vertices\": {{{}}},\n \"{}\": [{}],\n \"method\": {{{}}}}}\n",
+                       scene.width, scene.height, name_of(scene.origin), joined(vertices, ", "),
+                       scene.kind == FuzzKind::lines ? "lines" : "triangles",
+                       joined(primitives, ",\n  "), joined(method, ", "));
+}
+
+std::string triangles_text(const FuzzScene& scene) {
+    std::string text = fmt::format("canvas {} {}\n", scene.width, scene.height);
+    const bool is_clip = scene.kind == FuzzKind::clip;
+    const std::string_view word = is_clip ? "clip" : scene.kind == FuzzKind::lines ? "line" : "tri";
+    for (const FuzzPrimitive& primitive : scene.primitives) {
+        text += fmt::format("{} {}", word, primitive.name);
+        for (const FuzzVertex& vertex : primitive.vertices)
+            text += " " + coordinates(vertex, is_clip ? 4 : 3, " ");
+        text += "\n";
+    }
+    return text;
+}
+
+std::string cs418_text(const FuzzScene& scene) {
+    std::string text = fmt::format("png {} {} out.png\n", scene.width, scene.height);
+    for (const FuzzPrimitive& primitive : scene.primitives) {
+        // The color is that of the vertices that follow.
+        text += fmt::format("rgb {} {} {}\n", primitive.color.red(), primitive.color.green(),
+                            primitive.color.blue());
+        for (FuzzVertex place : primitive.vertices) {
+            if (scene.kind != FuzzKind::clip) {
+                place[0] = 2 * place[0] / scene.width - fuzz_unit;
+                place[1] = 2 * place[1] / scene.height - fuzz_unit;
+            }
+            text += "xyzw " + coordinates(place, place.size(), " ") + "\n";
+        }
+        text += "tri -3 -2 -1\n";
+    }
+    return text;
+}
+
+} // namespace rastertrace
