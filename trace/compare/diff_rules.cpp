@@ -124,6 +124,7 @@ DiffOptions joined_options(DiffOptions rules, const DiffOptions& asked) {
     for (const auto& [kind, fields] : asked.keys)
         rules.keys[kind] = fields;
     rules.only = asked.only;
+    rules.compares_order = asked.compares_order;
     rules.compares_names = asked.compares_names;
     rules.compares_common = asked.compares_common;
     return rules;

@@ -39,6 +39,8 @@ void DiffTally::add_only_b(std::size_t gap, const StepLine& b) {
 }
 
 void DiffTally::add_moved(std::size_t gap, const StepLine& a, const StepLine& b) {
+    if (!counts_moved_)
+        return;
     ++of_kind(a).moved;
     note_first(gap, &a, &b, {}, true);
 }

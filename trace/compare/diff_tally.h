@@ -44,6 +44,9 @@ struct FirstDifference {
 /// has a step of a alone and one of b alone, one stands in place of the other.
 class DiffTally {
 public:
+    /// Without `counts_moved` steps that stand elsewhere are none.
+    explicit DiffTally(bool counts_moved) : counts_moved_(counts_moved) {}
+
     void begin_section(DiffSection section) { section_ = std::move(section); }
 
     void add_changed(std::size_t gap, const StepLine& a, const StepLine& b,
@@ -63,6 +66,7 @@ private:
     void note_first(std::size_t gap, const StepLine* a, const StepLine* b,
                     std::vector<FieldDifference> fields, bool is_moved);
 
+    bool counts_moved_;
     DiffSection section_;
     std::map<std::string, KindDifference> kinds_;
     std::optional<FirstDifference> first_;

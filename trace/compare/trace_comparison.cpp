@@ -162,6 +162,7 @@ TraceComparison::TraceComparison(const TraceText& a, const TraceText& b, const D
       fields_(options, a.header().method_value("scalar") == "float" ||
                            b.header().method_value("scalar") == "float"),
       a_(a, true, {.keys = options.keys}), b_(b, false, reading_of_b()),
+      tally_(options.compares_order),
       bytes_to_search_(a.size() + b.size()), remarks_(compared_.remarks()) {}
 
 /// In front of the first primitive of b its names are those of a, as far as they are known.

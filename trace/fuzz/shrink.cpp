@@ -36,6 +36,9 @@ std::vector<std::int64_t> simpler_numbers(std::int64_t value) {
         const std::int64_t down = value - ((value % step) + step) % step;
         numbers.insert(numbers.end(), {down, down + step, value / 2 / step * step});
     }
+    // Large ones shrink by parts of themselves, then by one.
+    for (std::int64_t part = 2; part <= std::abs(value) / fuzz_unit; part *= 2)
+        numbers.push_back((value - value / part) / fuzz_unit * fuzz_unit);
     const std::int64_t toward_zero = value > 0 ? -fuzz_unit : fuzz_unit;
     numbers.insert(numbers.end(), {value + toward_zero, -value});
     std::erase_if(numbers, [value](std::int64_t one) { return !is_simpler(one, value); });

@@ -250,26 +250,7 @@ public:
                        "Compare the only scene with itself, drawn by another method, like "
                        "scalar=double",
                        "METHOD");
-        options
-            .option("--tolerance", tolerances_,
-                    "How far apart numbers may be: scanline.left=1e-9, depth=4ulp, or 4ulp for "
-                    "all; a list, and may be given again",
-                    "KIND.FIELD=AMOUNT")
-            .repeatable();
-        options.option("--ignore", ignored_,
-                       "Leave out kinds of steps, fields, or header: sample,pixel.color,header",
-                       "NAMES");
-        options.option("--only", only_, "Compare these kinds of steps alone", "KINDS");
-        options
-            .option("--key", keys_,
-                    "The fields that a step of a kind of your own is found by: tile=tx,ty; may be "
-                    "given again",
-                    "KIND=FIELDS")
-            .repeatable();
-        options.flag("--names", command_.options.compares_names,
-                     "A primitive, vertex or edge that is named otherwise differs");
-        options.flag("--common", command_.options.compares_common,
-                     "Compare only the kinds and fields that both traces have");
+        comparison_.add_to(options);
         options.option("--rules", command_.rules,
                        "What the team has agreed on; if not given, rastertrace-rules.json beside A",
                        "FILE");
@@ -328,15 +309,7 @@ public:
             command_.arguments = DiffCommand::Arguments::git;
         if (is_textconv_)
             command_.arguments = DiffCommand::Arguments::textconv;
-        for (const std::string& list : tolerances_)
-            for (const std::string& one : split_at(list, ','))
-                command_.options.tolerances.push_back(parse_tolerance(one));
-        if (!ignored_.empty())
-            command_.options.ignored = split_at(ignored_, ',');
-        if (!only_.empty())
-            command_.options.only = split_at(only_, ',');
-        for (const std::string& one : keys_)
-            add_step_key(command_.options, one);
+        command_.options = comparison_.options();
         drawing_.read_into(command_);
         command_.files.insert(command_.files.end(), git_words_.begin(), git_words_.end());
         check_diff_files();
@@ -365,10 +338,7 @@ private:
     DiffCommand command_;
     std::optional<AddedOption> traces_;
     std::vector<std::string> git_words_; ///< files, from the end of the command line
-    std::vector<std::string> tolerances_;
-    std::vector<std::string> keys_;
-    std::string ignored_;
-    std::string only_;
+    ComparisonOptions comparison_;
     bool is_git_ = false;
     bool is_textconv_ = false;
     std::string format_;

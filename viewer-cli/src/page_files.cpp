@@ -50,31 +50,14 @@ std::string bytes_of(const std::filesystem::path& path) {
 
 } // namespace
 
-OutputsElsewhere::OutputsElsewhere() {
-    std::error_code error;
-    const std::filesystem::path temporary = std::filesystem::temp_directory_path(error);
-    std::string pattern = (temporary / "rastertrace-page-XXXXXX").string();
-    if (error || ::mkdtemp(pattern.data()) == nullptr) {
-        Problem problem =
-            problem_of(error ? "TMPDIR" : pattern,
-                       error ? error.message() : std::generic_category().message(errno));
-        problem.cause = Problem::Cause::system;
-        throw problem;
-    }
-    folder_ = pattern;
-}
-
-OutputsElsewhere::~OutputsElsewhere() {
-    std::error_code ignored;
-    std::filesystem::remove_all(folder_, ignored);
-}
+OutputsElsewhere::OutputsElsewhere() : temporary_("rastertrace-page") {}
 
 std::vector<std::string> OutputsElsewhere::written_files() const {
     std::vector<std::string> written;
-    for (const auto& file : std::filesystem::recursive_directory_iterator(folder_))
+    for (const auto& file : std::filesystem::recursive_directory_iterator(temporary_.path()))
         if (file.is_regular_file())
-            written.push_back(
-                ("/" / file.path().lexically_relative(folder_)).lexically_proximate(here()));
+            written.push_back(("/" / file.path().lexically_relative(temporary_.path()))
+                                  .lexically_proximate(here()));
     std::sort(written.begin(), written.end());
     return written;
 }
@@ -87,7 +70,7 @@ OutputsElsewhere::left_over_files(const std::vector<std::string>& words) const {
     std::error_code error;
     const auto is_written = [&](const std::string& path) {
         const auto place = std::filesystem::weakly_canonical(here() / path, error);
-        return std::filesystem::exists(folder_ / place.relative_path(), error);
+        return std::filesystem::exists(temporary_.path() / place.relative_path(), error);
     };
     // A sequence may have the name of the scene that it is of.
     const auto is_input = [&](const std::string& path) {
@@ -127,7 +110,7 @@ std::vector<std::string> OutputsElsewhere::stale_files() const {
         // A device or a pipe has no bytes to be compared.
         if (std::filesystem::exists(status) && !std::filesystem::is_regular_file(status))
             continue;
-        if (bytes_of(there) != bytes_of(folder_ / there.relative_path()) ||
+        if (bytes_of(there) != bytes_of(temporary_.path() / there.relative_path()) ||
             !std::filesystem::exists(status))
             stale.push_back(path);
     }

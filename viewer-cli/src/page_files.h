@@ -7,7 +7,8 @@
 //     run_self(words, {.files = {.below = {}, .outputs = elsewhere.folder()}});
 //     elsewhere.stale_files();              // {"docs/a.svg"} if that is not the same
 
-#include <filesystem>
+#include "temporary_folder.h"
+
 #include <string>
 #include <vector>
 
@@ -18,11 +19,8 @@ class OutputsElsewhere {
 public:
     /// Throws a Problem if there can be no folder.
     OutputsElsewhere();
-    OutputsElsewhere(const OutputsElsewhere&) = delete;
-    OutputsElsewhere& operator=(const OutputsElsewhere&) = delete;
-    ~OutputsElsewhere();
 
-    std::string folder() const { return folder_.string(); }
+    std::string folder() const { return temporary_.path().string(); }
 
     /// The files that the command would have written, in the order of their names.
     std::vector<std::string> written_files() const;
@@ -36,7 +34,7 @@ public:
     std::vector<std::string> stale_files() const;
 
 private:
-    std::filesystem::path folder_;
+    TemporaryFolder temporary_;
 };
 
 } // namespace rastertrace

@@ -6,25 +6,15 @@
 //
 //     const FinishedRun run = run_self({"plan", "scene.json"}, {});
 
-#include <rastertrace/trace/text/descriptor.h>
+#include "run_program.h"
+
 #include <rastertrace/trace/text/process_files.h>
 
 #include <chrono>
-#include <csignal>
-#include <cstddef>
 #include <string>
 #include <vector>
 
 namespace rastertrace {
-
-/// How a run of the program ended, and what it printed.
-struct FinishedRun {
-    int exit_status = 0;       ///< or 128 + the signal that ended it, as a shell tells it
-    std::string out;           ///< standard output
-    std::string err;           ///< standard error
-    bool is_too_large = false; ///< it was ended because it printed more than `most_output`
-    bool is_too_long = false;  ///< it was ended because it took more than its time
-};
 
 /// What a run may do.
 struct RunLimits {
@@ -34,23 +24,6 @@ struct RunLimits {
 
 /// The most that a run may print, in bytes.
 inline constexpr std::size_t most_output = 4'000'000;
-
-/// Holds back the signals that somebody ends this program by, while this lives: a run of its own is ended first, and
-/// what was made for it is removed. Then they do what they would have done.
-class EndingHeldBack {
-public:
-    EndingHeldBack();
-    EndingHeldBack(const EndingHeldBack&) = delete;
-    EndingHeldBack& operator=(const EndingHeldBack&) = delete;
-    ~EndingHeldBack();
-
-    /// Can be read as soon as one of them waits.
-    int descriptor() const { return waiting_.number(); }
-
-private:
-    sigset_t before_;
-    Descriptor waiting_;
-};
 
 /// Runs this program with other arguments, without a shell, with nothing to read on standard input.
 /// What it prints does not depend on the terminal: COLUMNS is 80, LINES is not set, NO_COLOR is.

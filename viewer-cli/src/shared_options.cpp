@@ -5,6 +5,7 @@
 #include "option_values.h"
 
 #include <rastertrace/figures/view.h>
+#include <rastertrace/trace/compare/diff_rules.h>
 #include <rastertrace/trace/text/language.h>
 #include <rastertrace/trace/text/stage_name.h>
 #include <rastertrace/trace/text/text.h>
@@ -149,6 +150,46 @@ FrameChoice FrameOptions::choice() const {
             refuse_value("--frame", "the number of a frame, from 1", frame_);
     }
     return choice;
+}
+
+void ComparisonOptions::add_to(OptionList& options) {
+    options
+        .option("--tolerance", tolerances_,
+                "How far apart numbers may be: scanline.left=1e-9, depth=4ulp, or 4ulp for "
+                "all; a list, and may be given again",
+                "KIND.FIELD=AMOUNT")
+        .repeatable();
+    options.option("--ignore", ignored_,
+                   "Leave out kinds of steps, fields, or header: sample,pixel.color,header",
+                   "NAMES");
+    options.option("--only", only_, "Compare these kinds of steps alone", "KINDS");
+    options
+        .option("--key", keys_,
+                "The fields that a step of a kind of your own is found by: tile=tx,ty; may be "
+                "given again",
+                "KIND=FIELDS")
+        .repeatable();
+    options.flag("--names", options_.compares_names,
+                 "A primitive, vertex or edge that is named otherwise differs");
+    options.flag("--any-order", is_any_order_,
+                 "Steps of a primitive, and primitives, may come in another order");
+    options.flag("--common", options_.compares_common,
+                 "Compare only the kinds and fields that both traces have");
+}
+
+DiffOptions ComparisonOptions::options() const {
+    DiffOptions options = options_;
+    for (const std::string& list : tolerances_)
+        for (const std::string& one : split_at(list, ','))
+            options.tolerances.push_back(parse_tolerance(one));
+    if (!ignored_.empty())
+        options.ignored = split_at(ignored_, ',');
+    if (!only_.empty())
+        options.only = split_at(only_, ',');
+    for (const std::string& one : keys_)
+        add_step_key(options, one);
+    options.compares_order = !is_any_order_;
+    return options;
 }
 
 } // namespace rastertrace

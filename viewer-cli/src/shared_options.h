@@ -5,6 +5,7 @@
 
 #include "command.h"
 
+#include <rastertrace/trace/compare/diff.h>
 #include <rastertrace/trace/scene/scene_file.h>
 #include <rastertrace/trace/text/input.h>
 #include <rastertrace/trace/text/method_names.h>
@@ -68,6 +69,21 @@ public:
 private:
     std::vector<std::string> vary_;
     std::string frame_;
+};
+
+/// What of two traces is compared: --tolerance, --ignore, --only, --key, --names, --any-order, --common.
+class ComparisonOptions {
+public:
+    void add_to(OptionList& options);
+    DiffOptions options() const;
+
+private:
+    DiffOptions options_;
+    std::vector<std::string> tolerances_;
+    std::vector<std::string> keys_;
+    std::string ignored_;
+    std::string only_;
+    bool is_any_order_ = false;
 };
 
 /// All of them.

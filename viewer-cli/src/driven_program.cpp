@@ -1,0 +1,188 @@
+// SPDX-License-Identifier: MIT
+#include "driven_program.h"
+
+#include "load.h"
+#include "run_program.h"
+#include "temporary_folder.h"
+
+#include <rastertrace/trace/record/write_trace.h>
+#include <rastertrace/trace/scene/course_text.h>
+#include <rastertrace/trace/scene/scene_file.h>
+#include <rastertrace/trace/text/input.h>
+#include <rastertrace/trace/text/text.h>
+#include <rastertrace/trace/text/trace_layout.h>
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <array>
+#include <fstream>
+#include <utility>
+
+namespace rastertrace {
+
+namespace {
+
+/// The texts that a program may read.
+struct SceneText {
+    std::string_view placeholder;
+    std::string_view ending;
+    std::string (*write)(const FuzzScene& scene);
+};
+constexpr std::array scene_texts{SceneText{"{scene}", ".json", scene_json},
+                                 SceneText{"{triangles}", ".txt", triangles_text},
+                                 SceneText{"{cs418}", ".txt", cs418_text}};
+constexpr std::string_view out_placeholder = "{out}";
+
+const SceneText& text_for(std::string_view placeholder) {
+    return *std::ranges::find(scene_texts, placeholder, &SceneText::placeholder);
+}
+
+/// A text with another in the place of each `from`.
+std::string replaced(std::string text, std::string_view from, const std::string& to) {
+    for (std::size_t at = text.find(from); at != std::string::npos;
+         at = text.find(from, at + to.size()))
+        text.replace(at, from.size(), to);
+    return text;
+}
+
+void write_file(const std::filesystem::path& path, const std::string& text) {
+    FileOutput output(path.string());
+    output.write(text);
+    output.commit();
+}
+
+/// `ended by signal 11: ...`, with the last line that it printed.
+std::string ending_of(const FinishedRun& run) {
+    constexpr int by_signal = 128;
+    const std::vector<std::string> lines = split_at(run.err, '\n');
+    const auto last = std::find_if(lines.rbegin(), lines.rend(),
+                                   [](const std::string& line) { return !line.empty(); });
+    const std::string said = last == lines.rend() ? "" : ": " + shortened(printable(*last), 200);
+    return (run.exit_status > by_signal
+                ? fmt::format("ended by signal {}", run.exit_status - by_signal)
+                : fmt::format("exit status {}", run.exit_status)) +
+           said;
+}
+
+/// The first difference in one line: of a step its sentence in both.
+std::string first_line_of(const TraceDiff& found) {
+    if (!found.first)
+        return found.picture ? "the pictures differ" : "the end records differ";
+    const auto sentence = [](const std::optional<DiffStep>& step) {
+        return step ? step->sentence : std::string("no such step");
+    };
+    return fmt::format("{}{}, yours: {}",
+                       found.first->primitive.empty() ? ""
+                                                      : printable(found.first->primitive) + ": ",
+                       sentence(found.first->a), sentence(found.first->b));
+}
+
+} // namespace
+
+DrivenProgram::DrivenProgram(std::vector<std::string> words, DiffOptions options, Limits limits)
+    : words_(std::move(words)), options_(std::move(options)), limits_(limits) {
+    const auto has = [this](std::string_view placeholder) {
+        return std::ranges::any_of(words_, [placeholder](const std::string& word) {
+            return word.find(placeholder) != std::string::npos;
+        });
+    };
+    for (const SceneText& text : scene_texts)
+        if (has(text.placeholder) && placeholder_.empty())
+            placeholder_ = text.placeholder;
+        else if (has(text.placeholder))
+            throw problem_of("",
+                             fmt::format("fuzz: expected one text of the scene, found {} and {}",
+                                         placeholder_, text.placeholder));
+    if (words_.empty() || placeholder_.empty())
+        throw problem_of("",
+                         "fuzz: expected a program behind --, with {scene}, {triangles} or "
+                         "{cs418} among its arguments",
+                         "like: rastertrace fuzz -- ./mine {scene}");
+    has_out_ = has(out_placeholder);
+    // A foreign rasterizer tells what it likes to, in the order in which it draws.
+    options_.compares_common = true;
+    options_.compares_order = false;
+    options_.ignored.insert(options_.ignored.end(), {"header", "end"});
+}
+
+std::string DrivenProgram::scene_text(const FuzzScene& scene) const {
+    return text_for(placeholder_).write(scene);
+}
+
+std::string_view DrivenProgram::ending() const {
+    return text_for(placeholder_).ending;
+}
+
+std::string DrivenProgram::reference(const FuzzScene& scene) const {
+    Source source{"scene.json", scene_json(scene), {}};
+    if (text_for(placeholder_).write == cs418_text)
+        source = value_or_throw(scene_of_foreign({"scene.txt", cs418_text(scene), {}}));
+    const PlannedScene planned = value_or_throw(read_scene(source, scene.method));
+    std::string text;
+    StringOutput output(text);
+    write_trace(planned.scene, planned.plan, {.layout = TraceLayout::jsonl, .filter = {}}, output);
+    return text;
+}
+
+std::vector<std::string> DrivenProgram::words_for(const std::string& scene,
+                                                  const std::string& out) const {
+    std::vector<std::string> words;
+    for (const std::string& word : words_)
+        words.push_back(replaced(replaced(word, placeholder_, scene), out_placeholder, out));
+    return words;
+}
+
+std::optional<DrivenFinding> DrivenProgram::difference(const FuzzScene& scene,
+                                                       const std::string& reference) const {
+    using Kind = DrivenFinding::Kind;
+    const TemporaryFolder folder("rastertrace-fuzz");
+    const std::filesystem::path file = folder.path() / fmt::format("scene{}", ending());
+    const std::filesystem::path out = folder.path() / "out";
+    write_file(file, scene_text(scene));
+    std::vector<std::string> words = words_for(file.string(), out.string());
+    FinishedRun run = run_program({.path = words.front(),
+                                   .words = words,
+                                   .environment = own_environment(),
+                                   .most_output = limits_.input.bytes,
+                                   .time = limits_.time,
+                                   .has_own_group = true});
+    if (run.is_too_long) {
+        const auto seconds = std::chrono::duration<double>(limits_.time).count();
+        return DrivenFinding{Kind::hangs, "", fmt::format("not done after {} s", seconds)};
+    }
+    if (run.is_too_large)
+        return DrivenFinding{Kind::no_answer, "", "it prints without end"};
+    if (run.exit_status != 0)
+        return DrivenFinding{Kind::crashes, printable(run.err), ending_of(run)};
+    std::string answer = std::move(run.out);
+    if (has_out_) {
+        const auto source = read_named_file(out.string(), limits_.input);
+        if (!source)
+            return DrivenFinding{Kind::no_answer, "", "it has not written its {out}"};
+        answer = source.value().text;
+    }
+    return compared(reference, std::move(answer));
+}
+
+std::optional<DrivenFinding> DrivenProgram::compared(const std::string& reference,
+                                                     std::string answer) const {
+    using Kind = DrivenFinding::Kind;
+    try {
+        const TraceText expected(Source{"reference", reference, {}});
+        Source theirs{"its answer", std::move(answer), {}};
+        if (!is_trace(theirs))
+            return DrivenFinding{Kind::no_answer, "",
+                                 "expected a trace or a picture, found neither"};
+        const TraceDiff found = diff(expected, TraceText(std::move(theirs)), options_);
+        if (!found.damage.empty())
+            return DrivenFinding{Kind::no_answer, "", to_text(found.damage.front())};
+        if (found.is_same)
+            return std::nullopt;
+        return DrivenFinding{Kind::differs, diff_text(found), first_line_of(found)};
+    } catch (const Problem& problem) {
+        return DrivenFinding{Kind::no_answer, "", to_text(problem)};
+    }
+}
+
+} // namespace rastertrace

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// A rasterizer of somebody else, run on a scene; what it answers, a trace or a picture, held against our drawing.
+//
+//     const DrivenProgram mine({"./mine", "{scene}"}, {});
+//     if (const auto finding = mine.difference(scene, mine.reference(scene))) ...
+
+#include <rastertrace/trace/compare/diff.h>
+#include <rastertrace/trace/fuzz/fuzz_scene.h>
+#include <rastertrace/trace/text/input.h>
+#include <rastertrace/trace/text/problem.h>
+
+#include <chrono>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace rastertrace {
+
+/// How a program has failed.
+struct DrivenFinding {
+    enum class Kind : std::uint8_t {
+        differs,  ///< it decides otherwise
+        crashes,  ///< it ends with a signal, or a status that is not 0
+        hangs,    ///< it takes more than its time
+        no_answer ///< what it answers is no trace and no picture
+    };
+    Kind kind = Kind::differs;
+    std::string text{};  ///< of the difference, or of what it printed on standard error
+    std::string first{}; ///< the first decision that differs, in one line; or how it ended
+};
+
+class DrivenProgram {
+public:
+    struct Limits {
+        std::chrono::milliseconds time{10'000};
+        InputLimits input{};
+    };
+
+    /// `words` are the program and its arguments. `{scene}`, `{triangles}` and `{cs418}` stand for a file with the scene,
+    /// one of them at least; `{out}` for the file that it answers in, else it answers on standard output. Throws a
+    /// Problem.
+    DrivenProgram(std::vector<std::string> words, DiffOptions options, Limits limits);
+
+    /// What is wrong with its answer to a scene; nothing if it agrees with the reference. Throws a Problem if the program
+    /// cannot be run. May be called by several threads.
+    std::optional<DrivenFinding> difference(const FuzzScene& scene,
+                                            const std::string& reference) const;
+
+    /// The text of a scene, as the program reads it, and the ending of its file.
+    std::string scene_text(const FuzzScene& scene) const;
+    std::string_view ending() const;
+
+    /// Our trace of a scene, one step a line. Throws a Problem.
+    std::string reference(const FuzzScene& scene) const;
+
+    /// The words, with a file in the place of the scene.
+    std::vector<std::string> words_for(const std::string& scene, const std::string& out) const;
+    bool answers_in_file() const { return has_out_; }
+
+private:
+    std::optional<DrivenFinding> compared(const std::string& reference, std::string answer) const;
+
+    std::vector<std::string> words_;
+    DiffOptions options_;
+    Limits limits_;
+    std::string placeholder_; ///< of the scene
+    bool has_out_ = false;
+};
+
+} // namespace rastertrace

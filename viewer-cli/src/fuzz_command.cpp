@@ -1,0 +1,361 @@
+// SPDX-License-Identifier: MIT
+// `rastertrace fuzz`: a rasterizer of somebody else, driven by random scenes until it decides otherwise than we do; the
+// scene is then shrunk, and written with a test that fails.
+
+#include "command.h"
+#include "commands.h"
+#include "driven_program.h"
+#include "load.h"
+#include "option_values.h"
+#include "run_program.h"
+#include "shared_options.h"
+
+#include <rastertrace/trace/fuzz/shrink.h>
+#include <rastertrace/trace/text/canvas_json.h>
+#include <rastertrace/trace/text/output.h>
+#include <rastertrace/trace/text/text.h>
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <atomic>
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <thread>
+#include <utility>
+#include <vector>
+
+namespace rastertrace {
+
+namespace {
+
+struct FuzzCommand {
+    std::vector<std::string> words; ///< the program and its arguments
+    std::uint64_t first_seed = 1;
+    std::uint64_t runs = 1000;
+    std::size_t jobs = 1;
+    std::size_t most_tries = 2000; ///< to shrink what was found
+    std::string folder;
+    FuzzChoice choice;
+    DiffOptions options;
+    DrivenProgram::Limits limits;
+};
+
+/// A scene that the program fails on.
+struct FoundScene {
+    std::uint64_t seed = 0;
+    FuzzScene scene;
+    DrivenFinding finding;
+};
+
+/// Runs the program on the scenes of all seeds, several at once. What is found does not depend on how many.
+class FuzzRuns {
+public:
+    FuzzRuns(const FuzzCommand& command, const DrivenProgram& program)
+        : command_(command), program_(program) {}
+
+    /// The failing scene of the smallest seed; nothing if there is none. Throws a Problem.
+    std::optional<FoundScene> run() {
+        const EndingHeldBack ending;
+        std::vector<std::jthread> threads;
+        for (std::size_t i = 1; i < command_.jobs; ++i)
+            threads.emplace_back([this] { work(); });
+        work();
+        threads.clear();
+        if (problem_)
+            throw *problem_;
+        if (undrawn_ == command_.runs)
+            throw *refusal_;
+        return std::move(found_);
+    }
+
+    std::uint64_t undrawn() const { return undrawn_; }
+
+private:
+    void work() {
+        for (;;) {
+            const std::uint64_t number = next_++;
+            if (number >= last_)
+                return;
+            try {
+                try_seed(command_.first_seed + number, number);
+            } catch (const Problem& problem) {
+                const std::scoped_lock lock(mutex_);
+                problem_ = problem;
+                last_ = 0;
+            }
+        }
+    }
+
+    void try_seed(std::uint64_t seed, std::uint64_t number) {
+        FuzzScene scene = random_scene(seed, command_.choice);
+        std::string reference;
+        try {
+            reference = program_.reference(scene);
+        } catch (const Problem& refusal) {
+            const std::scoped_lock lock(mutex_);
+            ++undrawn_;
+            refusal_ = refusal;
+            return;
+        }
+        auto finding = program_.difference(scene, reference);
+        if (!finding)
+            return;
+        const std::scoped_lock lock(mutex_);
+        if (found_ && found_->seed < seed)
+            return;
+        found_ = FoundScene{seed, std::move(scene), *std::move(finding)};
+        last_ = std::min(last_.load(), number);
+    }
+
+    const FuzzCommand& command_;
+    const DrivenProgram& program_;
+    std::atomic<std::uint64_t> next_ = 0;
+    std::atomic<std::uint64_t> last_ = command_.runs; ///< no run from this one on is begun
+    std::mutex mutex_;
+    std::optional<FoundScene> found_;
+    std::optional<Problem> problem_;
+    std::optional<Problem> refusal_; ///< of a scene that we do not draw
+    std::uint64_t undrawn_ = 0;
+};
+
+/// A word for the shell; `$here` in it stands for the folder of the script.
+std::string shell_word(const std::string& word) {
+    if (word.starts_with("$here/"))
+        return '"' + word + '"';
+    constexpr std::string_view plain =
+        "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789-_./=,:+";
+    if (!word.empty() && word.find_first_not_of(plain) == std::string::npos)
+        return word;
+    std::string quoted = "'";
+    for (const char c : word)
+        quoted += c == '\'' ? std::string("'\\''") : std::string(1, c);
+    return quoted + "'";
+}
+
+std::string test_script(const FuzzCommand& command, const DrivenProgram& program,
+                        const FoundScene& found, const std::string& name) {
+    const std::string out = "$here/" + name + ".out";
+    std::vector<std::string> words;
+    for (const std::string& word :
+         program.words_for("$here/" + name + std::string(program.ending()), out))
+        words.push_back(shell_word(word));
+    const auto seconds = std::chrono::ceil<std::chrono::seconds>(command.limits.time).count();
+    const bool has_out = program.answers_in_file();
+    return fmt::format("#!/bin/sh\n"
+                       "# Fails until the program draws this scene as its golden says. To be run "
+                       "in the folder in\n"
+                       "# which rastertrace fuzz was run. Seed {}: {}\n"
+                       "here=$(dirname \"$0\")\n"
+                       "timeout {} {} {} \\\n"
+                       "  rastertrace diff --common --any-order --ignore header,end "
+                       "\"$here/{}.golden.jsonl\" {}\n",
+                       found.seed, found.finding.first, seconds, joined(words, " "),
+                       has_out ? "&&" : "|", name, has_out ? shell_word(out) : "-");
+}
+
+/// Writes what was found; returns the names of the files.
+std::vector<std::string> write_findings(const FuzzCommand& command, const DrivenProgram& program,
+                                        const FoundScene& found) {
+    const std::filesystem::path folder = command.folder;
+    std::error_code error;
+    std::filesystem::create_directories(folder, error);
+    if (error)
+        throw problem_of_system(command.folder, "the folder could not be made", error.value());
+    const std::string name = fmt::format("seed-{}", found.seed);
+    std::vector<std::string> written;
+    const auto write = [&](const std::string& ending, const std::string& text) {
+        FileOutput output((folder / (name + ending)).string());
+        output.write(text);
+        output.commit();
+        written.push_back((folder / (name + ending)).string());
+    };
+    write(".json", scene_json(found.scene));
+    if (program.ending() != ".json")
+        write(std::string(program.ending()), program.scene_text(found.scene));
+    write(".golden.jsonl", program.reference(found.scene));
+    write(".sh", test_script(command, program, found, name));
+    std::filesystem::permissions(written.back(), std::filesystem::perms::owner_exec,
+                                 std::filesystem::perm_options::add, error);
+    return written;
+}
+
+std::string counted(std::size_t count, std::string_view what) {
+    return fmt::format("{} {}{}", count, what, count == 1 ? "" : "s");
+}
+
+std::string_view words_of(DrivenFinding::Kind kind) {
+    switch (kind) {
+    case DrivenFinding::Kind::differs:
+        return "decides otherwise";
+    case DrivenFinding::Kind::crashes:
+        return "does not end well";
+    case DrivenFinding::Kind::hangs:
+        return "hangs";
+    case DrivenFinding::Kind::no_answer:
+        break;
+    }
+    return "gives no answer";
+}
+
+/// The smallest scene that fails as the one found does.
+FoundScene shrunk_finding(const FuzzCommand& command, const DrivenProgram& program,
+                          FoundScene found, std::size_t& tries) {
+    const auto fails = [&](const FuzzScene& scene) {
+        std::string reference;
+        try {
+            reference = program.reference(scene);
+        } catch (const Problem&) {
+            return false; // we do not draw it
+        }
+        auto finding = program.difference(scene, reference);
+        const bool is_it = finding && finding->kind == found.finding.kind;
+        if (is_it)
+            found.finding = *std::move(finding);
+        return is_it;
+    };
+    Shrunk small = shrunk(std::move(found.scene), fails, command.most_tries);
+    found.scene = std::move(small.scene);
+    tries = small.tries;
+    return found;
+}
+
+ExitStatus drive(const FuzzCommand& command) {
+    const DrivenProgram program(command.words, command.options, command.limits);
+    FuzzRuns runs(command, program);
+    auto found = runs.run();
+    const std::string seeds =
+        fmt::format("seeds {} to {}", command.first_seed, command.first_seed + command.runs - 1);
+    if (!found) {
+        std::string text =
+            fmt::format("{}, {}: no difference\n", counted(command.runs, "run"), seeds);
+        if (runs.undrawn() > 0)
+            text +=
+                fmt::format("{} of them not compared: we do not draw the scene\n", runs.undrawn());
+        print(text);
+        return exit_fine;
+    }
+    std::size_t tries = 0;
+    const FoundScene small = shrunk_finding(command, program, *std::move(found), tries);
+    const bool has_lines = small.scene.kind == FuzzKind::lines;
+    std::string text = fmt::format(
+        "seed {}: {} {}\n{}\nshrunk by {} to {}, {} {}, {}x{} pixels\n\n{}{}", small.seed,
+        printable(command.words.front()), words_of(small.finding.kind), small.finding.first,
+        counted(tries, "run"),
+        counted(small.scene.primitives.size(), has_lines ? "line" : "triangle"),
+        count_vertices(small.scene), count_vertices(small.scene) == 1 ? "vertex" : "vertices",
+        small.scene.width, small.scene.height, triangles_text(small.scene), small.finding.text);
+    for (const std::string& file : write_findings(command, program, small))
+        text += fmt::format("written: {}\n", printable(file));
+    print(text);
+    return exit_difference;
+}
+
+class FuzzCommandLine final : public Command {
+public:
+    CommandAbout about() const override {
+        return {
+            "fuzz", "Drive a rasterizer of your own by random scenes, to the first difference",
+            "rastertrace fuzz --runs 1000 --kinds 2d --fill top-left -- ./mine {triangles}\n\n"
+            "{scene} stands for a scene file, {triangles} for a text without a parser's need, "
+            "{cs418}\n"
+            "for that of a course; {out} for the file that the program answers in, if not on\n"
+            "standard output: with a trace or a picture. The scene that it fails on is shrunk,\n"
+            "and written with a golden and a test."};
+    }
+
+    void add_to(OptionList& options) override {
+        program_ = options
+                       .option("program", command_.words,
+                               "Behind --: the program, and its arguments", "PROGRAM")
+                       .required();
+        options.option("--runs", runs_, "How many scenes; 1000 if not given", "N");
+        options.option("--seed", seed_, "Of the first one; the next has the next; 1 if not given",
+                       "N");
+        options.option("--kinds", kinds_,
+                       "What scenes are about: 2d, lines, depth, clip; a list; 2d if not given",
+                       "KINDS");
+        options.option("--origin", origin_,
+                       "Of their canvas: center, bottom-left or top-left, which it is if not given",
+                       "NAME");
+        options.option("--largest", largest_,
+                       "Pixels on a side: 4, 8, 16, 32, ...; 32 if not given", "N");
+        options.option("--time", time_, "Seconds that a run may take; 10 if not given", "SECONDS");
+        options.option("--jobs", jobs_, "Runs at once; one for each core if not given", "N");
+        options.option("--shrink", tries_, "Runs to shrink a scene; 2000 if not given, 0 for none",
+                       "N");
+        options.option("-o", command_.folder, "Where to write what is found; fuzz if not given",
+                       "FOLDER");
+        comparison_.add_to(options);
+        method_.add_to(options);
+    }
+
+    std::size_t count_plain_words(std::span<const char* const> words) const override {
+        const auto begin = std::ranges::find(words, std::string_view("--"));
+        return begin == words.end() ? 0 : static_cast<std::size_t>(words.end() - begin) - 1;
+    }
+
+    void take_plain_words(std::span<const char* const> words) override {
+        command_.words.assign(words.begin(), words.end());
+        program_->required(words.empty());
+    }
+
+    void read() override {
+        constexpr int most = 1'000'000'000;
+        command_.runs = static_cast<std::uint64_t>(number("--runs", runs_, 1000, 1, most));
+        command_.first_seed = static_cast<std::uint64_t>(number("--seed", seed_, 1, 0, most));
+        command_.limits.time = std::chrono::seconds(number("--time", time_, 10, 1, 86'400));
+        const int cores = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+        command_.jobs = static_cast<std::size_t>(number("--jobs", jobs_, cores, 1, 1024));
+        command_.most_tries = static_cast<std::size_t>(number("--shrink", tries_, 2000, 0, most));
+        command_.choice.largest_canvas = number("--largest", largest_, 32, 4, 1024);
+        if (command_.folder.empty())
+            command_.folder = "fuzz";
+        auto kinds = values_of("--kinds", "kinds", kinds_,
+                               {fuzz_kind_names.begin(), fuzz_kind_names.end()}, fuzz_kind_named);
+        if (!kinds.empty())
+            command_.choice.kinds = std::move(kinds);
+        if (const auto origin = value_of<Origin>("--origin", origin_, origin_names()))
+            command_.choice.origin = *origin;
+        command_.choice.method = method_.overrides();
+        command_.options = comparison_.options();
+    }
+
+    int run() override { return drive(command_); }
+
+private:
+    static int number(const std::string& option, const std::string& text, int otherwise, int least,
+                      int most) {
+        if (text.empty())
+            return otherwise;
+        const auto value = whole_number<int>(text);
+        if (!value || *value < least || *value > most)
+            refuse_value(option, fmt::format("a whole number from {} to {}", least, most), text);
+        return *value;
+    }
+
+    FuzzCommand command_;
+    std::optional<AddedOption> program_;
+    std::string runs_;
+    std::string seed_;
+    std::string kinds_;
+    std::string origin_;
+    std::string largest_;
+    std::string time_;
+    std::string jobs_;
+    std::string tries_;
+    ComparisonOptions comparison_;
+    MethodOptions method_;
+};
+
+} // namespace
+
+std::unique_ptr<Command> fuzz_command() {
+    return std::make_unique<FuzzCommandLine>();
+}
+
+} // namespace rastertrace

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// Runs a program without a shell and takes what it prints; whatever happens, it is ended before this one ends.
+//
+//     const FinishedRun run = run_program({.path = "./mine", .words = {"./mine", "scene.json"}});
+
+#include <rastertrace/trace/text/descriptor.h>
+
+#include <chrono>
+#include <csignal>
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace rastertrace {
+
+/// How a run of the program ended, and what it printed.
+struct FinishedRun {
+    int exit_status = 0;       ///< or 128 + the signal that ended it, as a shell tells it
+    std::string out;           ///< standard output
+    std::string err;           ///< standard error
+    bool is_too_large = false; ///< it was ended because it printed more than it may
+    bool is_too_long = false;  ///< it was ended because it took more than its time
+};
+
+/// Holds back the signals that somebody ends this program by, while this lives: a run of its own is ended first, and
+/// what was made for it is removed. Then they do what they would have done.
+class EndingHeldBack {
+public:
+    EndingHeldBack();
+    EndingHeldBack(const EndingHeldBack&) = delete;
+    EndingHeldBack& operator=(const EndingHeldBack&) = delete;
+    ~EndingHeldBack();
+
+    /// Can be read as soon as one of them waits.
+    int descriptor() const { return waiting_.number(); }
+
+private:
+    sigset_t before_;
+    Descriptor waiting_;
+};
+
+/// What is run, and what it may do.
+struct ProgramRun {
+    std::string path{};               ///< found in PATH if it has no slash
+    std::vector<std::string> words{}; ///< the first one is its name
+    std::vector<std::string> environment{};
+    std::size_t most_output = 4'000'000; ///< bytes, of both outputs
+    std::chrono::milliseconds time{60'000};
+    bool has_own_group =
+        false; ///< what it starts itself is ended with it, and no key of the terminal reaches it
+};
+
+/// This program's environment.
+std::vector<std::string> own_environment();
+
+/// Runs a program with nothing to read on standard input. Throws a Problem if it cannot be run, or if this program is
+/// to end by a signal.
+FinishedRun run_program(ProgramRun program);
+
+} // namespace rastertrace
