@@ -10,7 +10,7 @@
 # build/fuzz/tests/fuzz/TARGET. Exit status: 0 nothing found, 1 something found, 2 bad usage.
 set -eu
 usage() {
-    echo "usage: tests/fuzz/run.sh SECONDS|INPUTSx [fuzz_claims] [fuzz_number] [fuzz_obj] [fuzz_scene] [fuzz_trace]" >&2
+    echo "usage: tests/fuzz/run.sh SECONDS|INPUTSx [fuzz_claims] [fuzz_number] [fuzz_obj] [fuzz_picture] [fuzz_scene] [fuzz_trace]" >&2
     exit 2
 }
 case ${1:-} in
@@ -21,10 +21,10 @@ case ${limit#*=} in
 '' | *[!0-9]*) usage ;;
 esac
 shift
-[ $# -gt 0 ] || set -- fuzz_claims fuzz_number fuzz_obj fuzz_scene fuzz_trace
+[ $# -gt 0 ] || set -- fuzz_claims fuzz_number fuzz_obj fuzz_picture fuzz_scene fuzz_trace
 for target; do
     case $target in
-    fuzz_claims | fuzz_number | fuzz_obj | fuzz_scene | fuzz_trace) ;;
+    fuzz_claims | fuzz_number | fuzz_obj | fuzz_picture | fuzz_scene | fuzz_trace) ;;
     *) usage ;;
     esac
 done
@@ -34,11 +34,12 @@ cmake --preset fuzz -G Ninja
 cmake --build --preset fuzz --parallel "${CMAKE_BUILD_PARALLEL_LEVEL:-1}" \
     --target rastertrace_program "$@"
 
-# To start from: claims, a few numbers, the models, the examples, and traces of them in both layouts, cut short.
-# What is longer than an input may be is cut.
+# To start from: claims, a few numbers, the models, small pictures, the examples, and traces of them in
+# both layouts, cut short. What is longer than an input may be is cut.
 longest=2560
 corpus=build/fuzz/corpus
-mkdir -p "$corpus/fuzz_claims" "$corpus/fuzz_number" "$corpus/fuzz_obj" "$corpus/fuzz_scene" "$corpus/fuzz_trace"
+mkdir -p "$corpus/fuzz_claims" "$corpus/fuzz_number" "$corpus/fuzz_obj" "$corpus/fuzz_picture" \
+    "$corpus/fuzz_scene" "$corpus/fuzz_trace"
 for claims in examples/claims/*; do
     head -c "$longest" "$claims" >"$corpus/fuzz_claims/seed-$(basename "$claims")"
 done
@@ -63,6 +64,14 @@ for fill in scanline two-halves barycentric top-left fan; do
     printf %s "$small" | build/fuzz/viewer-cli/rastertrace trace - --fill "$fill" --scalar exact \
         >"$corpus/fuzz_trace/seed-small-$fill.json"
 done
+
+# Its picture as rows of text and as PNG, and others of few pixels.
+printf %s "$small" | build/fuzz/viewer-cli/rastertrace show - --bare >"$corpus/fuzz_picture/seed-rows"
+printf %s "$small" | build/fuzz/viewer-cli/rastertrace figure - --bare -o "$corpus/fuzz_picture/seed-small.png"
+printf 'P1 3 2 010 1#\n10' >"$corpus/fuzz_picture/seed-bits"
+printf 'P3 2 1 255 1 2 3 4 5 6' >"$corpus/fuzz_picture/seed-text"
+printf 'P5 2 1 65535\n\1\2\3\4' >"$corpus/fuzz_picture/seed-grays"
+printf '\0\1\11\0\0\1\0\30\0\0\0\0\3\0\2\0\10\0\1\2\3\204\0\0\0' >"$corpus/fuzz_picture/seed-palette"
 
 # What makes a run slow and finds nothing: weighing inputs by rare features, keeping much freed memory, and
 # deep stacks of every allocation.

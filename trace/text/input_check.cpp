@@ -46,14 +46,14 @@ Problem too_many_steps(const std::string& name, std::size_t most) {
 
 bool InputCheck::holds_trace(const Source& source) {
     if (!is_trace_)
-        is_trace_ = kind_ != Kind::other && is_trace(source);
+        is_trace_ = kind_ != Kind::other && kind_ != Kind::bytes && is_trace(source);
     return *is_trace_;
 }
 
 std::optional<Problem> InputCheck::operator()(const Source& source, std::size_t block) {
     const std::string_view text = source.view();
     const std::string_view added = text.substr(block);
-    if (added.find('\0') != std::string_view::npos) {
+    if (kind_ != Kind::bytes && added.find('\0') != std::string_view::npos) {
         // A file that another one names, and that is no text, is not quoted.
         auto problem = zero_byte_in(source);
         if (problem && kind_ == Kind::other)

@@ -23,7 +23,8 @@ public:
     enum class Kind {
         scene_or_trace,        ///< JSON; a trace may have any size, but not each of its lines
         scene_trace_or_claims, ///< the same, or a table of claims
-        other,
+        bytes,                 ///< no text at all
+        other,                 ///< any text
     };
 
     InputCheck(Kind kind, const InputLimits& limits) : kind_(kind), limits_(limits) {}

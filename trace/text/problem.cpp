@@ -196,6 +196,10 @@ Result<Source> read_source_or_claims(const std::string& path, const InputLimits&
     return read_path(path, InputFile::Kind::any, {InputCheck::Kind::scene_trace_or_claims, limits});
 }
 
+Result<Source> read_bytes(const std::string& path, const InputLimits& limits) {
+    return read_path(path, InputFile::Kind::any, {InputCheck::Kind::bytes, limits});
+}
+
 Result<Source> read_named_file(const std::string& path, const InputLimits& limits) {
     if (path.find('\0') != std::string::npos)
         return problem_of(path, "expected the name of a file, found one with a zero byte");
