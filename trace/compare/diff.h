@@ -44,8 +44,8 @@ struct DiffOptions {
         ignored{}; ///< `header`, `end`, a kind of step, or one of its fields: pixel.color
     std::vector<std::string> only{}; ///< these kinds alone; none: all
     std::map<std::string, std::vector<std::string>>
-        keys{};                   ///< of kinds of one's own: the fields that a step is found by
-    bool compares_names = false;  ///< a primitive, vertex or edge that has another name differs
+        keys{};                  ///< of kinds of one's own: the fields that a step is found by
+    bool compares_names = false; ///< a primitive, vertex or edge that has another name differs
     bool compares_order = true; ///< a step that stands among others than in the other trace differs
     bool compares_common = false; ///< only kinds and fields that both traces tell
 };

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cstdlib>
 #include <unordered_map>
 #include <utility>
 
@@ -110,11 +111,11 @@ private:
         const bool in_b = b_.is_drawn(pixel);
         if (!in_a || !in_b)
             return in_a ? PixelVerdict::only_a : in_b ? PixelVerdict::only_b : PixelVerdict::none;
-        if (!scope_.has_owners)
-            return PixelVerdict::alike;
-        if (a_.color(pixel) != b_.color(pixel))
+        if (scope_.has_colors &&
+            !are_near(a_.color(pixel), b_.color(pixel), scope_.color_tolerance))
             return PixelVerdict::color;
-        return has_one_owner(pixel) ? PixelVerdict::alike : PixelVerdict::owner;
+        return !scope_.has_owners || has_one_owner(pixel) ? PixelVerdict::alike
+                                                          : PixelVerdict::owner;
     }
 
     /// True if the same primitive has drawn a pixel in both.
@@ -138,7 +139,7 @@ private:
         case PixelVerdict::color:
             ++found_.colors;
             note_reached(pixel, led_to_.colors);
-            has_other_owner_ = has_other_owner_ || !has_one_owner(pixel);
+            has_other_owner_ = has_other_owner_ || (scope_.has_owners && !has_one_owner(pixel));
             break;
         case PixelVerdict::owner:
             ++found_.owners;
@@ -210,11 +211,18 @@ private:
             found_.faces_a.push_back(std::move(faces_a));
             found_.faces_b.push_back(std::move(faces_b));
         }
-        if (!has_other_owner_) {
-            found_.faces_a.clear();
-            found_.faces_b.clear();
+        const bool tells_one = scope_.tells_owners && found_.names.size() > 1;
+        if (!has_other_owner_ && !tells_one)
             found_.names.clear();
-        }
+        for (std::vector<std::string>* const faces : {&found_.faces_a, &found_.faces_b})
+            if (found_.names.empty() || (tells_one && !has_letters(*faces)))
+                faces->clear();
+    }
+
+    static bool has_letters(const std::vector<std::string>& rows) {
+        return std::ranges::any_of(rows, [](const std::string& row) {
+            return row.find_first_not_of('.') != std::string::npos;
+        });
     }
 
     char letter(std::unordered_map<std::string, char>& letter_of, std::uint32_t owner,
@@ -268,6 +276,14 @@ private:
 };
 
 } // namespace
+
+bool are_near(Color a, Color b, int tolerance) {
+    const auto near = [tolerance](std::uint8_t one, std::uint8_t other) {
+        return std::abs(int{one} - int{other}) <= tolerance;
+    };
+    return a == b || (near(a.red(), b.red()) && near(a.green(), b.green()) &&
+                      near(a.blue(), b.blue()) && near(a.alpha(), b.alpha()));
+}
 
 SeenStep seen_in(std::string_view line) {
     std::string_view rest = line;

@@ -57,6 +57,9 @@ public:
     std::uint32_t owner(Pixel pixel) const {
         return canvas().contains(pixel.x, pixel.y) ? owners_[canvas().offset_of(pixel)] : 0;
     }
+    /// Draws a pixel of the canvas that nobody owns.
+    void put(Pixel pixel, Color color) { image_.at(pixel) = color; }
+
     bool is_drawn(Pixel pixel) const { return color(pixel) != no_color; }
     Color color(Pixel pixel) const {
         return canvas().contains(pixel.x, pixel.y) ? image_.at(pixel) : no_color;
@@ -78,18 +81,26 @@ private:
     Color color_;
 };
 
+/// True if no level of a channel is farther apart.
+bool are_near(Color a, Color b, int tolerance);
+
 /// Who draws in a, and who in b.
 struct PictureOwners {
+    using LookUp = std::function<OwnerOfPixels(std::uint32_t)>;
     std::function<std::uint32_t(std::uint32_t)>
         b_of_a; ///< the primitive of b that is one of a; 0: none is
-    std::function<OwnerOfPixels(std::uint32_t)> in_a;
-    std::function<OwnerOfPixels(std::uint32_t)> in_b;
+    LookUp in_a;
+    LookUp in_b;
 };
 
 /// What of two pictures is compared.
 struct PictureScope {
-    std::optional<Region> region{};   ///< nothing: all of it
-    bool has_owners = true;           ///< else only what is drawn, in whatever color
+    std::optional<Region> region{}; ///< nothing: all of it
+    bool has_owners = true;         ///< that a pixel is of different primitives is a difference
+    bool has_colors = true;         ///< else only what is drawn, in whatever color
+    int color_tolerance = 0;        ///< so far apart may levels of a channel be
+    bool tells_owners =
+        false; ///< letters for the primitives of one picture, which the other does not have
     std::optional<DiffReach> reach{}; ///< of the first difference
 };
 

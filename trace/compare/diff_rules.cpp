@@ -115,6 +115,57 @@ std::optional<DiffRules> rules_beside(const std::string& golden, const InputLimi
     return read_rules(path.string(), limits);
 }
 
+namespace {
+
+constexpr std::string_view mark_of_golden = ".golden";
+constexpr std::string_view mark_of_new = ".golden.new";
+
+/// A file's name in front of its last dot, and the ending from there.
+std::pair<std::string, std::string> stem_and_ending(const std::filesystem::path& path) {
+    return {path.stem().string(), path.extension().string()};
+}
+
+} // namespace
+
+std::vector<std::string> other_goldens(const std::string& golden) {
+    const std::filesystem::path path = golden;
+    auto [stem, ending] = stem_and_ending(path);
+    std::vector<std::string> others;
+    if (!stem.ends_with(mark_of_golden))
+        return others;
+    stem.erase(stem.size() - mark_of_golden.size());
+    const std::filesystem::path folder = path.parent_path();
+    std::error_code error;
+    for (std::filesystem::directory_iterator file(folder.empty() ? "." : folder, error), end;
+         !error && file != end; file.increment(error)) {
+        const auto [other, other_ending] = stem_and_ending(file->path());
+        if (other.starts_with(stem + ".") && other.ends_with(mark_of_golden) &&
+            other.size() > stem.size() + 1 + mark_of_golden.size() && other_ending == ending)
+            others.push_back((folder / file->path().filename()).string());
+    }
+    std::ranges::sort(others);
+    return others;
+}
+
+std::optional<std::string> golden_of_new_one(const std::string& path) {
+    auto [stem, ending] = stem_and_ending(path);
+    if (!stem.ends_with(mark_of_new))
+        return std::nullopt;
+    stem.erase(stem.size() - mark_of_new.size());
+    return (std::filesystem::path(path).parent_path() /
+            (stem + std::string(mark_of_golden) + ending))
+        .string();
+}
+
+std::string new_one_of_golden(const std::string& golden) {
+    auto [stem, ending] = stem_and_ending(golden);
+    if (stem.ends_with(mark_of_golden))
+        stem.erase(stem.size() - mark_of_golden.size());
+    return (std::filesystem::path(golden).parent_path() /
+            (stem + std::string(mark_of_new) + ending))
+        .string();
+}
+
 DiffOptions joined_options(DiffOptions rules, const DiffOptions& asked) {
     const auto append = [](auto& list, const auto& more) {
         list.insert(list.end(), more.begin(), more.end());

@@ -185,9 +185,18 @@ std::string picture_text(const PictureDifference& picture) {
     std::string text = fmt::format("\nthe pictures: {}\n", joined(counts, ", "));
     text += grid_text(picture, {&picture.rows});
     text += "# in both, ! only in a, ? only in b, ~ in both, but otherwise\n";
-    if (!picture.faces_a.empty()) {
-        text += "\nwho drew them, a and b\n";
-        text += grid_text(picture, {&picture.faces_a, &picture.faces_b});
+    if (!picture.names.empty()) {
+        const bool has_a = !picture.faces_a.empty();
+        const bool has_b = !picture.faces_b.empty();
+        text += fmt::format("\nwho drew them, {}\n", has_a && has_b ? "a and b"
+                                                     : has_a        ? "a"
+                                                                    : "b");
+        std::vector<const std::vector<std::string>*> grids;
+        if (has_a)
+            grids.push_back(&picture.faces_a);
+        if (has_b)
+            grids.push_back(&picture.faces_b);
+        text += grid_text(picture, grids);
         text += names_text(picture.names);
         if (picture.names.size() == primitive_letters.size())
             text += "# another one\n";
@@ -228,8 +237,10 @@ std::string diff_text(const TraceDiff& found) {
     for (const KindDifference& kind : found.kinds)
         steps += kind.changed + kind.only_a + kind.only_b + kind.moved;
     text += remarks_text(found);
-    text += steps == 0 ? "no step differs\n"
-                       : plural(steps, "step") + (steps == 1 ? " differs\n" : " differ\n");
+    const bool is_of_pictures = steps == 0 && found.header.empty() && found.end.empty();
+    text += is_of_pictures ? ""
+            : steps == 0   ? "no step differs\n"
+                           : plural(steps, "step") + (steps == 1 ? " differs\n" : " differ\n");
     if (!found.header.empty() || !found.end.empty())
         text += header_text(found);
     if (found.first)

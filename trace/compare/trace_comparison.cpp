@@ -162,8 +162,8 @@ TraceComparison::TraceComparison(const TraceText& a, const TraceText& b, const D
       fields_(options, a.header().method_value("scalar") == "float" ||
                            b.header().method_value("scalar") == "float"),
       a_(a, true, {.keys = options.keys}), b_(b, false, reading_of_b()),
-      tally_(options.compares_order),
-      bytes_to_search_(a.size() + b.size()), remarks_(compared_.remarks()) {}
+      tally_(options.compares_order), bytes_to_search_(a.size() + b.size()),
+      remarks_(compared_.remarks()) {}
 
 /// In front of the first primitive of b its names are those of a, as far as they are known.
 StepReading TraceComparison::reading_of_b() const {
@@ -204,7 +204,8 @@ std::optional<std::pair<PictureDifference, Consequences>> TraceComparison::pictu
     const PictureOwners owners{.b_of_a = [this](std::uint32_t of_a) { return b_of_a(of_a); },
                                .in_a = [this](std::uint32_t owner) { return a_.primitive(owner); },
                                .in_b = [this](std::uint32_t owner) { return b_.primitive(owner); }};
-    PictureScope scope{.region = compared_.region(), .has_owners = has_primitives_};
+    PictureScope scope{
+        .region = compared_.region(), .has_owners = has_primitives_, .has_colors = has_primitives_};
     if (const auto& first = tally_.first())
         scope.reach.emplace(*first);
     return difference_between(*a_.picture, *b_.picture, owners, scope);

@@ -112,6 +112,7 @@ std::unique_ptr<Command> diff_command();
 std::unique_ptr<Command> validate_command();
 std::unique_ptr<Command> plan_command();
 std::unique_ptr<Command> fuzz_command();
+std::unique_ptr<Command> review_command();
 std::unique_ptr<Command> scene_command();
 std::unique_ptr<Command> conventions_command();
 std::unique_ptr<Command> stress_command();

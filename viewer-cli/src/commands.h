@@ -170,6 +170,8 @@ struct ExplainCommand {
 };
 int run(const ExplainCommand& command);
 
+enum class DiffFormat : std::uint8_t { text, json, markdown, junit };
+
 struct DiffCommand {
     /// How the files are given.
     enum class Arguments {
@@ -184,7 +186,9 @@ struct DiffCommand {
     DiffOptions options;
     std::string convention{}; ///< of the rules, for scenes
     std::string rules; ///< a file of them; "": the one beside the first file, if there is one
-    bool json = false;
+    DiffFormat format = DiffFormat::text;
+    std::string pictures{}; ///< of markdown: the folder that they are written to
+    ColorChoice color = ColorChoice::automatic;
     MethodOverrides method;
     InputLimits input;
     FrameChoice frames;

@@ -4,6 +4,8 @@
 #include "command.h"
 #include "commands.h"
 #include "diff_json.h"
+#include "diff_report.h"
+#include "explain_text.h"
 #include "load.h"
 #include "option_values.h"
 #include "shared_options.h"
@@ -11,6 +13,8 @@
 #include <rastertrace/trace/audit/redo.h>
 #include <rastertrace/trace/compare/diff.h>
 #include <rastertrace/trace/compare/diff_rules.h>
+#include <rastertrace/trace/explain/explain.h>
+#include <rastertrace/trace/picture/picture_diff.h>
 #include <rastertrace/trace/record/frame.h>
 #include <rastertrace/trace/record/traced_steps.h>
 #include <rastertrace/trace/tell/describe.h>
@@ -84,6 +88,44 @@ SceneOptions options_for(const OpenedTrace& opened, const DiffCommand& command) 
     return options;
 }
 
+/// What a picture shows otherwise than the trace or scene at `path` draws it, with the explanation of a pixel.
+ToldDiff diff_of_picture(const std::string& path, const Picture& picture,
+                         const std::string& picture_path, bool is_picture_first,
+                         const DiffCommand& command) {
+    PictureDiffOptions how = picture_options(command.options);
+    how.name = picture_path;
+    how.is_picture_first = is_picture_first;
+    OpenedTrace opened = open_trace(path, command.input);
+    SceneOptions options = options_for(opened, command);
+    const bool is_drawn = is_scene(opened);
+    if (!is_drawn)
+        refuse_scene_options({path, {}, {}}, options);
+    TraceDiff found = diff_with_picture(trace_text(std::move(opened), path, options), picture, how);
+    const std::uint64_t differing = count_pixels(found);
+    if (differing == 0)
+        return {std::move(found), ""};
+    const Pixel first = found.picture->pixels.front().pixel;
+    std::string explanation = explanation_text(value_or_throw(
+        explain(load_trace(path, options), {.about = Topic::pixel, .pixel = first})));
+
+    // Samples half a pixel away may explain most of it.
+    constexpr std::uint64_t explains = 4;
+    for (const std::string_view sample : {"integer", "center"}) {
+        if (!is_drawn)
+            break;
+        SceneOptions other = options;
+        other.method.emplace_back("sample", sample);
+        const TraceDiff moved = diff_with_picture(
+            trace_text(open_trace(path, command.input), path, other), picture, how);
+        if (count_pixels(moved) * explains <= differing)
+            found.remarks.push_back(fmt::format(
+                "with --sample {}: then {} differ", sample,
+                count_pixels(moved) == 0 ? "no pixels"
+                                         : fmt::format("{} pixels", count_pixels(moved))));
+    }
+    return {std::move(found), std::move(explanation)};
+}
+
 /// Compares two files. Options that say how to draw are about those that are scenes.
 TraceDiff diff_of_files(const std::string& path_a, const std::string& path_b,
                         const DiffCommand& command) {
@@ -127,13 +169,41 @@ TraceDiff diff_of_methods(const DiffCommand& command) {
     return found;
 }
 
-ExitStatus tell(const DiffCommand& command, const TraceDiff& found) {
-    print(command.json ? diff_json(found) : diff_text(found));
-    for (const Problem& problem : found.damage)
+std::string report_of(const DiffCommand& command, const ToldDiff& told) {
+    switch (command.format) {
+    case DiffFormat::json:
+        return diff_json(told.found);
+    case DiffFormat::markdown:
+        return diff_markdown(told, command.pictures);
+    case DiffFormat::junit:
+        return diff_junit(told);
+    case DiffFormat::text:
+        break;
+    }
+    const std::string text = diff_text(told.found);
+    return diff_in_color(told.explanation.empty() ? text : text + "\n" + told.explanation,
+                         output_colors(command.color));
+}
+
+/// Compares two files of any kind.
+ToldDiff diff_of_inputs(const std::string& path_a, const std::string& path_b,
+                        const DiffCommand& command) {
+    const auto a = picture_in_file(path_a, command.input);
+    const auto b = picture_in_file(path_b, command.input);
+    if (a && !b)
+        return diff_of_picture(path_b, *a, path_a, true, command);
+    if (b && !a)
+        return diff_of_picture(path_a, *b, path_b, false, command);
+    return {diff_of_files(path_a, path_b, command), ""};
+}
+
+ExitStatus tell(const DiffCommand& command, const ToldDiff& told) {
+    print(report_of(command, told));
+    for (const Problem& problem : told.found.damage)
         print_error(fmt::format("rastertrace: {}\n", to_text(problem)));
-    if (!found.damage.empty())
+    if (!told.found.damage.empty())
         return exit_bad_input;
-    return found.is_same ? exit_fine : exit_difference;
+    return told.found.is_same ? exit_fine : exit_difference;
 }
 
 /// The path of a file that git names: "-" is no standard input if there is such a file.
@@ -150,7 +220,7 @@ ExitStatus tell_git(const DiffCommand& command) {
     const std::string& name = words[0];
     const bool is_renamed = words.size() > place_of_new_name;
     const std::string new_name = is_renamed ? words[place_of_new_name] : name;
-    if (!command.json)
+    if (command.format == DiffFormat::text)
         print(fmt::format("rastertrace diff {}{}\n", printable(name),
                           is_renamed ? ", now " + printable(new_name) : ""));
     if (words.size() == 1) {
@@ -167,7 +237,7 @@ ExitStatus tell_git(const DiffCommand& command) {
         TraceDiff found = diff_of_files(old_file, new_file, command);
         found.name_a = name + ", before";
         found.name_b = new_name + ", now";
-        tell(command, found);
+        tell(command, {std::move(found), ""});
     } catch (const Problem& problem) {
         print(fmt::format("cannot be compared: {}\n", to_text(problem)));
     }
@@ -219,8 +289,19 @@ int run(const DiffCommand& command) {
         break;
     }
     const DiffCommand asked = with_rules(command);
-    return tell(asked, asked.against.empty() ? diff_of_files(asked.files[0], asked.files[1], asked)
-                                             : diff_of_methods(asked));
+    if (!asked.against.empty())
+        return tell(asked, {diff_of_methods(asked), ""});
+    ToldDiff told = diff_of_inputs(asked.files[0], asked.files[1], asked);
+    if (!told.found.is_same && told.found.damage.empty())
+        for (const std::string& other : other_goldens(asked.files[0]))
+            if (ToldDiff accepted = diff_of_inputs(other, asked.files[1], asked);
+                accepted.found.is_same && accepted.found.damage.empty()) {
+                accepted.found.remarks.push_back(fmt::format(
+                    "{} is accepted besides {}", printable(other), printable(asked.files[0])));
+                told = std::move(accepted);
+                break;
+            }
+    return tell(asked, told);
 }
 
 namespace {
@@ -259,8 +340,11 @@ public:
                      "exit status 0");
         options.flag("--textconv", is_textconv_,
                      "Write the lines of one trace that git is to compare");
-        options.option("--format", format_, "text or json", "NAME");
-        options.flag("--json", command_.json, "Short for --format json");
+        options.option("--format", format_, "text, json, markdown or junit", "NAME");
+        options.flag("--json", is_json_, "Short for --format json");
+        options.option("--pictures", command_.pictures,
+                       "With markdown: where to write the pictures that it shows", "FOLDER");
+        options.option("--color", color_, "auto, always or never", "WHEN");
         options.language();
         drawing_.add_to(options, Holds::steps);
     }
@@ -304,7 +388,10 @@ public:
     }
 
     void read() override {
-        command_.json = is_json(format_, command_.json);
+        const std::vector<std::string_view> formats{"text", "json", "markdown", "junit"};
+        command_.format = value_of<DiffFormat>("--format", format_, formats)
+                              .value_or(is_json_ ? DiffFormat::json : DiffFormat::text);
+        command_.color = color_choice_of(color_);
         if (is_git_)
             command_.arguments = DiffCommand::Arguments::git;
         if (is_textconv_)
@@ -342,6 +429,8 @@ private:
     bool is_git_ = false;
     bool is_textconv_ = false;
     std::string format_;
+    std::string color_;
+    bool is_json_ = false;
     DrawingOptions drawing_;
 };
 

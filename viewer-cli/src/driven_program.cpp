@@ -5,6 +5,7 @@
 #include "run_program.h"
 #include "temporary_folder.h"
 
+#include <rastertrace/trace/picture/picture_diff.h>
 #include <rastertrace/trace/record/write_trace.h>
 #include <rastertrace/trace/scene/course_text.h>
 #include <rastertrace/trace/scene/scene_file.h>
@@ -67,8 +68,16 @@ std::string ending_of(const FinishedRun& run) {
 
 /// The first difference in one line: of a step its sentence in both.
 std::string first_line_of(const TraceDiff& found) {
+    if (!found.first && found.picture && !found.picture->pixels.empty()) {
+        const PixelDifference& one = found.picture->pixels.front();
+        return fmt::format("pixel ({}, {}): {}, yours: {}", one.pixel.x, one.pixel.y,
+                           one.a ? "drawn by " + printable(one.a->primitive) : "not drawn",
+                           !one.b   ? "not drawn"
+                           : !one.a ? "drawn"
+                                    : "drawn in another color");
+    }
     if (!found.first)
-        return found.picture ? "the pictures differ" : "the end records differ";
+        return "the end records differ";
     const auto sentence = [](const std::optional<DiffStep>& step) {
         return step ? step->sentence : std::string("no such step");
     };
@@ -157,12 +166,16 @@ std::optional<DrivenFinding> DrivenProgram::difference(const FuzzScene& scene,
         return DrivenFinding{Kind::crashes, printable(run.err), ending_of(run)};
     std::string answer = std::move(run.out);
     if (has_out_) {
-        const auto source = read_named_file(out.string(), limits_.input);
+        const auto source = read_bytes(out.string(), limits_.input);
         if (!source)
             return DrivenFinding{Kind::no_answer, "", "it has not written its {out}"};
-        answer = source.value().text;
+        answer = std::string(source.value().view());
     }
     return compared(reference, std::move(answer));
+}
+
+bool DrivenProgram::tells_colors() const {
+    return text_for(placeholder_).write != triangles_text;
 }
 
 std::optional<DrivenFinding> DrivenProgram::compared(const std::string& reference,
@@ -171,10 +184,18 @@ std::optional<DrivenFinding> DrivenProgram::compared(const std::string& referenc
     try {
         const TraceText expected(Source{"reference", reference, {}});
         Source theirs{"its answer", std::move(answer), {}};
-        if (!is_trace(theirs))
+        TraceDiff found;
+        if (is_trace(theirs)) {
+            found = diff(expected, TraceText(std::move(theirs)), options_);
+        } else if (picture_format(theirs)) {
+            PictureDiffOptions how = picture_options(options_);
+            how.name = theirs.name;
+            how.compares_colors = how.compares_colors && tells_colors();
+            found = diff_with_picture(expected, value_or_throw(read_picture(theirs)), how);
+        } else {
             return DrivenFinding{Kind::no_answer, "",
                                  "expected a trace or a picture, found neither"};
-        const TraceDiff found = diff(expected, TraceText(std::move(theirs)), options_);
+        }
         if (!found.damage.empty())
             return DrivenFinding{Kind::no_answer, "", to_text(found.damage.front())};
         if (found.is_same)

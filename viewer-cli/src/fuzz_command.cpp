@@ -145,17 +145,17 @@ std::string test_script(const FuzzCommand& command, const DrivenProgram& program
          program.words_for("$here/" + name + std::string(program.ending()), out))
         words.push_back(shell_word(word));
     const auto seconds = std::chrono::ceil<std::chrono::seconds>(command.limits.time).count();
-    const bool has_out = program.answers_in_file();
-    return fmt::format("#!/bin/sh\n"
-                       "# Fails until the program draws this scene as its golden says. To be run "
-                       "in the folder in\n"
-                       "# which rastertrace fuzz was run. Seed {}: {}\n"
-                       "here=$(dirname \"$0\")\n"
-                       "timeout {} {} {} \\\n"
-                       "  rastertrace diff --common --any-order --ignore header,end "
-                       "\"$here/{}.golden.jsonl\" {}\n",
-                       found.seed, found.finding.first, seconds, joined(words, " "),
-                       has_out ? "&&" : "|", name, has_out ? shell_word(out) : "-");
+    return fmt::format(
+        "#!/bin/sh\n"
+        "# Fails until the program draws this scene as its golden says. To be run in the folder "
+        "in\n"
+        "# which rastertrace fuzz was run. Seed {}: {}\n"
+        "here=$(dirname \"$0\")\n"
+        "timeout {} {}{} &&\n"
+        "  rastertrace diff --common --any-order --ignore {} \"$here/{}.golden.jsonl\" \"{}\"\n",
+        found.seed, found.finding.first, seconds, joined(words, " "),
+        program.answers_in_file() ? "" : fmt::format(" > \"{}\"", out),
+        program.tells_colors() ? "header,end" : "header,end,pixel.color", name, out);
 }
 
 /// Writes what was found; returns the names of the files.

@@ -2,6 +2,7 @@
 #include "load.h"
 
 #include <rastertrace/trace/audit/redo.h>
+#include <rastertrace/trace/picture/picture_trace.h>
 #include <rastertrace/trace/scene/scene_file.h>
 #include <rastertrace/trace/text/process_files.h>
 #include <rastertrace/trace/text/trace_layout.h>
@@ -15,6 +16,7 @@
 #include <cerrno>
 #include <csignal>
 #include <filesystem>
+#include <fstream>
 #include <limits>
 #include <utility>
 
@@ -22,8 +24,18 @@ namespace rastertrace {
 
 namespace {
 
+/// The trace of a picture in a file, if it is one.
+std::optional<Source> trace_of_picture(const std::string& path, const InputLimits& limits) {
+    const auto picture = picture_in_file(path, limits);
+    if (!picture)
+        return std::nullopt;
+    return Source{path, picture_trace(*picture), {}};
+}
+
 /// Reads a file that is a scene or a trace.
 Source read_input(const std::string& path, const InputLimits& limits) {
+    if (auto trace = trace_of_picture(path, limits))
+        return *std::move(trace);
     return value_or_throw(read_source(path, limits));
 }
 
@@ -121,7 +133,25 @@ void check_region(const Region& region, const Canvas& canvas) {
                         region.y1));
 }
 
+std::optional<Picture> picture_in_file(const std::string& path, const InputLimits& limits) {
+    std::error_code error;
+    if (path == "-" || !std::filesystem::is_regular_file(path, error))
+        return std::nullopt;
+    constexpr std::size_t enough_to_tell = 1 << 16;
+    std::string front(enough_to_tell, '\0');
+    std::ifstream file(path, std::ios::binary);
+    file.read(front.data(), static_cast<std::streamsize>(front.size()));
+    front.resize(static_cast<std::size_t>(file.gcount()));
+    if (!picture_format({path, std::move(front), {}}))
+        return std::nullopt;
+    return value_or_throw(read_picture(value_or_throw(read_bytes(path, limits))));
+}
+
 std::variant<StepStream, Source> open_input(const std::string& path, const SceneOptions& options) {
+    if (auto trace = trace_of_picture(path, options.limits)) {
+        refuse_scene_options(*trace, options);
+        return *std::move(trace);
+    }
     auto opened = open_steps(path, options.limits);
     if (std::holds_alternative<StepStream>(opened))
         refuse_scene_options({path == "-" ? "standard input" : path, {}, {}}, options);
@@ -129,6 +159,8 @@ std::variant<StepStream, Source> open_input(const std::string& path, const Scene
 }
 
 OpenedTrace open_trace(const std::string& path, const InputLimits& limits) {
+    if (auto trace = trace_of_picture(path, limits))
+        return *std::move(trace);
     return open_trace_text(path, limits);
 }
 
@@ -177,7 +209,13 @@ Trace load_trace(const std::string& path, const SceneOptions& options) {
 }
 
 Source load_scene_trace_or_claims(const std::string& path, const InputLimits& limits) {
-    return value_or_throw(read_source_or_claims(path, limits));
+    const auto picture = picture_in_file(path, limits);
+    if (!picture)
+        return value_or_throw(read_source_or_claims(path, limits));
+    std::string claim = "picture:\n";
+    for (const std::string& row : picture_rows(*picture))
+        claim += row + "\n";
+    return {path, std::move(claim), {}};
 }
 
 Truth truth_in(Source source, const SceneOptions& options) {

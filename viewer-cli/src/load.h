@@ -2,12 +2,13 @@
 #pragma once
 
 // Inputs of commands: a scene, or a trace, or a scene where a trace is wanted, which is drawn
-// first.
+// first. A picture is the trace of its pixels.
 
 #include "commands.h"
 
 #include <rastertrace/trace/check/check.h>
 #include <rastertrace/trace/check/claims.h>
+#include <rastertrace/trace/picture/picture.h>
 #include <rastertrace/trace/record/step_stream.h>
 #include <rastertrace/trace/record/trace.h>
 #include <rastertrace/trace/record/trace_text.h>
@@ -100,6 +101,9 @@ void check_region(const Region& region, const Canvas& canvas);
 /// The steps of the trace in a file, to be read one by one; or the file whole, if it is a scene, or a trace that has
 /// not one step a line. Throws a Problem, as InputFrames does.
 std::variant<StepStream, Source> open_input(const std::string& path, const SceneOptions& options);
+
+/// The picture in a regular file, if it is one (picture.h). Throws a Problem for one that is damaged.
+std::optional<Picture> picture_in_file(const std::string& path, const InputLimits& limits);
 
 /// A trace that has not been gone through; or a file that has not one step a line, whole: it may be a scene.
 using OpenedTrace = std::variant<TraceText, Source>;

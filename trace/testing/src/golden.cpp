@@ -35,9 +35,15 @@ namespace {
 
 constexpr const char* renew_variable = "RASTERTRACE_RENEW";
 
-bool is_renewing() {
+std::string_view asked_to_renew() {
     const char* const value = std::getenv(renew_variable);
-    return value != nullptr && std::string_view(value) != "" && std::string_view(value) != "0";
+    return value == nullptr ? "" : value;
+}
+bool is_reviewing() {
+    return asked_to_renew() == "review";
+}
+bool is_renewing() {
+    return !is_reviewing() && asked_to_renew() != "" && asked_to_renew() != "0";
 }
 
 /// The command that runs the current test again, and renews what it compares with.
@@ -145,12 +151,19 @@ TraceMatcher MatchesTrace(const std::string& golden, GoldenRules rules, Caller c
 
                           const TraceText stored = golden_in(golden);
                           expect_kinds_stored(stored, rules.kinds);
-                          const TraceDiff found =
-                              diff(stored, TraceText(Source{tested.name, tested.text}), options);
+                          const TraceText now(Source{tested.name, tested.text});
+                          const TraceDiff found = diff(stored, now, options);
                           if (!found.damage.empty())
                               throw found.damage.front();
                           if (found.is_same)
                               return {true, "nothing differs"};
+                          for (const std::string& other : other_goldens(golden))
+                              if (diff(golden_in(other), now, options).is_same)
+                                  return {true, "nothing differs from " + other};
+                          if (is_reviewing()) {
+                              const std::string waiting = new_one_of_golden(golden);
+                              renew(waiting, golden_text(tested, rules.kinds, waiting));
+                          }
                           return {false,
                                   "which differs:\n" + diff_text(found) +
                                       "\nIf it should be as it is now, renew the golden:\n  " +

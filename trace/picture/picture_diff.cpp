@@ -1,0 +1,232 @@
+// SPDX-License-Identifier: MIT
+#include "picture_diff.h"
+
+#include "picture_trace.h"
+
+#include <rastertrace/trace/compare/diff_picture.h>
+#include <rastertrace/trace/record/step_lines.h>
+#include <rastertrace/trace/text/color_text.h>
+#include <rastertrace/trace/text/text.h>
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <map>
+#include <utility>
+#include <vector>
+
+namespace rastertrace {
+
+namespace {
+
+/// A trace's picture, and the step that begins each primitive.
+struct DrawnTrace {
+    OwnedPicture picture;
+    std::vector<std::string> primitives{};
+
+    explicit DrawnTrace(const TraceText& trace) : picture(trace.header().canvas) {
+        StepLines lines(trace);
+        for (;;) {
+            const LinePlace behind =
+                lines.go_through(lines.unread_lines(), [this](std::string_view line, LinePlace) {
+                    const SeenStep seen = seen_in(line);
+                    picture.see(seen);
+                    if (seen.what == SeenStep::What::primitive)
+                        primitives.emplace_back(step_of_line(line));
+                    return true;
+                });
+            if (behind.offset == lines.place().offset)
+                break;
+            lines.pass_lines(behind);
+        }
+    }
+
+    OwnerOfPixels owner(std::uint32_t number) const {
+        return number == 0 ? OwnerOfPixels{} : owner_in(primitives[number - 1]);
+    }
+};
+
+/// A picture that is moved by whole pixels, turned over, or both.
+struct Placement {
+    int right = 0;
+    int down = 0;
+    bool is_upside_down = false;
+    bool is_mirrored = false;
+
+    /// `moved 1 pixel to the left and turned upside down`
+    std::string text() const {
+        std::vector<std::string> parts;
+        const auto add_move = [&parts](int by, std::string_view forward,
+                                       std::string_view backward) {
+            if (by != 0)
+                parts.push_back(fmt::format("moved {} pixel{} {}", std::abs(by),
+                                            std::abs(by) == 1 ? "" : "s",
+                                            by > 0 ? forward : backward));
+        };
+        add_move(right, "to the right", "to the left");
+        add_move(down, "down", "up");
+        if (is_upside_down)
+            parts.emplace_back("turned upside down");
+        if (is_mirrored)
+            parts.emplace_back("mirrored left to right");
+        return joined(parts, " and ");
+    }
+};
+
+class PictureHeldAgainst {
+public:
+    PictureHeldAgainst(const OwnedPicture& drawn, const Picture& picture,
+                       const PictureDiffOptions& options)
+        : drawn_(drawn), picture_(picture), options_(options), background_(background_of(picture)),
+          has_colors_(options.compares_colors && picture.has_colors) {}
+
+    /// The picture on the canvas of the trace. What has the color of the background counts as drawn where the trace
+    /// has drawn in that color.
+    OwnedPicture on_canvas() const {
+        OwnedPicture owned(drawn_.canvas());
+        const Canvas& canvas = drawn_.canvas();
+        for (int row = 0; row < picture_.height; ++row)
+            for (int x = 0; x < picture_.width; ++x) {
+                const Pixel pixel{canvas.left() + x, canvas.top() + canvas.down() * row};
+                if (const Color color = seen_at(x, row, drawn_.color(pixel)); color != no_color)
+                    owned.put(pixel, color);
+            }
+        return owned;
+    }
+
+    /// How another placement of the picture explains what differs; "" if none explains most of it.
+    std::string placement_remark(std::uint64_t differing) const {
+        constexpr int farthest = 2;
+        Placement best;
+        std::uint64_t fewest = differing;
+        for (int turned = 0; turned < 4; ++turned)
+            for (int down = -farthest; down <= farthest; ++down)
+                for (int right = -farthest; right <= farthest; ++right) {
+                    const Placement placement{right, down, (turned & 1) != 0, (turned & 2) != 0};
+                    const std::uint64_t count = count_differing(placement, fewest);
+                    if (count < fewest) {
+                        fewest = count;
+                        best = placement;
+                    }
+                }
+        constexpr std::uint64_t explains = 4;
+        if (fewest * explains > differing)
+            return "";
+        return fmt::format("{} {}: then {}", options_.is_picture_first ? "a is b," : "b is a,",
+                           best.text(),
+                           fewest == 0   ? "nothing differs"
+                           : fewest == 1 ? "1 pixel differs"
+                                         : fmt::format("{} pixels differ", fewest));
+    }
+
+    bool has_colors() const { return has_colors_; }
+
+private:
+    /// The picture's pixel, `no_color` where it is not drawn; `drawn` is what the trace has there.
+    Color seen_at(int x, int row, Color drawn) const {
+        const Color color = picture_.at(x, row);
+        if (color.alpha() == 0 || color == no_color)
+            return no_color;
+        if (color != background_)
+            return color;
+        return has_colors_ && drawn != no_color && are_near(color, drawn, options_.color_tolerance)
+                   ? drawn
+                   : no_color;
+    }
+
+    /// How many pixels differ if the picture is placed so, or `enough` once there are as many.
+    std::uint64_t count_differing(const Placement& placement, std::uint64_t enough) const {
+        const Canvas& canvas = drawn_.canvas();
+        std::uint64_t count = 0;
+        for (int row = 0; row < picture_.height && count < enough; ++row)
+            for (int x = 0; x < picture_.width; ++x) {
+                const Color drawn =
+                    drawn_.color({canvas.left() + x, canvas.top() + canvas.down() * row});
+                int from_x = x + placement.right;
+                int from_row = row + placement.down;
+                if (placement.is_mirrored)
+                    from_x = picture_.width - 1 - from_x;
+                if (placement.is_upside_down)
+                    from_row = picture_.height - 1 - from_row;
+                const bool is_inside = from_x >= 0 && from_x < picture_.width && from_row >= 0 &&
+                                       from_row < picture_.height;
+                const Color seen = is_inside ? seen_at(from_x, from_row, drawn) : no_color;
+                const bool is_alike =
+                    drawn == no_color || seen == no_color
+                        ? drawn == seen
+                        : !has_colors_ || are_near(drawn, seen, options_.color_tolerance);
+                count += is_alike ? 0 : 1;
+            }
+        return count;
+    }
+
+    const OwnedPicture& drawn_;
+    const Picture& picture_;
+    const PictureDiffOptions& options_;
+    Color background_;
+    bool has_colors_;
+};
+
+} // namespace
+
+PictureDiffOptions picture_options(const DiffOptions& options) {
+    PictureDiffOptions of_pictures;
+    for (const std::string& name : options.ignored)
+        if (name == "pixel.color" || name == "color")
+            of_pictures.compares_colors = false;
+    for (const DiffTolerance& tolerance : options.tolerances)
+        if ((tolerance.kind.empty() || tolerance.kind == "pixel") &&
+            (tolerance.field.empty() || tolerance.field == "color"))
+            of_pictures.color_tolerance =
+                static_cast<int>(std::clamp(tolerance.amount.nearest_double(), 0.0, 255.0));
+    return of_pictures;
+}
+
+TraceDiff diff_with_picture(const TraceText& trace, const Picture& picture,
+                            const PictureDiffOptions& options) {
+    const DrawnTrace drawn(trace);
+    const Canvas& canvas = drawn.picture.canvas();
+    if (canvas.width != picture.width || canvas.height != picture.height)
+        throw problem_of(options.name,
+                         fmt::format("expected a picture of {}x{} pixels, as the canvas of {} has, "
+                                     "found one of {}x{}",
+                                     canvas.width, canvas.height, trace.name(), picture.width,
+                                     picture.height));
+    const PictureHeldAgainst held(drawn.picture, picture, options);
+    const OwnedPicture shown = held.on_canvas();
+    const bool is_first = options.is_picture_first;
+    const auto of_trace = [&drawn](std::uint32_t number) { return drawn.owner(number); };
+    const auto of_picture = [](std::uint32_t) { return OwnerOfPixels{}; };
+    const PictureOwners owners{.b_of_a = {},
+                               .in_a = is_first ? PictureOwners::LookUp(of_picture) : of_trace,
+                               .in_b = is_first ? PictureOwners::LookUp(of_trace) : of_picture};
+    const PictureScope scope{.has_owners = false,
+                             .has_colors = held.has_colors(),
+                             .color_tolerance = options.color_tolerance,
+                             .tells_owners = true};
+    TraceDiff found{.name_a = is_first ? options.name : trace.name(),
+                    .name_b = is_first ? trace.name() : options.name};
+    found.picture = difference_between(is_first ? shown : drawn.picture,
+                                       is_first ? drawn.picture : shown, owners, scope)
+                        .first;
+    const std::uint64_t differing = count_pixels(found);
+    found.is_same = differing == 0;
+    if (!held.has_colors())
+        found.remarks.emplace_back("compared: what is drawn, without colors");
+    if (const Color background = background_of(picture); background != no_color)
+        found.remarks.push_back(fmt::format("{}: {} is not drawn, the color of most of its border",
+                                            is_first ? 'a' : 'b', to_text(background)));
+    if (!found.is_same)
+        if (std::string remark = held.placement_remark(differing); !remark.empty())
+            found.remarks.push_back(std::move(remark));
+    return found;
+}
+
+std::uint64_t count_pixels(const TraceDiff& found) {
+    return found.picture ? found.picture->only_a + found.picture->only_b + found.picture->colors +
+                               found.picture->owners
+                         : 0;
+}
+
+} // namespace rastertrace

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// What a picture shows otherwise than a trace draws it: by pixels, with the primitives of the trace.
+//
+//     const TraceDiff found = diff_with_picture(trace, picture, {.name = "mine.png"});
+
+#include "picture.h"
+
+#include <rastertrace/trace/compare/diff.h>
+#include <rastertrace/trace/record/trace_text.h>
+
+#include <string>
+
+namespace rastertrace {
+
+struct PictureDiffOptions {
+    std::string name{};            ///< of the picture
+    bool is_picture_first = false; ///< it is a, the trace is b
+    bool compares_colors = true;   ///< if the picture has any
+    int color_tolerance = 0;       ///< so far apart may levels of a channel be
+};
+
+/// What options of a comparison say of pictures: a tolerance of pixel.color, or that it is ignored. Throws a Problem.
+PictureDiffOptions picture_options(const DiffOptions& options);
+
+/// Compares the final picture of a trace with another one, which has to be of its size. A remark says where another
+/// place or direction of the picture would explain (nearly) all. Throws a Problem.
+TraceDiff diff_with_picture(const TraceText& trace, const Picture& picture,
+                            const PictureDiffOptions& options);
+
+/// How many pixels are not alike.
+std::uint64_t count_pixels(const TraceDiff& found);
+
+} // namespace rastertrace

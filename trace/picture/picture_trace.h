@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// A picture as what else is read: a trace that plots its pixels, or the rows of a claim.
+//
+//     const Source trace{"mine.png", picture_trace(picture), {}};
+
+#include "picture.h"
+
+#include <string>
+#include <vector>
+
+namespace rastertrace {
+
+/// The color of what is not drawn: `no_color` if the picture has no colors or a pixel of it is transparent, else the
+/// color that most pixels on its border have.
+Color background_of(const Picture& picture);
+
+/// A trace of `pixel` steps, from the top, with the colors that the picture has; its canvas begins at the top left.
+std::string picture_trace(const Picture& picture);
+
+/// Rows of `#` where the picture is drawn, and of `.`.
+std::vector<std::string> picture_rows(const Picture& picture);
+
+} // namespace rastertrace

@@ -1,0 +1,196 @@
+// SPDX-License-Identifier: MIT
+#include "diff_report.h"
+
+#include <rastertrace/figures/png.h>
+#include <rastertrace/figures/svg.h>
+#include <rastertrace/trace/text/output.h>
+#include <rastertrace/trace/text/text.h>
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <filesystem>
+#include <string_view>
+#include <vector>
+
+namespace rastertrace {
+
+namespace {
+
+constexpr Color of_a(200, 40, 40);
+constexpr Color of_b(30, 130, 60);
+
+/// What the marks of a picture look like; see PictureDifference.
+struct MarkRow {
+    char mark;
+    Color color;
+    bool is_in_a;
+    bool is_in_b;
+};
+constexpr std::array marks{MarkRow{'#', Color(150, 150, 150), true, true},
+                           MarkRow{'!', of_a, true, false}, MarkRow{'?', of_b, false, true},
+                           MarkRow{'~', Color(200, 120, 0), true, true}};
+
+std::size_t count_steps(const TraceDiff& found) {
+    std::size_t steps = 0;
+    for (const KindDifference& kind : found.kinds)
+        steps += kind.changed + kind.only_a + kind.only_b + kind.moved;
+    return steps;
+}
+
+/// `8 steps differ, 4 pixels differ`
+std::string summary(const TraceDiff& found) {
+    if (found.is_same)
+        return found.damage.empty() ? "the same" : "the same, as far as they go";
+    const std::size_t steps = count_steps(found);
+    const std::uint64_t pixels = found.picture ? found.picture->only_a + found.picture->only_b +
+                                                     found.picture->colors + found.picture->owners
+                                               : 0;
+    std::vector<std::string> parts;
+    if (steps > 0)
+        parts.push_back(fmt::format("{} step{}", steps, steps == 1 ? " differs" : "s differ"));
+    if (pixels > 0)
+        parts.push_back(fmt::format("{} pixel{}", pixels, pixels == 1 ? " differs" : "s differ"));
+    if (!found.header.empty() || !found.end.empty())
+        parts.emplace_back("the header differs");
+    return joined(parts, ", ");
+}
+
+std::string whole_text(const ToldDiff& told) {
+    return diff_text(told.found) + (told.explanation.empty() ? "" : "\n" + told.explanation);
+}
+
+/// The part of the pictures that is told, each pixel a square: those of a, of b, or both with what differs in color.
+template <typename ColorOf>
+Bitmap bitmap_of_part(const PictureDifference& picture, const ColorOf& color_of) {
+    constexpr std::size_t side = 12;
+    const std::size_t rows = picture.rows.size();
+    const std::size_t columns = picture.rows.front().size();
+    Bitmap bitmap{.width = columns * side,
+                  .height = rows * side,
+                  .colors = std::vector<Color>(columns * side * rows * side, Color(255, 255, 255))};
+    for (std::size_t y = 0; y < bitmap.height; ++y)
+        for (std::size_t x = 0; x < bitmap.width; ++x) {
+            const bool is_line = x % side == 0 || y % side == 0;
+            const char mark = picture.rows[y / side][x / side];
+            const auto row = std::ranges::find(marks, mark, &MarkRow::mark);
+            bitmap.colors[y * bitmap.width + x] = is_line              ? Color(225, 225, 225)
+                                                  : row == marks.end() ? Color(255, 255, 255)
+                                                                       : color_of(*row);
+        }
+    return bitmap;
+}
+
+void write_picture(const std::filesystem::path& path, const Bitmap& bitmap) {
+    const auto png = png_of(bitmap);
+    if (!png)
+        throw png.problem();
+    FileOutput output(path.string());
+    output.write(png.value());
+    output.commit();
+}
+
+std::string pictures_markdown(const PictureDifference& picture,
+                              const std::filesystem::path& folder) {
+    std::error_code error;
+    std::filesystem::create_directories(folder, error);
+    if (error)
+        throw problem_of_system(folder.string(), "the folder could not be made", error.value());
+    const Color drawn(60, 60, 60);
+    const Color empty(255, 255, 255);
+    write_picture(folder / "a.png", bitmap_of_part(picture, [&](const MarkRow& row) {
+                      return row.is_in_a ? drawn : empty;
+                  }));
+    write_picture(folder / "b.png", bitmap_of_part(picture, [&](const MarkRow& row) {
+                      return row.is_in_b ? drawn : empty;
+                  }));
+    write_picture(folder / "difference.png",
+                  bitmap_of_part(picture, [](const MarkRow& row) { return row.color; }));
+    const std::string path = folder.generic_string();
+    return fmt::format(
+        "\n| a | b | difference |\n|---|---|---|\n"
+        "| ![a]({0}/a.png) | ![b]({0}/b.png) | ![difference]({0}/difference.png) |\n\n"
+        "Gray: in both; red: only in a; green: only in b; orange: in both, but otherwise.\n",
+        path);
+}
+
+/// A fence longer than any run of backticks in the text.
+std::string fenced(const std::string& text) {
+    std::string fence = "```";
+    while (text.find(fence) != std::string::npos)
+        fence += '`';
+    return fence + "\n" + text + fence + "\n";
+}
+
+} // namespace
+
+std::string diff_markdown(const ToldDiff& told, const std::string& picture_folder) {
+    const TraceDiff& found = told.found;
+    std::string text =
+        fmt::format("### {}\n\na: `{}`, b: `{}`\n",
+                    found.is_same ? "No difference" : "Decisions differ: " + summary(found),
+                    printable(found.name_a), printable(found.name_b));
+    if (found.first) {
+        const auto sentence = [](const std::optional<DiffStep>& step) {
+            return step ? step->sentence : std::string("no such step");
+        };
+        text += fmt::format(
+            "\nThe first{}:\n\n",
+            found.first->primitive.empty() ? "" : ", in " + printable(found.first->primitive));
+        text +=
+            fenced(fmt::format("a {}\nb {}\n", sentence(found.first->a), sentence(found.first->b)));
+    }
+    if (!found.is_same && found.picture && !found.picture->rows.empty() && !picture_folder.empty())
+        text += pictures_markdown(*found.picture, picture_folder);
+    return text + "\n<details><summary>All of it</summary>\n\n" + fenced(whole_text(told)) +
+           "\n</details>\n";
+}
+
+std::string diff_junit(const ToldDiff& told) {
+    const TraceDiff& found = told.found;
+    const std::string name = escaped(found.name_b);
+    std::vector<std::string> lines;
+    for (const std::string& line : split_at(whole_text(told), '\n'))
+        lines.push_back(escaped(line));
+    const std::string body =
+        found.is_same
+            ? "/>\n"
+            : fmt::format(">\n      <failure message=\"{}\">{}</failure>\n    </testcase>\n",
+                          escaped(summary(found)), joined(lines, "\n"));
+    return fmt::format(
+        "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites>\n"
+        "  <testsuite name=\"rastertrace diff\" tests=\"1\" failures=\"{}\" errors=\"0\" "
+        "skipped=\"0\">\n    <testcase classname=\"{}\" name=\"{}\"{}"
+        "  </testsuite>\n</testsuites>\n",
+        found.is_same ? 0 : 1, escaped(found.name_a), name, body);
+}
+
+std::string diff_in_color(const std::string& text, ColorDepth colors) {
+    if (colors == ColorDepth::none)
+        return text;
+    std::string colored;
+    bool is_picture = false;
+    for (const std::string& line : split_at(text, '\n')) {
+        is_picture = is_picture ? !line.starts_with('#') && !line.empty()
+                                : line.starts_with("the pictures: ");
+        if (line.starts_with("a ") || line.starts_with("b ")) {
+            colored += styled(line, {.foreground = line.front() == 'a' ? of_a : of_b}, colors);
+        } else if (is_picture && line.find("x = ") == std::string::npos) {
+            for (const char c : line) {
+                const auto row = std::ranges::find(marks, c, &MarkRow::mark);
+                const bool is_marked = row != marks.end() && c != '#';
+                colored += is_marked ? styled(std::string(1, c), {.foreground = row->color}, colors)
+                                     : std::string(1, c);
+            }
+        } else {
+            colored += line;
+        }
+        colored += '\n';
+    }
+    colored.pop_back();
+    return colored;
+}
+
+} // namespace rastertrace

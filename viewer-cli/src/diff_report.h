@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// What two traces do differently, for a pull request, a CI server and a terminal.
+//
+//     print(diff_markdown(found, "pictures"));
+
+#include "terminal_text.h"
+
+#include <rastertrace/trace/compare/diff.h>
+
+#include <string>
+
+namespace rastertrace {
+
+/// What two traces do differently, and what is said of a pixel that differs.
+struct ToldDiff {
+    TraceDiff found{};
+    std::string explanation{}; ///< "" where nothing is explained
+};
+
+/// A summary, and what diff_text says folded away. With a folder for pictures, `a.png`, `b.png` and `difference.png` are
+/// written there, of the part that differs, and shown side by side. Throws a Problem.
+std::string diff_markdown(const ToldDiff& told, const std::string& picture_folder);
+
+/// One test case, which fails if they differ.
+std::string diff_junit(const ToldDiff& told);
+
+/// What diff_text says with colors: a in red, b in green, and the marks of pictures.
+std::string diff_in_color(const std::string& text, ColorDepth colors);
+
+} // namespace rastertrace
