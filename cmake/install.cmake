@@ -2,7 +2,7 @@
 include(CMakePackageConfigHelpers)
 set(package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/rastertrace)
 
-install(TARGETS rastertrace_core rastertrace_draw ${rastertrace_rooms} rastertrace_trace rastertrace_program
+install(TARGETS rastertrace_core rastertrace_draw ${rastertrace_rooms} rastertrace_trace rastertrace_emit rastertrace_program
   EXPORT rastertrace-targets FILE_SET HEADERS)
 install(EXPORT rastertrace-targets NAMESPACE rastertrace:: DESTINATION ${package_dir})
 # What needs GoogleTest has an export of its own: nobody else looks for GoogleTest.
