@@ -1,6 +1,6 @@
 # find_package(rastertrace) gives the libraries rastertrace::core, rastertrace::draw and rastertrace::trace, the header
-# rastertrace::emit, the program as rastertrace::program, and the function rastertrace_add_golden. With COMPONENTS testing also rastertrace::testing,
-# matchers for GoogleTest: only then is GoogleTest looked for.
+# rastertrace::emit, the program as rastertrace::program, and the function rastertrace_add_golden. With COMPONENTS
+# testing also rastertrace::testing, matchers for GoogleTest: only then is GoogleTest looked for.
 include(CMakeFindDependencyMacro)
 list(APPEND CMAKE_MODULE_PATH ${CMAKE_CURRENT_LIST_DIR})
 find_dependency(glm CONFIG)

@@ -27,11 +27,11 @@ accepts() { # accepts ARGUMENT...
 }
 
 # All public headers, and what most of the sources include besides, are read once.
-for include in core/include core/draw/include trace/testing/include figures/include numerics/include; do
+for include in core/include core/draw/include trace/testing/include trace/emit/include figures/include numerics/include; do
     (cd "$include" && find rastertrace -name '*.h' | LC_ALL=C sort | sed 's/.*/#include <&>/')
 done >"$folder/headers.h"
 # Those of trace lie beside the sources.
-find trace -name '*.h' | grep -v '^trace/testing/' | LC_ALL=C sort | sed 's,.*,#include <rastertrace/&>,' \
+find trace -name '*.h' | grep -v '^trace/testing/\|^trace/emit/' | LC_ALL=C sort | sed 's,.*,#include <rastertrace/&>,' \
     >>"$folder/headers.h"
 printf '#include <%s>\n' fmt/format.h nlohmann/json.hpp CLI/CLI.hpp >>"$folder/headers.h"
 accepts "$@" -x c++-header -fpch-instantiate-templates "$folder/headers.h" -o "$folder/headers.pch"
