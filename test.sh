@@ -17,6 +17,7 @@ scripts/install-packages.sh g++ cmake ninja-build binutils libglm-dev nlohmann-j
     librapidcheck-dev libtinyobjloader-dev tmux git
 [ "$all" = OFF ] || scripts/install-packages.sh asciinema chromium clang fonts-dejavu-core gdb libbenchmark-dev libosmesa6-dev librsvg2-bin mkdocs \
     poppler-utils python3-jsonschema python3-pil python3-pymdownx texlive-latex-base texlive-pictures
+[ "$all" = OFF ] || command -v rustc >/dev/null || scripts/install-packages.sh rustc
 [ "$all" = OFF ] || command -v npm >/dev/null || scripts/install-packages.sh nodejs npm
 [ -f build/test/build.ninja ] || cmake --preset test -G Ninja -DCMAKE_UNITY_BUILD=ON
 cmake -DRASTERTRACE_TEST_ALL="$all" -DRASTERTRACE_WASM="$all" -DRASTERTRACE_BUILD_BENCHMARKS="$all" build/test >/dev/null
@@ -31,6 +32,7 @@ Left out, as they
 - renew whole pages: docs-are-up-to-date, stress
 - need another compiler: BitmapsAreTheSameByAnyCompiler, ClangAcceptsTheSources, NullSinkCostsNothing.clang++, wasm-*
 - need other programs: schemas (jsonschema), walk (gdb), benchmarks, against-mesa-*, figures-in-other-programs, figures-in-tex, pages, site
+- need Python, node and rustc: Emit.foreign
 ./test.sh --all installs what these need (also a browser, TeX and Emscripten), and runs all tests.
 END
 fi

@@ -15,7 +15,6 @@ impl<T: Json + ?Sized> Json for &T { fn json(&self) -> String { (**self).json() 
 impl<T: Json, const N: usize> Json for [T; N] { fn json(&self) -> String { format!("[{}]", self.iter().map(T::json).collect::<Vec<_>>().join(",")) } }
 #[macro_export] macro_rules! step { ($trace:expr, $kind:expr $(, $key:ident = $value:expr)*) => { $trace.step(
     $kind, &[$((stringify!($key), $crate::rastertrace_emit::Json::json(&$value))),*], file!(), line!()) } }
-
 fn wrong(what: String) -> Result<()> { Err(Error::new(ErrorKind::InvalidInput, what)) }
 pub struct Trace { file: BufWriter<File>, count: BTreeMap<String, u64>, has_ended: bool }
 impl Trace {

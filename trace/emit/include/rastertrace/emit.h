@@ -584,7 +584,7 @@ static inline void rt_text_(struct rt_trace* t, const char* front, size_t size, 
     if (value == RT_NULL_)
         rt_fail_at_(t, front, size, "expected a text, found NULL");
     else if (rt_key_(t, front, size)) {
-        if (size == 9 && memcmp(front, ",\"code\":", 9) == 0)
+        if (size == 8 && memcmp(front, ",\"code\":", 8) == 0)
             t->step_code_size = 0; // it is the step's
         rt_append_text_(t, value);
     }

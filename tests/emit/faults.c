@@ -1,0 +1,208 @@
+// SPDX-License-Identifier: MIT
+// What is called in a wrong way is told once, by its place. Nothing is written from there on, and no end record.
+//
+//     faults FOLDER
+
+#define RT_FILE "where/it/lies/faults.c"
+#include <rastertrace/emit.h>
+
+static int failures = 0;
+static char path[1000];
+static struct rt_trace trace;
+static struct rt_trace* const t = &trace;
+
+/// The trace must end with that fault, of a call in that line of this file, and have `lines` lines, none of them the
+/// end record; four if it was ended before.
+static void expect_fault(int line, const char* call, const char* fault, int lines) {
+    char expected[300], text[2000];
+    int found = 0, ends = 0;
+    const int status = rt_end(t);
+    FILE* const file = fopen(path, "r");
+    snprintf(expected, sizeof expected, "%s in faults.c:%d: expected %s", call, line, fault);
+    for (; file != NULL && fgets(text, sizeof text, file) != NULL; ++found)
+        ends += strncmp(text, "{\"end\"", 6) == 0;
+    if (file != NULL)
+        fclose(file);
+    if (lines == 4)
+        --ends; // it was ended before
+    if (status == 0 || strcmp(rt_error(t), expected) != 0 || found != lines || ends != 0) {
+        printf("expected: %s, %d lines\nfound:    %s, %d lines, %d ends, status %d\n", expected,
+               lines, rt_error(t), found, ends, status);
+        ++failures;
+    }
+}
+
+/// A call, and what must come of it.
+#define EXPECT_FAULT(call, name, fault, lines)                                                     \
+    do {                                                                                           \
+        call;                                                                                      \
+        expect_fault(__LINE__, name, fault, lines);                                                \
+    } while (0)
+
+/// A trace with a header and two pixels, of which the second one is open.
+static void begin(void) {
+    rt_open(t, path);
+    rt_header(t, 9, 9, "center");
+    rt_pixel(t, 1, 2);
+    rt_pixel(t, 2, 2);
+}
+
+static void too_early_or_too_late(void) {
+    memset(t, 0, sizeof *t);
+    remove(path);
+    EXPECT_FAULT(rt_pixel(t, 1, 2), "rt_pixel", "rt_open before it", 0);
+    rt_open(t, path);
+    EXPECT_FAULT(rt_pixel(t, 1, 2), "rt_pixel", "rt_header before it", 0);
+    rt_open(t, path);
+    EXPECT_FAULT(rt_number(t, "left", 1), "rt_number \"left\"", "a step before it", 0);
+    rt_open(t, path);
+    EXPECT_FAULT(rt_end(t), "rt_end", "rt_header before it", 0);
+    begin();
+    EXPECT_FAULT(rt_header(t, 9, 9, "center"), "rt_header", "it once, directly behind rt_open", 2);
+    begin();
+    EXPECT_FAULT(rt_method(t, "fill", "fan"), "rt_method \"fill\"", "it directly behind rt_header",
+                 2);
+    begin();
+    rt_end(t);
+    EXPECT_FAULT(rt_pixel(t, 1, 2), "rt_pixel", "it before the end", 4);
+    begin();
+    rt_end(t);
+    EXPECT_FAULT(rt_text(t, "note", "late"), "rt_text \"note\"", "a step before it", 4);
+    begin();
+    rt_end(t);
+    EXPECT_FAULT(rt_end(t), "rt_end", "it before the end", 4);
+}
+
+static void fields(void) {
+    static const char* const texts[] = {"A", NULL};
+    begin();
+    EXPECT_FAULT(rt_whole(t, "x", 1), "rt_whole \"x\"", "each field once", 2);
+    begin();
+    rt_text(t, "note", ",\"mine\":");
+    rt_whole(t, "mine", 1); // what stands in a text is none
+    EXPECT_FAULT(rt_flag(t, "mine", 1), "rt_flag \"mine\"", "each field once", 2);
+    begin();
+    EXPECT_FAULT(rt_text(t, "step", "pixel"), "rt_text \"step\"", "each field once", 2);
+    begin();
+    EXPECT_FAULT(rt_text(t, "", "A"), "rt_text", "a key that needs no escape", 2);
+    begin();
+    EXPECT_FAULT(rt_text(t, "a\"b", "A"), "rt_text", "a key that needs no escape", 2);
+    begin();
+    EXPECT_FAULT(rt_text(t, "edge", NULL), "rt_text \"edge\"", "a text, found NULL", 2);
+    begin();
+    EXPECT_FAULT(rt_texts(t, "edges", texts, 2), "rt_texts \"edges\"", "texts, found NULL", 2);
+    begin();
+    EXPECT_FAULT(rt_numbers(t, "at", NULL, 2), "rt_numbers \"at\"", "a list, found NULL", 2);
+    begin();
+    EXPECT_FAULT(rt_whole(t, "n", 9007199254740992LL), "rt_whole",
+                 "whole numbers within 9007199254740991", 2);
+    begin();
+    EXPECT_FAULT(rt_pixel(t, 0, -9007199254740992LL), "rt_pixel",
+                 "whole numbers within 9007199254740991", 3);
+    begin();
+    EXPECT_FAULT(rt_color(t, 0, 256, 0, 255), "rt_color", "channels from 0 to 255", 2);
+}
+
+static void headers_and_names(void) {
+    rt_open(t, path);
+    EXPECT_FAULT(rt_header(t, 0, 9, "center"), "rt_header", "a canvas of 1 to 16384 pixels a side",
+                 0);
+    rt_open(t, path);
+    EXPECT_FAULT(rt_header(t, 9, 9, "middle"), "rt_header",
+                 "center, bottom-left or top-left as the origin", 0);
+    rt_open(t, path);
+    rt_header(t, 9, 9, "center");
+    rt_method(t, "fill", "scanline");
+    EXPECT_FAULT(rt_method(t, "fill", "fan"), "rt_method \"fill\"", "each field once", 0);
+    rt_open(t, path);
+    rt_header(t, 9, 9, "center");
+    EXPECT_FAULT(rt_text(t, "canvas", "fan"), "rt_text \"canvas\"", "each field once", 0);
+    begin();
+    EXPECT_FAULT(rt_primitive(t, "triangle", ""), "rt_primitive \"name\"", "a name", 3);
+    begin();
+    EXPECT_FAULT(rt_skip(t, NULL, "culled"), "rt_skip \"name\"", "a name", 3);
+    begin();
+    EXPECT_FAULT(rt_step(t, "scanline"), "rt_step \"scanline\"",
+                 "the call of this kind, which has its fields", 2);
+    begin();
+    EXPECT_FAULT(rt_step(t, NULL), "rt_step", "the name of a kind", 2);
+}
+
+/// Only the first fault is told, and what comes after it is not written, however much it is.
+static void the_first_one_stays(void) {
+    begin();
+    const int line = __LINE__ + 1;
+    rt_number(t, "x", 1);
+    for (int i = 0; i < 100000; ++i) {
+        rt_primitive(t, "triangle", "ABC");
+        rt_number(t, "x", 1);
+    }
+    rt_header(t, 0, 0, "");
+    expect_fault(line, "rt_number \"x\"", "each field once", 2);
+}
+
+static struct rt_trace part[2];
+
+/// A trace, and two parts with a primitive of number 3 and a pixel.
+static void begin_parts(void) {
+    begin();
+    for (int i = 0; i < 2; ++i) {
+        rt_part(&part[i]);
+        rt_primitive_number(&part[i], 3);
+        rt_primitive(&part[i], "triangle", "ABC");
+        rt_pixel(&part[i], i, i);
+    }
+}
+
+static void parts(void) {
+    int line;
+    begin();
+    EXPECT_FAULT(rt_primitive_number(t, 1), "rt_primitive_number",
+                 "a part that has not been joined", 2);
+
+    begin_parts();
+    line = __LINE__ + 1;
+    rt_primitive_number(&part[1], 2);
+    rt_join(t, part, 2);
+    expect_fault(line, "rt_primitive_number", "numbers from 0 that do not fall", 3);
+
+    begin_parts();
+    line = __LINE__ + 1;
+    rt_primitive(&part[0], "triangle", "ABC");
+    rt_join(t, part, 2);
+    expect_fault(line, "rt_primitive", "one primitive of a number in a part", 3);
+
+    begin_parts();
+    rt_primitive_number(&part[0], 4);
+    rt_primitive(&part[0], "triangle", "ABC");
+    rt_primitive_number(&part[1], 4);
+    rt_primitive(&part[1], "triangle", "ABD");
+    EXPECT_FAULT(rt_join(t, part, 2), "rt_join", "the same primitive of a number in all parts", 7);
+
+    begin_parts();
+    rt_join(t, part, 2);
+    EXPECT_FAULT(rt_join(t, part, 2), "rt_join", "parts that have not been joined", 6);
+
+    rt_part(&part[0]);
+    line = __LINE__ + 1;
+    rt_pixel(&part[0], 1, 2);
+    begin();
+    rt_join(t, part, 1);
+    expect_fault(line, "rt_pixel", "rt_primitive_number before it", 3);
+
+    remove(path);
+    rt_part(t);
+    EXPECT_FAULT(rt_end(t), "rt_end", "rt_join, which ends a part", 0);
+}
+
+int main(int count, char** arguments) {
+    if (count < 2)
+        return 2;
+    snprintf(path, sizeof path, "%s/faults.jsonl", arguments[1]);
+    too_early_or_too_late();
+    fields();
+    headers_and_names();
+    the_first_one_stays();
+    parts();
+    return failures;
+}
