@@ -23,7 +23,7 @@ for language in python node rust; do
     "$rastertrace" diff "$folder/c.jsonl" "$folder/$language.jsonl" \
         --ignore primitive.code,scanline.code,pixel.code >"$folder/diff" || fail "$(cat "$folder/diff")"
     # Each place in the code is a line of the triangle's source with a call of `step`.
-    for place in $(sed -n 's/.*"code":"\([^"]*\)".*/\1/p' "$folder/$language.jsonl" | sort -u); do
+    sed -n 's/.*"code":"\([^"]*\)".*/\1/p' "$folder/$language.jsonl" | sort -u | while read -r place; do
         sed -n "${place#*:}p" "$foreign/${place%:*}" | grep -q 'step' || fail "$language: no step at $place"
     done
     [ "$(grep -c '"code":"triangle\.' "$folder/$language.jsonl")" -eq 59 ] || fail "$language: steps without their place"
