@@ -291,13 +291,14 @@ static inline char* rt_put_pair_(char* out, unsigned pair) {
 
 /// Digits, two at a time; of nearly all indices four at most.
 static inline char* rt_put_digits_(char* out, unsigned long long value) {
-    const unsigned number = RT_CAST_(unsigned, value % 10000);
+    const unsigned number = RT_CAST_(unsigned, value < 10000 ? value : value % 10000);
+    const unsigned high = number / 100;
     if (value >= 10000)
-        out = rt_put_pair_(rt_put_digits_(out, value / 10000), number / 100);
-    else if (number >= 1000)
-        out = rt_put_pair_(out, number / 100);
-    else if (number >= 100)
-        *out++ = RT_CAST_(char, '0' + number / 100);
+        out = rt_put_pair_(rt_put_digits_(out, value / 10000), high);
+    else if (high >= 10)
+        out = rt_put_pair_(out, high);
+    else if (high > 0)
+        *out++ = RT_CAST_(char, '0' + high);
     else if (number < 10) {
         *out++ = RT_CAST_(char, '0' + number);
         return out;
