@@ -289,16 +289,25 @@ static inline char* rt_put_pair_(char* out, unsigned pair) {
     return out + 2;
 }
 
-/// Digits, two at a time; of nearly all indices four at most.
+/// All digits, two at a time.
+RT_SELDOM_ char* rt_put_long_(char* out, unsigned long long value) {
+    if (value < 10) {
+        *out++ = RT_CAST_(char, '0' + value);
+        return out;
+    }
+    return rt_put_pair_(value < 100 ? out : rt_put_long_(out, value / 100),
+                        RT_CAST_(unsigned, value % 100));
+}
+
+/// The same, of nearly all indices four at most.
 static inline char* rt_put_digits_(char* out, unsigned long long value) {
-    const unsigned number = RT_CAST_(unsigned, value < 10000 ? value : value % 10000);
-    const unsigned high = number / 100;
+    const unsigned number = RT_CAST_(unsigned, value);
     if (value >= 10000)
-        out = rt_put_pair_(rt_put_digits_(out, value / 10000), high);
-    else if (high >= 10)
-        out = rt_put_pair_(out, high);
-    else if (high > 0)
-        *out++ = RT_CAST_(char, '0' + high);
+        return rt_put_long_(out, value);
+    if (number >= 1000)
+        out = rt_put_pair_(out, number / 100);
+    else if (number >= 100)
+        *out++ = RT_CAST_(char, '0' + number / 100);
     else if (number < 10) {
         *out++ = RT_CAST_(char, '0' + number);
         return out;
