@@ -15,6 +15,7 @@
 #include <rastertrace/core/numbers/number.h>
 #include <rastertrace/trace/text/canvas_json.h>
 #include <rastertrace/trace/text/color_text.h>
+#include <rastertrace/trace/text/conventions.h>
 #include <rastertrace/trace/text/format_number.h>
 #include <rastertrace/trace/text/input.h>
 #include <rastertrace/trace/text/json_document.h>
@@ -568,6 +569,7 @@ private:
         if (const auto method = header.find("method"))
             for (const auto& [key, value] : method->members())
                 trace_.method.emplace_back(key.text, value.text);
+        add_convention();
         if (const auto stages = header.find("stages"))
             for (const JsonValue& stage : stages->elements())
                 read_stage(stage);
@@ -575,6 +577,16 @@ private:
         note_wrong_forms(header, header_keys);
         if (care_ != Care::none && !is_block_)
             picture_.emplace(trace_.canvas);
+    }
+
+    /// A named set stands for all that it sets, as in a scene. What the header says itself wins.
+    void add_convention() {
+        const std::string name = trace_.method_value("convention");
+        for (const ConventionRow& row : convention_rows())
+            if (row.name == name)
+                for (const auto& [key, value] : row.method)
+                    if (trace_.method_value(key).empty())
+                        trace_.method.emplace_back(key, value);
     }
 
     /// What nobody reads because it is not as the format says.

@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#if __cplusplus < 202002L
+#error "rastertrace needs C++20: -std=c++20"
+#endif
+
 // All that it takes to draw a scene and to listen. Who wants one algorithm, inlined and without a
 // plan, includes its own header and a painter: core/raster/fill_scanline.h and
 // core/raster/flat_painter.h.

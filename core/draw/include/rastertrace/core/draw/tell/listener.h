@@ -25,6 +25,19 @@ template <template <typename> typename Step, typename Scalar> struct AsTold<Step
     using type = Step<Quantity>;
 };
 
+/// True if a sink can be called with such a step, or one that may be changed ...
+template <typename Sink, typename Step>
+concept CallableWith = requires(Sink& sink, Step& step) {
+    sink(step);
+};
+
+/// ... but over another scalar.
+template <typename Sink, typename Step> inline constexpr bool takes_other_scalar = false;
+template <typename Sink, template <typename> typename Step>
+inline constexpr bool takes_other_scalar<Sink, Step<Quantity>> =
+    CallableWith<Sink, const Step<double>> || CallableWith<Sink, const Step<float>> ||
+    CallableWith<Sink, const Step<Rational>>;
+
 /// Refers to a callable, and lives no longer than it.
 class Listener {
 public:
@@ -38,13 +51,7 @@ public:
              !std::same_as<std::remove_cvref_t<Callable>, Listener>)
         Listener(Callable&& callable) // NOLINT: what is called with steps is a listener
         : callable_(const_cast<void*>(static_cast<const void*>(std::addressof(callable)))) {
-        std::apply(
-            [&callable]<typename... Steps>(Way<Steps>&... ways) {
-                static_assert((std::invocable<Callable&, const Steps&> || ...),
-                              "it can be called with no kind of step (steps.h), over Quantity");
-                (find_way(callable, ways), ...);
-            },
-            ways_);
+        find_ways(callable, ways_);
         if constexpr (requires { callable.reads_corners(); })
             reads_corners_ = callable.reads_corners();
     }
@@ -93,13 +100,27 @@ private:
                    Way<PixelsRejected>, Way<RowsRejected>, Way<BoundExceeded>,
                    Way<PrimitiveSkipped>, Way<FaceTriangulated<Quantity>>>;
 
+    template <typename Callable, typename... Steps>
+    static void find_ways(Callable& callable, std::tuple<Way<Steps>...>& ways) {
+        static_assert((CallableWith<Callable, const Steps> || ...),
+                      "it can be called with no kind of step (steps.h), over Quantity");
+        (find_way(callable, std::get<Way<Steps>>(ways)), ...);
+    }
+
     template <typename Callable, typename Step>
     static void find_way(Callable& callable, Way<Step>& way) {
-        if constexpr (std::invocable<Callable&, const Step&>)
+        if constexpr (CallableWith<Callable, const Step>) {
             if (rastertrace::takes<Step>(callable))
                 way = [](void* called, const Step& step) {
                     (*static_cast<Callable*>(called))(step);
                 };
+        } else {
+            // An overload that nobody would ever call is a mistake.
+            static_assert(!CallableWith<Callable, Step>,
+                          "a sink takes a step by a reference that is not const");
+            static_assert(!takes_other_scalar<Callable, Step>,
+                          "a sink takes a step over another scalar than Quantity");
+        }
     }
 
     void* callable_ = nullptr;
