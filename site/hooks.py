@@ -54,6 +54,8 @@ SECTIONS = [
     ("Formats", [("docs/scene-format.md", None), ("docs/trace-format.md", None)]),
     ("Numbers", [("docs/numerics.md", None), ("docs/stress.md", None)]),
     ("For developers", [
+        ("docs/your-own-rasterizer.md", None),
+        ("docs/troubleshooting.md", None),
         ("docs/library.md", None),
         ("docs/regression-tests.md", None),
         ("docs/architecture.md", None),

@@ -52,6 +52,17 @@ std::string key_of(const StepLine& line, const StepReading& reading) {
 
 } // namespace
 
+StepLine step_line(const std::string& name, std::string json, std::size_t number) {
+    Source source{name, std::move(json), {}};
+    StepLine line;
+    line.kind = checked_kind(source, 0, source.text.size());
+    line.json = std::move(source.text);
+    line.kind_name = line.kind ? std::string(name_of(*line.kind)) : StepView(line.json).kind_name();
+    line.key = key_of(line, {});
+    line.number = number;
+    return line;
+}
+
 std::string_view step_of_line(std::string_view line) {
     line = without_blanks(line);
     if (line.ends_with(','))
