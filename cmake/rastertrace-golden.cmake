@@ -35,6 +35,9 @@ function(rastertrace_add_golden name)
   if(NOT golden_GOLDEN)
     set(golden_GOLDEN ${name}.golden.jsonl)
   endif()
+  # A target is named by its folder, too: two folders may have a golden of one name.
+  file(RELATIVE_PATH folder ${CMAKE_SOURCE_DIR} ${CMAKE_CURRENT_SOURCE_DIR})
+  string(REGEX REPLACE "[^A-Za-z0-9_.+-]+" "-" target "renew/${folder}/${name}")
   list(JOIN golden_KINDS "," kinds)
   list(JOIN golden_IGNORE "," ignored)
   list(JOIN golden_TOLERANCE "," tolerances)
@@ -49,20 +52,20 @@ function(rastertrace_add_golden name)
     list(PREPEND command ${program})
   endif()
   set(script ${CMAKE_CURRENT_FUNCTION_LIST_DIR}/golden-test.cmake)
-  set(run ${CMAKE_COMMAND} -DPROGRAM=$<TARGET_FILE:rastertrace::program> -DGOLDEN=${golden_GOLDEN}
-    -DSCENE=${golden_UNPARSED_ARGUMENTS} -DKINDS=${kinds} -DIGNORED=${ignored}
+  set(run ${CMAKE_COMMAND} -DPROGRAM=$<TARGET_FILE:rastertrace::program> "-DGOLDEN=${golden_GOLDEN}"
+    "-DSCENE=${golden_UNPARSED_ARGUMENTS}" -DKINDS=${kinds} -DIGNORED=${ignored}
     -DTOLERANCES=${tolerances} "-DOPTIONS=${options}"
-    -DTRACE=${CMAKE_CURRENT_BINARY_DIR}/${name}.trace
-    "-DRENEWED_BY=cmake --build ${CMAKE_BINARY_DIR} --target renew-${name}")
+    "-DTRACE=${CMAKE_CURRENT_BINARY_DIR}/${name}.trace"
+    "-DRENEWED_BY=cmake --build ${CMAKE_BINARY_DIR} --target ${target}")
 
   add_test(NAME ${name} COMMAND ${run} -DMODE=compare -P ${script} -- ${command}
     WORKING_DIRECTORY ${CMAKE_CURRENT_SOURCE_DIR} COMMAND_EXPAND_LISTS)
-  add_custom_target(renew-${name}
+  add_custom_target(${target}
     COMMAND ${run} -DMODE=renew -P ${script} -- ${command}
     WORKING_DIRECTORY ${CMAKE_CURRENT_SOURCE_DIR} COMMAND_EXPAND_LISTS VERBATIM
     COMMENT "Renewing ${golden_GOLDEN}")
   if(NOT TARGET rastertrace-renew-goldens)
     add_custom_target(rastertrace-renew-goldens)
   endif()
-  add_dependencies(rastertrace-renew-goldens renew-${name})
+  add_dependencies(rastertrace-renew-goldens ${target})
 endfunction()

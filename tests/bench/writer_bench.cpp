@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
 // Writing a trace: ten million steps (80 % pixel, 10 % depth, 10 % scanline) to memory, by the
-// StepWriter and by nlohmann-json's dump() of the same steps. "dyadic": quantities are multiples of
+// StepWriter, by emit.h to /dev/null, and by nlohmann-json's dump() of the same steps. "dyadic": quantities are multiples of
 // 1/1024; "full": any 53-bit double.
 
+#define RT_NO_CODE
+#include <rastertrace/emit.h>
 #include <rastertrace/trace/record/step_writer.h>
 
 #include <benchmark/benchmark.h>
@@ -10,6 +12,8 @@
 
 #include <array>
 #include <cstdint>
+#include <cstdio>
+#include <memory>
 #include <random>
 #include <string>
 #include <vector>
@@ -93,6 +97,31 @@ void write_with_step_writer(benchmark::State& state, bool dyadic) {
                                                  benchmark::Counter::kIsRate);
 }
 
+/// emit.h of a foreign rasterizer, without a place in the code, as the other two.
+void write_with_emit(benchmark::State& state, bool dyadic) {
+    const auto all = numbers(dyadic);
+    const auto trace = std::make_unique<rt_trace>();
+    for (auto _ : state) {
+        std::FILE* const nowhere = std::fopen("/dev/null", "w");
+        rt_open_file(trace.get(), nowhere);
+        rt_header(trace.get(), 512, 512, "top-left");
+        for_each_step(
+            all, [&](const Numbers& n) { rt_pixel(trace.get(), n.x, n.y); },
+            [&](const Numbers& n) { rt_depth(trace.get(), n.x, n.y, n.a, n.b, 1); },
+            [&](const Numbers& n) {
+                rt_scanline(trace.get(), n.y, n.a, n.b, n.x, n.x + 9);
+                rt_text(trace.get(), "left_edge", "AB");
+                rt_text(trace.get(), "right_edge", "AC");
+            });
+        if (rt_end(trace.get()) != 0)
+            state.SkipWithError(rt_error(trace.get()));
+        std::fclose(nowhere);
+    }
+    state.counters["steps"] = benchmark::Counter(static_cast<double>(step_count) *
+                                                     static_cast<double>(state.iterations()),
+                                                 benchmark::Counter::kIsRate);
+}
+
 void write_with_nlohmann(benchmark::State& state, bool dyadic) {
     using nlohmann::ordered_json;
     const auto all = numbers(dyadic);
@@ -133,8 +162,10 @@ void write_with_nlohmann(benchmark::State& state, bool dyadic) {
 
 BENCHMARK_CAPTURE(write_with_nlohmann, dyadic, true)->Unit(benchmark::kMillisecond)->Iterations(1);
 BENCHMARK_CAPTURE(write_with_step_writer, dyadic, true)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(write_with_emit, dyadic, true)->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(write_with_nlohmann, full, false)->Unit(benchmark::kMillisecond)->Iterations(1);
 BENCHMARK_CAPTURE(write_with_step_writer, full, false)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(write_with_emit, full, false)->Unit(benchmark::kMillisecond);
 
 } // namespace
 } // namespace rastertrace
