@@ -164,9 +164,8 @@ bool are_near(const TracedNumber& a, const TracedNumber& b) {
 PrimitivePlace primitive_place(const std::string& primitive_json, LinePlace begin) {
     const auto step = StepView(primitive_json).as<PrimitiveStep>();
     PrimitivePlace place{.name = step.name.text(), .begin = begin};
-    place.names = hash_of_name(place);
     for (const std::string& vertex : step.vertices.texts())
-        place.names = mixed(place.names, std::hash<std::string>()(vertex));
+        place.vertex_names = mixed(place.vertex_names, std::hash<std::string>()(vertex));
     for (const TracedList<TracedNumber>& corner : step.at.values()) {
         std::uint64_t hash = mixed(std::hash<std::string_view>()(step.kind.json()),
                                    static_cast<std::uint64_t>(step.radius.value_or(0)));
@@ -177,11 +176,16 @@ PrimitivePlace primitive_place(const std::string& primitive_json, LinePlace begi
     return place;
 }
 
+bool is_renamed(const PrimitivePlace& a, const PrimitivePlace& b) {
+    return a.name != b.name ||
+           (a.vertex_names != b.vertex_names && a.vertex_names != 0 && b.vertex_names != 0);
+}
+
 bool begin_same_primitive(const std::string& a, const std::string& b) {
     const auto of_a = StepView(a).as<PrimitiveStep>();
     const auto of_b = StepView(b).as<PrimitiveStep>();
     if (of_a.kind.text() != of_b.kind.text() || of_a.name.text() != of_b.name.text() ||
-        of_a.vertices.texts() != of_b.vertices.texts())
+        (of_a.vertices && of_b.vertices && of_a.vertices.texts() != of_b.vertices.texts()))
         return false;
     if (!of_a.at || !of_b.at)
         return true;

@@ -526,7 +526,7 @@ void TraceComparison::find_names(const std::vector<PrimitivePlace>& of_a,
                                  const std::vector<std::size_t>& in_b) {
     std::size_t renamed = 0;
     for (std::size_t i = 0; i < of_a.size(); ++i) {
-        if (in_b[i] == nowhere || of_a[i].names == of_b[in_b[i]].names)
+        if (in_b[i] == nowhere || !is_renamed(of_a[i], of_b[in_b[i]]))
             continue;
         names_.add(primitive_step(a_.text, of_a[i]), primitive_step(b_.text, of_b[in_b[i]]));
         ++renamed;
