@@ -2,6 +2,7 @@
 // A sink that is held against a reference: it says nothing of the same drawing, and stops at the step that diff tells.
 
 #include "effort.h"
+#include "picture.h"
 #include "random_scene.h"
 #include "traces.h"
 
@@ -48,7 +49,7 @@ std::optional<BothWays> compared(const std::string& scene, const MethodOverrides
 }
 
 TEST(Lockstep, SaysNothingOfTheSameDrawing) {
-    for (std::uint64_t seed = 0; seed < random_cases(200); ++seed)
+    for (std::uint64_t seed = 0; seed < random_cases<std::uint64_t>(200); ++seed)
         if (const auto found = compared(RandomScene(seed).text(), {})) {
             EXPECT_FALSE(found->by_sink) << RandomScene(seed).text();
             EXPECT_TRUE(found->by_diff.is_same);
@@ -57,7 +58,7 @@ TEST(Lockstep, SaysNothingOfTheSameDrawing) {
 
 TEST(Lockstep, StopsAtTheFirstStepThatDiffers) {
     int changed = 0;
-    for (std::uint64_t seed = 0; seed < random_cases(200); ++seed) {
+    for (std::uint64_t seed = 0; seed < random_cases<std::uint64_t>(200); ++seed) {
         const auto found = compared(RandomScene(seed).text(), {{"rounding", "truncate"}});
         if (!found)
             continue;

@@ -9,6 +9,7 @@
 #include <rastertrace/trace/record/step_writer.h>
 #include <rastertrace/trace/record/traced_steps.h>
 #include <rastertrace/trace/tell/describe.h>
+#include <rastertrace/trace/text/method_names.h>
 
 #include <optional>
 #include <string>
@@ -26,7 +27,10 @@ struct Lockstep::State {
     StepLines expected{reference};
     std::string text{};
     StringOutput output{text};
-    StepWriter writer{output, TraceLayout::jsonl, {}};
+    StepWriter writer{output,
+                      TraceLayout::jsonl,
+                      {},
+                      number_style_of(told_method(reference.header().method).triangles)};
     Listener listener{writer};
     Trace expected_steps = reference.header().without_steps();
     Trace told_steps = reference.header().without_steps();

@@ -246,13 +246,17 @@ std::string scene_json(const FuzzScene& scene) {
                                          to_text(primitive.color)));
     }
     std::vector<std::string> method;
+    std::string convention;
     for (const auto& [key, value] : scene.method)
-        method.push_back(fmt::format("{}: {}", json_quoted(key), json_quoted(value)));
+        if (key == "convention")
+            convention = fmt::format(",\n \"convention\": {}", json_quoted(value));
+        else
+            method.push_back(fmt::format("{}: {}", json_quoted(key), json_quoted(value)));
     return fmt::format("{{\"canvas\": {{\"width\": {}, \"height\": {}, \"origin\": \"{}\"}},\n"
-                       " \"vertices\": {{{}}},\n \"{}\": [{}],\n \"method\": {{{}}}}}\n",
+                       " \"vertices\": {{{}}},\n \"{}\": [{}]{},\n \"method\": {{{}}}}}\n",
                        scene.width, scene.height, name_of(scene.origin), joined(vertices, ", "),
                        scene.kind == FuzzKind::lines ? "lines" : "triangles",
-                       joined(primitives, ",\n  "), joined(method, ", "));
+                       joined(primitives, ",\n  "), convention, joined(method, ", "));
 }
 
 std::string triangles_text(const FuzzScene& scene) {

@@ -18,6 +18,8 @@ std::string hint_for_key(std::string_view key, const std::vector<std::string_vie
     const std::string near = did_you_mean(key, known, "\"");
     if (find_method_key(key) == nullptr)
         return near;
+    if (key == "convention")
+        return R"("convention" belongs beside "method")";
     return fmt::format("\"{0}\" belongs in \"method\": {{\"{0}\": ...}}{1}{2}", key,
                        near.empty() ? "" : "; ", near);
 }
