@@ -42,7 +42,7 @@ sink 'void operator()(EdgeSetUp<Quantity>&) {}' |
 {
     echo '#include <rastertrace/core.h>'
     echo 'using namespace rastertrace;'
-    echo 'void f(const Scene& scene, const Plan& plan) { draw(scene, plan, [](const auto& step) { return step.nothing; }); }'
+    echo 'void f(const Scene& scene, const Plan& plan, int& n) { draw(scene, plan, [&](const auto& step) { n += step.nothing; }); }'
 } | says c++20 $most nothing
 sink | says c++17 0 'rastertrace needs C++20: -std=c++20'
 
