@@ -840,10 +840,8 @@ std::string describe_step(const Replay& replay) {
     std::string text(pieces.front());
     for (std::size_t i = 0; i < sentence.fills.size(); ++i)
         text.append(sentence.fills[i]).append(pieces[i + 1]);
-    text += what_numbers_give(replay.trace(), replay.step());
-    const std::string code =
-        replay.step() == 0 ? "" : code_in(replay.trace().step(replay.step())).text();
-    return code.empty() ? text : text + "   " + printable(code);
+    return text + what_numbers_give(replay.trace(), replay.step()) +
+           place_in_code(replay.trace(), replay.step());
 }
 
 } // namespace rastertrace

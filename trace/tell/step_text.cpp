@@ -188,6 +188,11 @@ PrimitiveText primitive_in(const StepView& step) {
             told.colors, told.radius};
 }
 
+std::string place_in_code(const Trace& trace, std::size_t step) {
+    const std::string code = step == 0 ? "" : code_in(trace.step(step)).text();
+    return code.empty() ? "" : "   " + printable(code);
+}
+
 std::string edge_name(const PrimitiveText& primitive, std::size_t from, std::size_t to) {
     const std::vector<std::string_view> names(primitive.vertices.begin(), primitive.vertices.end());
     return fmt::format("{}{}{}", names[from], name_separator(names), names[to]);

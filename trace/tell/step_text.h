@@ -113,6 +113,9 @@ struct PrimitiveText {
 /// give; "" for any other.
 std::string what_numbers_give(const Trace& trace, std::size_t step);
 
+/// What stands behind the sentence of a step that tells its place in the program, and that place; "" for any other.
+std::string place_in_code(const Trace& trace, std::size_t step);
+
 /// What a `primitive` step says.
 PrimitiveText primitive_in(const StepView& step);
 

@@ -495,7 +495,7 @@ void pixel(Sheet& sheet) {
         write_working(of_reason);
         sheet.put(
             said({"because of step {}", "por causa do passo {}"}, sheet.trace().number_of(reason)) +
-            what_numbers_give(sheet.trace(), reason));
+            what_numbers_give(sheet.trace(), reason) + place_in_code(sheet.trace(), reason));
         for (std::string& line : of_reason.lines)
             sheet.put(std::move(line));
     }
