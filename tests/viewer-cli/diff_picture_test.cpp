@@ -63,8 +63,7 @@ TEST_F(DiffPictureTest, TheSameInEveryFormat) {
         EXPECT_THAT(told.out, HasSubstr("the same\n"));
         EXPECT_EQ(diff(std::string(file) + " " + triangle).status, 0);
     }
-    EXPECT_THAT(diff(triangle + " colors.ppm").out,
-                HasSubstr("b: #ffffff is not drawn, the color of most of its border"));
+    EXPECT_THAT(diff(triangle + " colors.ppm").out, HasSubstr("b: what is #ffffff is not drawn\n"));
 }
 
 TEST_F(DiffPictureTest, EachPixelThatDiffersIsCountedAndTheFirstExplained) {
@@ -125,6 +124,29 @@ TEST_F(DiffPictureTest, AnotherPlaceDirectionOrSampleIsTold) {
     write_rows("corners.txt", rows_of("centers.json --sample integer"));
     EXPECT_THAT(diff("centers.json corners.txt").out,
                 HasSubstr("with --sample integer: then no pixels differ\n"));
+}
+
+// Of a picture that is drawn all over nothing says what its background is, but who asks.
+TEST_F(DiffPictureTest, APictureThatIsDrawnAllOverIsNotTakenForEmpty) {
+    write("full.json",
+          R"({"canvas":{"width":3,"height":2,"origin":"top-left"},)"
+          R"("vertices":{"A":[-9,-9],"B":[20,-9],"C":[-9,20]},)"
+          R"("triangles":[{"vertices":"ABC","color":"#ff0000"}],"method":{"fill":"top-left"}})");
+    write_ppm("full.ppm", {"###", "###"}, {255, 0, 0});
+    EXPECT_EQ(diff("full.json full.ppm").status, 0) << diff("full.json full.ppm").out;
+    write_ppm("hole.ppm", {"#.#", "###"}, {255, 0, 0});
+    const Outcome hole = diff("full.json hole.ppm");
+    EXPECT_EQ(hole.status, 1);
+    EXPECT_THAT(hole.out, HasSubstr("the pictures: 1 pixel in another color\n"));
+    EXPECT_THAT(diff("--background '#ffffff' full.json hole.ppm").out,
+                HasSubstr("the pictures: 1 pixel only in a\n"));
+}
+
+// A move that leaves nothing to compare explains nothing.
+TEST_F(DiffPictureTest, ALostPixelIsNotTakenForAMove) {
+    const Rows rows = rows_of(triangle);
+    write_rows("empty.txt", Rows(rows.size(), std::string(rows.front().size(), '.')));
+    EXPECT_THAT(diff(triangle + " empty.txt").out, Not(HasSubstr("moved")));
 }
 
 TEST_F(DiffPictureTest, WhoDrewThePixelsIsToldOfTheScene) {

@@ -126,6 +126,46 @@ TEST_F(FuzzTest, AnswersMayBePicturesAndFiles) {
                                 HasSubstr("the pictures: ")));
 }
 
+// A picture that is drawn nearly all over, and the options that the written test needs.
+TEST_F(FuzzTest, PicturesWithColorsAndTheOptionsOfTheTest) {
+    write("ppm.sh",
+          path_of_rasterizer() + " $1 $2 > mine.jsonl; " +
+              "set -- $(head -n 1 $1); echo P2 $2 $3 1 > mine.pgm; " +
+              std::string(RASTERTRACE_PROGRAM) +
+              " show mine.jsonl --last --bare | tr '.#' '01' | sed 's/./& /g' >> mine.pgm; "
+              "cat mine.pgm\n");
+    const auto with = [&](const std::string& options, const std::string& mistake) {
+        return shell("$rastertrace fuzz --largest 4 --runs 60 --jobs 1 --shrink 40 --fill top-left "
+                     "--scalar exact " +
+                     options + " -- sh ppm.sh {triangles} " + mistake);
+    };
+    EXPECT_EQ(with("", "0").status, 0) << with("", "0").out;
+    EXPECT_EQ(with("", "11").status, 1);
+    const Outcome told = fuzz("--only pixel --tolerance 2ulp -o found", "{triangles} 3");
+    EXPECT_EQ(told.status, 1);
+    EXPECT_THAT(shell("cat found/*.sh").out, HasSubstr("--only pixel"));
+    EXPECT_THAT(shell("cat found/*.sh").out, HasSubstr("--tolerance 2ulp"));
+}
+
+// The text that is written is read by every command.
+TEST_F(FuzzTest, TheTextOfTrianglesIsAScene) {
+    fuzz("-o found --kinds 2d", "{triangles} 11");
+    fuzz("-o found --kinds lines", "{triangles} 20");
+    const Outcome told = shell("for f in found/*.txt; do $rastertrace diff --fill top-left "
+                               "--scalar exact --ignore header,primitive.color,pixel.color "
+                               "--common ${f%.txt}.golden.jsonl $f || exit; done");
+    EXPECT_EQ(told.status, 0) << told.out << told.err;
+    write("bad.txt", "canvas 4 4\ntri A 0 0 0 1 x 0 1 0 0\n");
+    EXPECT_THAT(shell("$rastertrace show bad.txt").err,
+                HasSubstr("bad.txt:2:15: expected a number, found x"));
+    write("bad.txt", "canvas 4 4\ntri A 0 0 0 1 0\n");
+    EXPECT_THAT(shell("$rastertrace show bad.txt").err,
+                HasSubstr("expected a name and 9 numbers behind tri"));
+    write("bad.txt", "canvas 4\n");
+    EXPECT_THAT(shell("$rastertrace show bad.txt").err,
+                HasSubstr("bad.txt:1:1: expected `canvas W H`"));
+}
+
 TEST_F(FuzzTest, BadInput) {
     EXPECT_THAT(shell("$rastertrace fuzz -- true").err, HasSubstr("expected a program behind --"));
     EXPECT_EQ(shell("$rastertrace fuzz -- true").status, 2);

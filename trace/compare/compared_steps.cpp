@@ -7,6 +7,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <iterator>
 #include <set>
 
 namespace rastertrace {
@@ -154,9 +155,13 @@ std::vector<std::string> ComparedSteps::remarks() const {
         remarks.push_back(
             fmt::format("compared: only steps of {}, which both traces tell", joined(kinds, ", ")));
     }
-    if (common_)
+    if (common_) {
+        std::vector<std::string> kinds;
+        std::ranges::copy_if(*common_, std::back_inserter(kinds),
+                             [this](const std::string& kind) { return has_kind(kind); });
         remarks.push_back(fmt::format("compared: only the fields that both traces have, of {}",
-                                      joined(std::vector(common_->begin(), common_->end()), ", ")));
+                                      joined(kinds, ", ")));
+    }
     if (const auto part = region())
         remarks.push_back(
             fmt::format("compared: only what is about the pixels from ({}, {}) to ({}, {})",

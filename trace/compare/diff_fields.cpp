@@ -81,7 +81,8 @@ std::vector<FieldDifference> FieldComparison::differing(const StepLine& a,
         const ValueComparison by{.type = type_of(a.kind, name),
                                  .is_color = holds_color(name),
                                  .tolerance = tolerance_for(options_.tolerances, a.kind_name, name),
-                                 .has_floats = has_floats_};
+                                 .has_floats = floats_ > 0,
+                                 .are_floats = floats_ == 2};
         if (const Differs here = differ(value, *other, by))
             differences.push_back({.name = std::string(name),
                                    .a = std::string(value),

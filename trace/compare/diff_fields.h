@@ -3,7 +3,7 @@
 
 // Two steps of the same key, field by field.
 //
-//     FieldComparison fields(options, false);
+//     FieldComparison fields(options, 0);
 //     fields.differing(a, b);  // {{.name = "left", .a = ..., .b = ...}}
 
 #include "diff.h"
@@ -17,9 +17,8 @@ namespace rastertrace {
 
 class FieldComparison {
 public:
-    /// `has_floats`: an ulp is one of a float.
-    FieldComparison(const DiffOptions& options, bool has_floats)
-        : options_(options), has_floats_(has_floats) {}
+    /// `floats`: how many of the two traces have numbers of floats.
+    FieldComparison(const DiffOptions& options, int floats) : options_(options), floats_(floats) {}
 
     /// The fields that are not alike, in the order of a's.
     std::vector<FieldDifference> differing(const StepLine& a, const StepLine& b) const;
@@ -28,7 +27,7 @@ private:
     bool is_ignored(std::string_view kind_and_field) const;
 
     const DiffOptions& options_;
-    bool has_floats_;
+    int floats_;
 };
 
 } // namespace rastertrace

@@ -25,6 +25,9 @@ constexpr std::array rules_keys{
     JsonKey{"ignore", "texts", "What is not compared: header, end, a kind of step, or a field"},
     JsonKey{"tolerance", "texts", "How far apart numbers may be: scanline.left=1e-9, 4ulp"},
     JsonKey{"key", "keys", "Of each kind of one's own: the fields that a step is found by"},
+    JsonKey{"only", "texts", "The kinds of step that are compared"},
+    JsonKey{"common", "boolean", "Only kinds and fields that both traces have are compared"},
+    JsonKey{"any_order", "boolean", "Steps may come in another order"},
     JsonKey{"convention", "convention", "The named set that scenes are drawn by"},
 };
 
@@ -42,6 +45,9 @@ public:
         json_.allow_keys(root, rules_keys);
         DiffRules rules{.path = json_.source.name};
         rules.options.ignored = texts_in(root, "ignore");
+        rules.options.only = texts_in(root, "only");
+        rules.options.compares_common = is_true(root, "common");
+        rules.options.compares_order = !is_true(root, "any_order");
         for (const JsonValue& one : list_in(root, "tolerance"))
             at(one, [&] { rules.options.tolerances.push_back(parse_tolerance(one.text)); });
         if (const auto keys = root.find("key"))
@@ -65,6 +71,13 @@ private:
         } catch (const Problem& problem) {
             json_.fail(value, problem.message, problem.hint);
         }
+    }
+
+    bool is_true(const JsonValue& root, std::string_view key) const {
+        const auto value = root.find(key);
+        if (value && value->kind != JsonValue::Kind::boolean)
+            json_.fail_expecting(*value, "true or false");
+        return value && value->text == "true";
     }
 
     std::vector<JsonValue> list_in(const JsonValue& root, std::string_view key) const {
@@ -174,10 +187,11 @@ DiffOptions joined_options(DiffOptions rules, const DiffOptions& asked) {
     append(rules.ignored, asked.ignored);
     for (const auto& [kind, fields] : asked.keys)
         rules.keys[kind] = fields;
-    rules.only = asked.only;
-    rules.compares_order = asked.compares_order;
+    if (!asked.only.empty())
+        rules.only = asked.only;
+    rules.compares_order = rules.compares_order && asked.compares_order;
     rules.compares_names = asked.compares_names;
-    rules.compares_common = asked.compares_common;
+    rules.compares_common = rules.compares_common || asked.compares_common;
     return rules;
 }
 

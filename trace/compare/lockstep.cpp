@@ -23,7 +23,7 @@ struct Lockstep::State {
     DiffOptions options;
     Use use;
     ComparedSteps compared{reference, reference, options};
-    FieldComparison fields{options, reference.header().method_value("scalar") == "float"};
+    FieldComparison fields{options, reference.header().method_value("scalar") == "float" ? 2 : 0};
     StepLines expected{reference};
     std::string text{};
     StringOutput output{text};

@@ -121,6 +121,7 @@ std::vector<PrimitivePlace> primitives_from_here(DiffSide& side) {
 void DiffSide::see(const SeenStep& step, std::string_view line, LinePlace place) {
     if (picture)
         picture->see(step);
+    tells_colors = tells_colors || step.color.has_value();
     if (step.what != SeenStep::What::primitive)
         return;
     primitives.push_back(place);
@@ -159,8 +160,8 @@ TraceComparison::TraceComparison(const TraceText& a, const TraceText& b, const D
     : options_(options), names_(std::move(names)), had_names_(!names_.is_empty()),
       renames_front_(had_names_), compared_(a, b, options),
       has_primitives_(compared_.has_primitives()),
-      fields_(options, a.header().method_value("scalar") == "float" ||
-                           b.header().method_value("scalar") == "float"),
+      fields_(options, (a.header().method_value("scalar") == "float" ? 1 : 0) +
+                           (b.header().method_value("scalar") == "float" ? 1 : 0)),
       a_(a, true, {.keys = options.keys}), b_(b, false, reading_of_b()),
       tally_(options.compares_order), bytes_to_search_(a.size() + b.size()),
       remarks_(compared_.remarks()) {}
@@ -204,8 +205,11 @@ std::optional<std::pair<PictureDifference, Consequences>> TraceComparison::pictu
     const PictureOwners owners{.b_of_a = [this](std::uint32_t of_a) { return b_of_a(of_a); },
                                .in_a = [this](std::uint32_t owner) { return a_.primitive(owner); },
                                .in_b = [this](std::uint32_t owner) { return b_.primitive(owner); }};
-    PictureScope scope{
-        .region = compared_.region(), .has_owners = has_primitives_, .has_colors = has_primitives_};
+    // What a foreign rasterizer does not tell is no difference, if so asked.
+    const bool tell_colors = !options_.compares_common || (a_.tells_colors && b_.tells_colors);
+    PictureScope scope{.region = compared_.region(),
+                       .has_owners = has_primitives_,
+                       .has_colors = has_primitives_ && tell_colors};
     if (const auto& first = tally_.first())
         scope.reach.emplace(*first);
     return difference_between(*a_.picture, *b_.picture, owners, scope);

@@ -38,6 +38,7 @@ struct DiffSide {
     std::vector<LinePlace> primitives{};   ///< where the step of each begins
     LinePlace begin{};                     ///< of the current primitive
     std::string json{};                    ///< of its step
+    bool tells_colors = false;             ///< so far
     bool breaks_off = false;               ///< of a part: the trace ends within it
 
     /// The whole trace, with its picture.

@@ -19,7 +19,8 @@ struct ValueComparison {
     std::optional<FieldType> type; ///< none: a field that we do not know
     bool is_color = false;
     const DiffTolerance* tolerance = nullptr;
-    bool has_floats = false;
+    bool has_floats = false; ///< an ulp is one of a float
+    bool are_floats = false; ///< numbers of one float are alike
 };
 
 /// How two values differ; nothing if they are alike.

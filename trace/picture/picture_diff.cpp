@@ -78,7 +78,7 @@ class PictureHeldAgainst {
 public:
     PictureHeldAgainst(const OwnedPicture& drawn, const Picture& picture,
                        const PictureDiffOptions& options)
-        : drawn_(drawn), picture_(picture), options_(options), background_(background_of(picture)),
+        : drawn_(drawn), picture_(picture), options_(options), background_(background()),
           has_colors_(options.compares_colors && picture.has_colors) {}
 
     /// The picture on the canvas of the trace. What has the color of the background counts as drawn where the trace
@@ -86,30 +86,31 @@ public:
     OwnedPicture on_canvas() const {
         OwnedPicture owned(drawn_.canvas());
         const Canvas& canvas = drawn_.canvas();
-        for (int row = 0; row < picture_.height; ++row)
-            for (int x = 0; x < picture_.width; ++x) {
-                const Pixel pixel{canvas.left() + x, canvas.top() + canvas.down() * row};
-                if (const Color color = seen_at(x, row, drawn_.color(pixel)); color != no_color)
-                    owned.put(pixel, color);
-            }
+        for_each_pixel([&](int x, int row, Color drawn) {
+            if (const Color color = seen_at(x, row, drawn); color != no_color)
+                owned.put({canvas.left() + x, canvas.top() + canvas.down() * row}, color);
+        });
         return owned;
     }
 
     /// How another placement of the picture explains what differs; "" if none explains most of it.
     std::string placement_remark(std::uint64_t differing) const {
         constexpr int farthest = 2;
+        constexpr int enough = 1 << 18; // of a large picture not every row is looked at
+        const int step = std::max(1, picture_.width * picture_.height / enough);
         Placement best;
-        std::uint64_t fewest = differing;
+        std::uint64_t fewest = place({}, step).differing;
         for (int turned = 0; turned < 4; ++turned)
             for (int down = -farthest; down <= farthest; ++down)
                 for (int right = -farthest; right <= farthest; ++right) {
                     const Placement placement{right, down, (turned & 1) != 0, (turned & 2) != 0};
-                    const std::uint64_t count = count_differing(placement, fewest);
-                    if (count < fewest) {
-                        fewest = count;
+                    const Placed placed = place(placement, step);
+                    if (placed.differing < fewest && placed.common * 2 > placed.drawn) {
+                        fewest = placed.differing;
                         best = placement;
                     }
                 }
+        fewest = place(best).differing;
         constexpr std::uint64_t explains = 4;
         if (fewest * explains > differing)
             return "";
@@ -122,7 +123,30 @@ public:
 
     bool has_colors() const { return has_colors_; }
 
+    /// What is not drawn; `no_color` if only what is transparent is.
+    Color background() const {
+        const auto is_transparent = [](const Color& color) { return color.alpha() == 0; };
+        if (!picture_.has_colors || std::ranges::any_of(picture_.pixels, is_transparent))
+            return no_color;
+        if (options_.background)
+            return *options_.background;
+        std::vector<Color> not_drawn;
+        for_each_pixel([&](int x, int row, Color drawn) {
+            if (drawn == no_color)
+                not_drawn.push_back(picture_.at(x, row));
+        });
+        return most_frequent(not_drawn);
+    }
+
 private:
+    /// Calls `use` with column, row and the trace's color of each pixel of every `step`-th row.
+    template <typename Use> void for_each_pixel(const Use& use, int step = 1) const {
+        const Canvas& canvas = drawn_.canvas();
+        for (int row = 0; row < picture_.height; row += step)
+            for (int x = 0; x < picture_.width; ++x)
+                use(x, row, drawn_.color({canvas.left() + x, canvas.top() + canvas.down() * row}));
+    }
+
     /// The picture's pixel, `no_color` where it is not drawn; `drawn` is what the trace has there.
     Color seen_at(int x, int row, Color drawn) const {
         const Color color = picture_.at(x, row);
@@ -135,14 +159,17 @@ private:
                    : no_color;
     }
 
-    /// How many pixels differ if the picture is placed so, or `enough` once there are as many.
-    std::uint64_t count_differing(const Placement& placement, std::uint64_t enough) const {
-        const Canvas& canvas = drawn_.canvas();
-        std::uint64_t count = 0;
-        for (int row = 0; row < picture_.height && count < enough; ++row)
-            for (int x = 0; x < picture_.width; ++x) {
-                const Color drawn =
-                    drawn_.color({canvas.left() + x, canvas.top() + canvas.down() * row});
+    struct Placed {
+        std::uint64_t differing = 0;
+        std::uint64_t common = 0; ///< drawn by both
+        std::uint64_t drawn = 0;  ///< by the trace
+    };
+
+    /// How many pixels are which if the picture is placed so.
+    Placed place(const Placement& placement, int step = 1) const {
+        Placed placed;
+        for_each_pixel(
+            [&](int x, int row, Color drawn) {
                 int from_x = x + placement.right;
                 int from_row = row + placement.down;
                 if (placement.is_mirrored)
@@ -152,13 +179,16 @@ private:
                 const bool is_inside = from_x >= 0 && from_x < picture_.width && from_row >= 0 &&
                                        from_row < picture_.height;
                 const Color seen = is_inside ? seen_at(from_x, from_row, drawn) : no_color;
+                const bool is_in_both = drawn != no_color && seen != no_color;
                 const bool is_alike =
-                    drawn == no_color || seen == no_color
-                        ? drawn == seen
-                        : !has_colors_ || are_near(drawn, seen, options_.color_tolerance);
-                count += is_alike ? 0 : 1;
-            }
-        return count;
+                    is_in_both ? !has_colors_ || are_near(drawn, seen, options_.color_tolerance)
+                               : drawn == seen;
+                placed.differing += is_alike ? 0 : 1;
+                placed.common += is_in_both ? 1 : 0;
+                placed.drawn += drawn != no_color ? 1 : 0;
+            },
+            step);
+        return placed;
     }
 
     const OwnedPicture& drawn_;
@@ -193,7 +223,10 @@ TraceDiff diff_with_picture(const TraceText& trace, const Picture& picture,
                                      "found one of {}x{}",
                                      canvas.width, canvas.height, trace.name(), picture.width,
                                      picture.height));
-    const PictureHeldAgainst held(drawn.picture, picture, options);
+    PictureDiffOptions how = options;
+    if (!how.background)
+        how.background = trace.header().background;
+    const PictureHeldAgainst held(drawn.picture, picture, how);
     const OwnedPicture shown = held.on_canvas();
     const bool is_first = options.is_picture_first;
     const auto of_trace = [&drawn](std::uint32_t number) { return drawn.owner(number); };
@@ -214,9 +247,9 @@ TraceDiff diff_with_picture(const TraceText& trace, const Picture& picture,
     found.is_same = differing == 0;
     if (!held.has_colors())
         found.remarks.emplace_back("compared: what is drawn, without colors");
-    if (const Color background = background_of(picture); background != no_color)
-        found.remarks.push_back(fmt::format("{}: {} is not drawn, the color of most of its border",
-                                            is_first ? 'a' : 'b', to_text(background)));
+    if (const Color background = held.background(); background != no_color)
+        found.remarks.push_back(
+            fmt::format("{}: what is {} is not drawn", is_first ? 'a' : 'b', to_text(background)));
     if (!found.is_same)
         if (std::string remark = held.placement_remark(differing); !remark.empty())
             found.remarks.push_back(std::move(remark));

@@ -10,15 +10,19 @@
 #include <rastertrace/trace/compare/diff.h>
 #include <rastertrace/trace/record/trace_text.h>
 
+#include <optional>
 #include <string>
 
 namespace rastertrace {
 
+/// How a picture is compared. What has the `background` is not drawn; if none is given and nothing is transparent, it is
+/// the trace's, or the color that most of the pixels have that the trace does not draw.
 struct PictureDiffOptions {
     std::string name{};            ///< of the picture
     bool is_picture_first = false; ///< it is a, the trace is b
     bool compares_colors = true;   ///< if the picture has any
-    int color_tolerance = 0;       ///< so far apart may levels of a channel be
+    std::optional<Color> background{};
+    int color_tolerance = 0; ///< so far apart may levels of a channel be
 };
 
 /// What options of a comparison say of pictures: a tolerance of pixel.color, or that it is ignored. Throws a Problem.

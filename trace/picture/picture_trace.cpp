@@ -25,15 +25,11 @@ template <typename Use> void for_drawn_pixels(const Picture& picture, const Use&
 
 } // namespace
 
-Color background_of(const Picture& picture) {
-    const auto is_transparent = [](const Color& color) { return color.alpha() == 0; };
-    if (!picture.has_colors || std::ranges::any_of(picture.pixels, is_transparent))
-        return no_color;
+Color most_frequent(const std::vector<Color>& colors) {
     std::unordered_map<std::uint32_t, std::size_t> count;
-    Color most;
+    Color most = no_color;
     std::size_t largest = 0;
-    const auto add = [&](int x, int row) {
-        const Color color = picture.at(x, row);
+    for (const Color& color : colors) {
         const std::uint32_t key = static_cast<std::uint32_t>(color.red()) << 24U |
                                   static_cast<std::uint32_t>(color.green()) << 16U |
                                   static_cast<std::uint32_t>(color.blue()) << 8U | color.alpha();
@@ -41,16 +37,24 @@ Color background_of(const Picture& picture) {
             largest = now;
             most = color;
         }
-    };
-    for (int x = 0; x < picture.width; ++x) {
-        add(x, 0);
-        add(x, picture.height - 1);
-    }
-    for (int row = 0; row < picture.height; ++row) {
-        add(0, row);
-        add(picture.width - 1, row);
     }
     return most;
+}
+
+Color background_of(const Picture& picture) {
+    const auto is_transparent = [](const Color& color) { return color.alpha() == 0; };
+    if (!picture.has_colors || std::ranges::any_of(picture.pixels, is_transparent))
+        return no_color;
+    std::vector<Color> border;
+    for (int x = 0; x < picture.width; ++x) {
+        border.push_back(picture.at(x, 0));
+        border.push_back(picture.at(x, picture.height - 1));
+    }
+    for (int row = 0; row < picture.height; ++row) {
+        border.push_back(picture.at(0, row));
+        border.push_back(picture.at(picture.width - 1, row));
+    }
+    return most_frequent(border);
 }
 
 std::string picture_trace(const Picture& picture) {

@@ -16,6 +16,9 @@ namespace rastertrace {
 /// color that most pixels on its border have.
 Color background_of(const Picture& picture);
 
+/// The color that most of some pixels have; `no_color` of none.
+Color most_frequent(const std::vector<Color>& colors);
+
 /// A trace of `pixel` steps, from the top, with the colors that the picture has; its canvas begins at the top left.
 std::string picture_trace(const Picture& picture);
 

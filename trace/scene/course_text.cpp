@@ -3,6 +3,7 @@
 
 #include "obj_file.h"
 #include "svg_text.h"
+#include "triangles_text.h"
 
 #include <rastertrace/core/draw/plan/stages.h>
 #include <rastertrace/core/numbers/number.h>
@@ -415,6 +416,8 @@ Result<Source> scene_of_foreign(const Source& source) {
     if (begins_obj(first))
         return scene_of_obj(source);
     try {
+        if (first == front_of_triangles)
+            return scene_of_triangles(source);
         std::string text = first == "png" ? Cs418Reader(source).read() : UcrReader(source).read();
         return Source{source.name + " as a scene", std::move(text), {}};
     } catch (const Problem& problem) {

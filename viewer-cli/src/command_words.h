@@ -45,6 +45,9 @@ struct Complaint {
 std::optional<Complaint> unknown_option(std::span<const char* const> words,
                                         const std::vector<std::string>& options);
 
+/// A word as a shell takes it, in quotes if it has to be.
+std::string shell_word(const std::string& word);
+
 /// True if one of them is a condition of a step, like y=2.
 bool have_condition(std::span<const char* const> words);
 

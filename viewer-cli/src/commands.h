@@ -184,7 +184,8 @@ struct DiffCommand {
     Arguments arguments = Arguments::two;
     std::string against; ///< METHOD: the only scene, drawn by another one
     DiffOptions options;
-    std::string convention{}; ///< of the rules, for scenes
+    std::optional<Color> background{}; ///< of a picture: what is not drawn
+    std::string convention{};          ///< of the rules, for scenes
     std::string rules; ///< a file of them; "": the one beside the first file, if there is one
     DiffFormat format = DiffFormat::text;
     std::string pictures{}; ///< of markdown: the folder that they are written to

@@ -95,6 +95,7 @@ ToldDiff diff_of_picture(const std::string& path, const Picture& picture,
     PictureDiffOptions how = picture_options(command.options);
     how.name = picture_path;
     how.is_picture_first = is_picture_first;
+    how.background = command.background;
     OpenedTrace opened = open_trace(path, command.input);
     SceneOptions options = options_for(opened, command);
     const bool is_drawn = is_scene(opened);
@@ -397,6 +398,7 @@ public:
         if (is_textconv_)
             command_.arguments = DiffCommand::Arguments::textconv;
         command_.options = comparison_.options();
+        command_.background = comparison_.background();
         drawing_.read_into(command_);
         command_.files.insert(command_.files.end(), git_words_.begin(), git_words_.end());
         check_diff_files();

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "driven_program.h"
 
+#include "explain_text.h"
 #include "load.h"
-#include "run_program.h"
 #include "temporary_folder.h"
 
+#include <rastertrace/trace/explain/explain.h>
 #include <rastertrace/trace/picture/picture_diff.h>
+#include <rastertrace/trace/picture/picture_trace.h>
 #include <rastertrace/trace/record/write_trace.h>
 #include <rastertrace/trace/scene/course_text.h>
 #include <rastertrace/trace/scene/scene_file.h>
@@ -87,10 +89,20 @@ std::string first_line_of(const TraceDiff& found) {
                        sentence(found.first->a), sentence(found.first->b));
 }
 
+/// Why our drawing has the first pixel that differs, or has not.
+std::string explained(const std::string& reference, const TraceDiff& found) {
+    const Trace trace = value_or_throw(read_trace({"reference", reference, {}}));
+    const Pixel pixel = found.picture->pixels.front().pixel;
+    return "\n" + explanation_text(
+                      value_or_throw(explain(trace, {.about = Topic::pixel, .pixel = pixel})));
+}
+
 } // namespace
 
-DrivenProgram::DrivenProgram(std::vector<std::string> words, DiffOptions options, Limits limits)
-    : words_(std::move(words)), options_(std::move(options)), limits_(limits) {
+DrivenProgram::DrivenProgram(std::vector<std::string> words, const ComparisonOptions& comparison,
+                             Limits limits)
+    : words_(std::move(words)), options_(comparison.options()),
+      asked_background_(comparison.background()), limits_(limits) {
     const auto has = [this](std::string_view placeholder) {
         return std::ranges::any_of(words_, [placeholder](const std::string& word) {
             return word.find(placeholder) != std::string::npos;
@@ -142,35 +154,65 @@ std::vector<std::string> DrivenProgram::words_for(const std::string& scene,
     return words;
 }
 
-std::optional<DrivenFinding> DrivenProgram::difference(const FuzzScene& scene,
-                                                       const std::string& reference) const {
-    using Kind = DrivenFinding::Kind;
+/// Runs the program on a scene; `answer` gets what it answers, "" if it has not written its {out}.
+FinishedRun DrivenProgram::run(const FuzzScene& scene, std::string& answer) const {
     const TemporaryFolder folder("rastertrace-fuzz");
     const std::filesystem::path file = folder.path() / fmt::format("scene{}", ending());
     const std::filesystem::path out = folder.path() / "out";
     write_file(file, scene_text(scene));
     std::vector<std::string> words = words_for(file.string(), out.string());
-    FinishedRun run = run_program({.path = words.front(),
-                                   .words = words,
-                                   .environment = own_environment(),
-                                   .most_output = limits_.input.bytes,
-                                   .time = limits_.time,
-                                   .has_own_group = true});
-    if (run.is_too_long) {
+    FinishedRun finished = run_program({.path = words.front(),
+                                        .words = words,
+                                        .environment = own_environment(),
+                                        .most_output = limits_.input.bytes,
+                                        .time = limits_.time,
+                                        .has_own_group = true});
+    answer = finished.out;
+    if (has_out_) {
+        const auto source = read_bytes(out.string(), limits_.input);
+        answer = source ? std::string(source.value().view()) : "";
+    }
+    return finished;
+}
+
+std::optional<Color> DrivenProgram::background() const {
+    if (asked_background_)
+        return asked_background_;
+    std::call_once(has_run_probe_, [this] {
+        constexpr std::int64_t near = fuzz_unit;
+        constexpr std::int64_t far = 3 * fuzz_unit;
+        const FuzzScene probe{.width = 8,
+                              .height = 8,
+                              .primitives = {{.name = "T1",
+                                              .vertices = {{near, near, near, fuzz_unit},
+                                                           {far, near, near, fuzz_unit},
+                                                           {near, far, near, fuzz_unit}},
+                                              .color = Color(230, 25, 75)}}};
+        std::string answer;
+        run(probe, answer);
+        const auto picture = read_picture({"its answer", std::move(answer), {}});
+        if (picture && picture.value().has_colors)
+            found_background_ =
+                most_frequent({picture.value().pixels.begin(), picture.value().pixels.end()});
+    });
+    return found_background_;
+}
+
+std::optional<DrivenFinding> DrivenProgram::difference(const FuzzScene& scene,
+                                                       const std::string& reference) const {
+    using Kind = DrivenFinding::Kind;
+    std::string answer;
+    const FinishedRun finished = run(scene, answer);
+    if (finished.is_too_long) {
         const auto seconds = std::chrono::duration<double>(limits_.time).count();
         return DrivenFinding{Kind::hangs, "", fmt::format("not done after {} s", seconds)};
     }
-    if (run.is_too_large)
+    if (finished.is_too_large)
         return DrivenFinding{Kind::no_answer, "", "it prints without end"};
-    if (run.exit_status != 0)
-        return DrivenFinding{Kind::crashes, printable(run.err), ending_of(run)};
-    std::string answer = std::move(run.out);
-    if (has_out_) {
-        const auto source = read_bytes(out.string(), limits_.input);
-        if (!source)
-            return DrivenFinding{Kind::no_answer, "", "it has not written its {out}"};
-        answer = std::string(source.value().view());
-    }
+    if (finished.exit_status != 0)
+        return DrivenFinding{Kind::crashes, printable(finished.err), ending_of(finished)};
+    if (has_out_ && answer.empty())
+        return DrivenFinding{Kind::no_answer, "", "it has not written its {out}"};
     return compared(reference, std::move(answer));
 }
 
@@ -185,13 +227,17 @@ std::optional<DrivenFinding> DrivenProgram::compared(const std::string& referenc
         const TraceText expected(Source{"reference", reference, {}});
         Source theirs{"its answer", std::move(answer), {}};
         TraceDiff found;
+        std::string explanation;
         if (is_trace(theirs)) {
             found = diff(expected, TraceText(std::move(theirs)), options_);
         } else if (picture_format(theirs)) {
             PictureDiffOptions how = picture_options(options_);
             how.name = theirs.name;
             how.compares_colors = how.compares_colors && tells_colors();
+            how.background = background();
             found = diff_with_picture(expected, value_or_throw(read_picture(theirs)), how);
+            if (!found.is_same)
+                explanation = explained(reference, found);
         } else {
             return DrivenFinding{Kind::no_answer, "",
                                  "expected a trace or a picture, found neither"};
@@ -200,7 +246,7 @@ std::optional<DrivenFinding> DrivenProgram::compared(const std::string& referenc
             return DrivenFinding{Kind::no_answer, "", to_text(found.damage.front())};
         if (found.is_same)
             return std::nullopt;
-        return DrivenFinding{Kind::differs, diff_text(found), first_line_of(found)};
+        return DrivenFinding{Kind::differs, diff_text(found) + explanation, first_line_of(found)};
     } catch (const Problem& problem) {
         return DrivenFinding{Kind::no_answer, "", to_text(problem)};
     }

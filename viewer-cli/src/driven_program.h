@@ -6,6 +6,9 @@
 //     const DrivenProgram mine({"./mine", "{scene}"}, {});
 //     if (const auto finding = mine.difference(scene, mine.reference(scene))) ...
 
+#include "run_program.h"
+#include "shared_options.h"
+
 #include <rastertrace/trace/compare/diff.h>
 #include <rastertrace/trace/fuzz/fuzz_scene.h>
 #include <rastertrace/trace/text/input.h>
@@ -13,6 +16,7 @@
 
 #include <chrono>
 #include <cstdint>
+#include <mutex>
 #include <optional>
 #include <string>
 #include <vector>
@@ -42,7 +46,8 @@ public:
     /// `words` are the program and its arguments. `{scene}`, `{triangles}` and `{cs418}` stand for a file with the scene,
     /// one of them at least; `{out}` for the file that it answers in, else it answers on standard output. Throws a
     /// Problem.
-    DrivenProgram(std::vector<std::string> words, DiffOptions options, Limits limits);
+    DrivenProgram(std::vector<std::string> words, const ComparisonOptions& comparison,
+                  Limits limits);
 
     /// What is wrong with its answer to a scene; nothing if it agrees with the reference. Throws a Problem if the program
     /// cannot be run. May be called by several threads.
@@ -67,7 +72,14 @@ private:
     std::optional<DrivenFinding> compared(const std::string& reference, std::string answer) const;
 
     std::vector<std::string> words_;
+    /// The color that its pictures have where nothing is drawn: that of most pixels of a scene with one small triangle.
+    std::optional<Color> background() const;
+    FinishedRun run(const FuzzScene& scene, std::string& answer) const;
+
     DiffOptions options_;
+    std::optional<Color> asked_background_;
+    mutable std::once_flag has_run_probe_;
+    mutable std::optional<Color> found_background_;
     Limits limits_;
     std::string placeholder_; ///< of the scene
     bool has_out_ = false;

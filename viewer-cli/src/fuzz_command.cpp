@@ -3,6 +3,7 @@
 // scene is then shrunk, and written with a test that fails.
 
 #include "command.h"
+#include "command_words.h"
 #include "commands.h"
 #include "driven_program.h"
 #include "load.h"
@@ -41,7 +42,7 @@ struct FuzzCommand {
     std::size_t most_tries = 2000; ///< to shrink what was found
     std::string folder;
     FuzzChoice choice;
-    DiffOptions options;
+    ComparisonOptions comparison;
     DrivenProgram::Limits limits;
 };
 
@@ -124,17 +125,8 @@ private:
 };
 
 /// A word for the shell; `$here` in it stands for the folder of the script.
-std::string shell_word(const std::string& word) {
-    if (word.starts_with("$here/"))
-        return '"' + word + '"';
-    constexpr std::string_view plain =
-        "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789-_./=,:+";
-    if (!word.empty() && word.find_first_not_of(plain) == std::string::npos)
-        return word;
-    std::string quoted = "'";
-    for (const char c : word)
-        quoted += c == '\'' ? std::string("'\\''") : std::string(1, c);
-    return quoted + "'";
+std::string script_word(const std::string& word) {
+    return word.starts_with("$here/") ? '"' + word + '"' : shell_word(word);
 }
 
 std::string test_script(const FuzzCommand& command, const DrivenProgram& program,
@@ -143,7 +135,7 @@ std::string test_script(const FuzzCommand& command, const DrivenProgram& program
     std::vector<std::string> words;
     for (const std::string& word :
          program.words_for("$here/" + name + std::string(program.ending()), out))
-        words.push_back(shell_word(word));
+        words.push_back(script_word(word));
     const auto seconds = std::chrono::ceil<std::chrono::seconds>(command.limits.time).count();
     return fmt::format(
         "#!/bin/sh\n"
@@ -152,10 +144,11 @@ std::string test_script(const FuzzCommand& command, const DrivenProgram& program
         "# which rastertrace fuzz was run. Seed {}: {}\n"
         "here=$(dirname \"$0\")\n"
         "timeout {} {}{} &&\n"
-        "  rastertrace diff --common --any-order --ignore {} \"$here/{}.golden.jsonl\" \"{}\"\n",
+        "  rastertrace diff --common --any-order {} \"$here/{}.golden.jsonl\" \"{}\"\n",
         found.seed, found.finding.first, seconds, joined(words, " "),
         program.answers_in_file() ? "" : fmt::format(" > \"{}\"", out),
-        program.tells_colors() ? "header,end" : "header,end,pixel.color", name, out);
+        command.comparison.words(program.tells_colors() ? "header,end" : "header,end,pixel.color"),
+        name, out);
 }
 
 /// Writes what was found; returns the names of the files.
@@ -225,7 +218,7 @@ FoundScene shrunk_finding(const FuzzCommand& command, const DrivenProgram& progr
 }
 
 ExitStatus drive(const FuzzCommand& command) {
-    const DrivenProgram program(command.words, command.options, command.limits);
+    const DrivenProgram program(command.words, command.comparison, command.limits);
     FuzzRuns runs(command, program);
     auto found = runs.run();
     const std::string seeds =
@@ -290,7 +283,7 @@ public:
                        "N");
         options.option("-o", command_.folder, "Where to write what is found; fuzz if not given",
                        "FOLDER");
-        comparison_.add_to(options);
+        command_.comparison.add_to(options);
         method_.add_to(options);
     }
 
@@ -322,7 +315,6 @@ public:
         if (const auto origin = value_of<Origin>("--origin", origin_, origin_names()))
             command_.choice.origin = *origin;
         command_.choice.method = method_.overrides();
-        command_.options = comparison_.options();
     }
 
     int run() override { return drive(command_); }
@@ -348,7 +340,6 @@ private:
     std::string time_;
     std::string jobs_;
     std::string tries_;
-    ComparisonOptions comparison_;
     MethodOptions method_;
 };
 

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "shared_options.h"
 
+#include "command_words.h"
 #include "environment.h"
 #include "option_values.h"
 
 #include <rastertrace/figures/view.h>
 #include <rastertrace/trace/compare/diff_rules.h>
+#include <rastertrace/trace/text/color_text.h>
 #include <rastertrace/trace/text/language.h>
 #include <rastertrace/trace/text/stage_name.h>
 #include <rastertrace/trace/text/text.h>
@@ -169,6 +171,8 @@ void ComparisonOptions::add_to(OptionList& options) {
                 "given again",
                 "KIND=FIELDS")
         .repeatable();
+    options.option("--background", background_,
+                   "The color of a picture where nothing is drawn, if it has one", "COLOR");
     options.flag("--names", options_.compares_names,
                  "A primitive, vertex or edge that is named otherwise differs");
     options.flag("--any-order", is_any_order_,
@@ -190,6 +194,31 @@ DiffOptions ComparisonOptions::options() const {
         add_step_key(options, one);
     options.compares_order = !is_any_order_;
     return options;
+}
+
+std::optional<Color> ComparisonOptions::background() const {
+    if (background_.empty())
+        return std::nullopt;
+    const auto color = parse_color(background_);
+    if (!color)
+        refuse_value("--background", "a color like #ff8000", background_);
+    return color;
+}
+
+std::string ComparisonOptions::words(const std::string& ignored) const {
+    std::string words =
+        "--ignore " + shell_word(ignored_.empty() ? ignored : ignored + "," + ignored_);
+    const auto add = [&words](std::string_view option, const std::string& value) {
+        if (!value.empty())
+            words += fmt::format(" {} {}", option, shell_word(value));
+    };
+    for (const std::string& tolerance : tolerances_)
+        add("--tolerance", tolerance);
+    for (const std::string& key : keys_)
+        add("--key", key);
+    add("--only", only_);
+    add("--background", background_);
+    return options_.compares_names ? words + " --names" : words;
 }
 
 } // namespace rastertrace

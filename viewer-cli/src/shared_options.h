@@ -11,6 +11,7 @@
 #include <rastertrace/trace/text/method_names.h>
 
 #include <map>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -77,7 +78,14 @@ public:
     void add_to(OptionList& options);
     DiffOptions options() const;
 
+    /// Of a picture: the color of what is not drawn.
+    std::optional<Color> background() const;
+
+    /// The options as words for a shell, but for --common and --any-order; `ignored` are left out besides.
+    std::string words(const std::string& ignored) const;
+
 private:
+    std::string background_;
     DiffOptions options_;
     std::vector<std::string> tolerances_;
     std::vector<std::string> keys_;
