@@ -185,7 +185,8 @@ TEST_F(DiffTest, WhatIsWrongIsSaid) {
                 HasSubstr("found lft\nhint: did you mean left?"));
     EXPECT_THAT(error("a.json b.json --tolerance much"), HasSubstr("like scanline.left=1e-9"));
     EXPECT_THAT(error("a.json b.json --ignore pixl"), HasSubstr("hint: did you mean pixel?"));
-    EXPECT_THAT(error("a.json b.json --format xml"), HasSubstr("expected one of text, json, markdown, junit"));
+    EXPECT_THAT(error("a.json b.json --format xml"),
+                HasSubstr("expected one of text, json, markdown, junit"));
     EXPECT_THAT(error("a.json b.json >> a.json"), HasSubstr("standard output"));
     EXPECT_THAT(diff("a.json a.json").out, HasSubstr("both are the same file\n"));
 }
