@@ -147,6 +147,18 @@ TEST_F(FuzzTest, PicturesWithColorsAndTheOptionsOfTheTest) {
     EXPECT_THAT(shell("cat found/*.sh").out, HasSubstr("--tolerance 2ulp"));
 }
 
+// Scenes in every text, of every kind: ours is a program that agrees with us.
+TEST_F(FuzzTest, OurProgramAgreesWithItself) {
+    for (const std::string options :
+         {"--kinds 2d,lines,depth,clip -- $rastertrace trace {scene}",
+          "--kinds clip --convention direct3d -- $rastertrace trace {scene}",
+          "--kinds 2d,clip -- $rastertrace trace {cs418}",
+          "--kinds 2d,lines --line dda -- $rastertrace trace --line dda {triangles}"}) {
+        const Outcome told = shell("$rastertrace fuzz --runs 40 " + options);
+        EXPECT_EQ(told.status, 0) << options << told.out << told.err;
+    }
+}
+
 // The text that is written is read by every command.
 TEST_F(FuzzTest, TheTextOfTrianglesIsAScene) {
     fuzz("-o found --kinds 2d", "{triangles} 11");

@@ -157,8 +157,8 @@ std::vector<std::string> ComparedSteps::remarks() const {
     }
     if (common_) {
         std::vector<std::string> kinds;
-        std::ranges::copy_if(*common_, std::back_inserter(kinds),
-                             [this](const std::string& kind) { return has_kind(kind); });
+        std::copy_if(common_->begin(), common_->end(), std::back_inserter(kinds),
+                     [this](const std::string& kind) { return has_kind(kind); });
         remarks.push_back(fmt::format("compared: only the fields that both traces have, of {}",
                                       joined(kinds, ", ")));
     }

@@ -220,7 +220,7 @@ private:
     }
 
     static bool has_letters(const std::vector<std::string>& rows) {
-        return std::ranges::any_of(rows, [](const std::string& row) {
+        return std::any_of(rows.begin(), rows.end(), [](const std::string& row) {
             return row.find_first_not_of('.') != std::string::npos;
         });
     }

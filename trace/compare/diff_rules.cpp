@@ -52,7 +52,7 @@ public:
             at(one, [&] { rules.options.tolerances.push_back(parse_tolerance(one.text)); });
         if (const auto keys = root.find("key"))
             for (const auto& [kind, fields] : keys->members())
-                at(fields, [&] {
+                at(fields, [&, &kind = kind, &fields = fields] {
                     add_step_key(rules.options,
                                  fmt::format("{}={}", kind.text, joined(text_list(fields), ",")));
                 });
@@ -103,7 +103,7 @@ private:
         std::vector<std::string_view> names;
         for (const ConventionRow& row : convention_rows())
             names.push_back(row.name);
-        if (std::ranges::find(names, value.text) == names.end())
+        if (std::find(names.begin(), names.end(), value.text) == names.end())
             json_.fail_expecting(value, fmt::format("a convention ({})", joined(names, ", ")),
                                  did_you_mean(value.text, names, "\""));
     }
@@ -156,7 +156,7 @@ std::vector<std::string> other_goldens(const std::string& golden) {
             other.size() > stem.size() + 1 + mark_of_golden.size() && other_ending == ending)
             others.push_back((folder / file->path().filename()).string());
     }
-    std::ranges::sort(others);
+    std::sort(others.begin(), others.end());
     return others;
 }
 
@@ -201,7 +201,8 @@ void add_step_key(DiffOptions& options, const std::string& text) {
     std::vector<std::string> fields;
     if (equals != std::string::npos)
         fields = split_at(text.substr(equals + 1), ',');
-    if (kind.empty() || fields.empty() || std::ranges::find(fields, "") != fields.end())
+    if (kind.empty() || fields.empty() ||
+        std::find(fields.begin(), fields.end(), "") != fields.end())
         throw problem_of(
             "", fmt::format("--key: expected KIND=FIELD,..., like tile=tx,ty, found \"{}\"",
                             printable(text)));

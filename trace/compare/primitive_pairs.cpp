@@ -189,10 +189,12 @@ bool begin_same_primitive(const std::string& a, const std::string& b) {
         return false;
     if (!of_a.at || !of_b.at)
         return true;
-    const auto near_corners = [](const auto& corner, const auto& other) {
-        return std::ranges::equal(corner.values(), other.values(), are_near);
+    const auto all_near = [](const auto& one, const auto& other, const auto& are_alike) {
+        return std::equal(one.begin(), one.end(), other.begin(), other.end(), are_alike);
     };
-    return std::ranges::equal(of_a.at.values(), of_b.at.values(), near_corners);
+    return all_near(of_a.at.values(), of_b.at.values(), [&](const auto& corner, const auto& other) {
+        return all_near(corner.values(), other.values(), are_near);
+    });
 }
 
 std::vector<std::size_t> pair_primitives(const std::vector<PrimitivePlace>& a,

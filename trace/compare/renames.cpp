@@ -60,7 +60,8 @@ std::string Renames::in_step(std::string_view step, const Renames& fallback) con
     };
     JsonScanner fields(step);
     while (fields.next_field()) {
-        if (std::ranges::find(fields_with_names, fields.key()) == fields_with_names.end())
+        if (std::find(fields_with_names.begin(), fields_with_names.end(), fields.key()) ==
+            fields_with_names.end())
             continue;
         if (fields.value().starts_with('[')) {
             JsonScanner names(fields.value());

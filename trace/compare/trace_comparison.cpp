@@ -486,8 +486,8 @@ void TraceComparison::compare_pairs() {
         partner_.push_back(is_there ? common_primitives_ + static_cast<std::uint32_t>(in_b[i]) + 1
                                     : 0);
     }
-    const bool is_one_order = std::ranges::all_of(stays, std::identity()) &&
-                              std::ranges::find(in_a, nowhere) == in_a.end();
+    const bool is_one_order = std::find(stays.begin(), stays.end(), false) == stays.end() &&
+                              std::find(in_a.begin(), in_a.end(), nowhere) == in_a.end();
     if (!is_one_order && compared_.tells_all_primitives())
         remarks_.emplace_back("the primitives are not the same in the same order: from there on "
                               "the traces were read twice");

@@ -76,7 +76,9 @@ private:
         }
         if (words.empty())
             return;
-        const auto statement = std::ranges::find(statements, words.front(), &Statement::word);
+        const auto statement =
+            std::find_if(statements.begin(), statements.end(),
+                         [&](const Statement& one) { return one.word == words.front(); });
         if (words.front() == front_of_triangles)
             read_canvas(words);
         else if (statement == statements.end())

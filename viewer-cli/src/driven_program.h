@@ -64,8 +64,8 @@ public:
     /// The words, with a file in the place of the scene.
     std::vector<std::string> words_for(const std::string& scene, const std::string& out) const;
 
-    /// False of a text without colors: those of a picture are not compared.
-    bool tells_colors() const;
+    /// What is never compared: not the colors of a text that has none.
+    std::string ignored() const;
     bool answers_in_file() const { return has_out_; }
 
 private:

@@ -147,8 +147,7 @@ std::string test_script(const FuzzCommand& command, const DrivenProgram& program
         "  rastertrace diff --common --any-order {} \"$here/{}.golden.jsonl\" \"{}\"\n",
         found.seed, found.finding.first, seconds, joined(words, " "),
         program.answers_in_file() ? "" : fmt::format(" > \"{}\"", out),
-        command.comparison.words(program.tells_colors() ? "header,end" : "header,end,pixel.color"),
-        name, out);
+        command.comparison.words(program.ignored()), name, out);
 }
 
 /// Writes what was found; returns the names of the files.
