@@ -150,7 +150,7 @@ std::uint64_t hash_of_corners(const PrimitivePlace& one) {
 }
 
 /// Within 0.001, or that part of the larger one.
-bool are_near(const TracedNumber& a, const TracedNumber& b) {
+bool are_near_numbers(const TracedNumber& a, const TracedNumber& b) {
     constexpr double enough = 1e-3;
     const auto of_a = a.nearest_double();
     const auto of_b = b.nearest_double();
@@ -193,7 +193,7 @@ bool begin_same_primitive(const std::string& a, const std::string& b) {
         return std::equal(one.begin(), one.end(), other.begin(), other.end(), are_alike);
     };
     return all_near(of_a.at.values(), of_b.at.values(), [&](const auto& corner, const auto& other) {
-        return all_near(corner.values(), other.values(), are_near);
+        return all_near(corner.values(), other.values(), are_near_numbers);
     });
 }
 
