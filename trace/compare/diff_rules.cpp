@@ -43,7 +43,7 @@ public:
         if (root.kind != JsonValue::Kind::object)
             json_.fail_expecting(root, R"(rules, like {"ignore": ["header"]})");
         json_.allow_keys(root, rules_keys);
-        DiffRules rules{.path = json_.source.name};
+        DiffRules rules;
         rules.options.ignored = texts_in(root, "ignore");
         rules.options.only = texts_in(root, "only");
         rules.options.compares_common = is_true(root, "common");

@@ -17,7 +17,6 @@
 namespace rastertrace {
 
 struct DiffRules {
-    std::string path{};
     DiffOptions options{};
     std::string
         convention{}; ///< that scenes are drawn by, unless they are asked for another; "": their own

@@ -52,13 +52,14 @@ std::string key_of(const StepLine& line, const StepReading& reading) {
 
 } // namespace
 
-StepLine step_line(const std::string& name, std::string json, std::size_t number) {
+StepLine step_line(const std::string& name, std::string json, std::size_t number,
+                   const StepReading& reading) {
     Source source{name, std::move(json), {}};
     StepLine line;
     line.kind = checked_kind(source, 0, source.text.size());
     line.json = std::move(source.text);
     line.kind_name = line.kind ? std::string(name_of(*line.kind)) : StepView(line.json).kind_name();
-    line.key = key_of(line, {});
+    line.key = key_of(line, reading);
     line.number = number;
     return line;
 }
@@ -188,20 +189,16 @@ const StepLine* StepLines::at(std::size_t i) {
 }
 
 StepLine StepLines::step_in(std::string_view json) const {
-    Source source{text_.name(), reading_.rewrite ? reading_.rewrite(json) : std::string(json), {}};
-    StepLine line;
     try {
-        line.kind = checked_kind(source, 0, source.text.size());
+        StepLine line =
+            step_line(text_.name(), reading_.rewrite ? reading_.rewrite(json) : std::string(json),
+                      place_.steps + 1, reading_);
+        line.place = place_;
+        return line;
     } catch (Problem& problem) {
         problem.line = text_.has_lines() ? place_.lines + 2 : 0;
         throw;
     }
-    line.json = std::move(source.text);
-    line.kind_name = line.kind ? std::string(name_of(*line.kind)) : StepView(line.json).kind_name();
-    line.key = key_of(line, reading_);
-    line.place = place_;
-    line.number = place_.steps + 1;
-    return line;
 }
 
 } // namespace rastertrace

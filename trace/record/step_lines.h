@@ -43,9 +43,6 @@ struct StepLine {
     std::size_t number = 0; ///< from 1
 };
 
-/// A step that stands nowhere, by its number. Throws a Problem if it is none.
-StepLine step_line(const std::string& name, std::string json, std::size_t number);
-
 /// How steps are understood.
 struct StepReading {
     /// The fields that tell a step of a kind that we do not know from others of its kind; else `name`, `x` and `y`.
@@ -54,6 +51,10 @@ struct StepReading {
     /// What is taken for the JSON of a step; nothing: as it stands.
     std::function<std::string(std::string_view json)> rewrite{};
 };
+
+/// A step that stands nowhere, by its number. Throws a Problem if it is none.
+StepLine step_line(const std::string& name, std::string json, std::size_t number,
+                   const StepReading& reading = {});
 
 class StepLines {
 public:

@@ -5,7 +5,6 @@
 #include "commands.h"
 #include "diff_json.h"
 #include "diff_report.h"
-#include "explain_text.h"
 #include "load.h"
 #include "option_values.h"
 #include "shared_options.h"
@@ -13,7 +12,6 @@
 #include <rastertrace/trace/audit/redo.h>
 #include <rastertrace/trace/compare/diff.h>
 #include <rastertrace/trace/compare/diff_rules.h>
-#include <rastertrace/trace/explain/explain.h>
 #include <rastertrace/trace/picture/picture_diff.h>
 #include <rastertrace/trace/record/frame.h>
 #include <rastertrace/trace/record/traced_steps.h>
@@ -105,9 +103,7 @@ ToldDiff diff_of_picture(const std::string& path, const Picture& picture,
     const std::uint64_t differing = count_pixels(found);
     if (differing == 0)
         return {std::move(found), ""};
-    const Pixel first = found.picture->pixels.front().pixel;
-    std::string explanation = explanation_text(value_or_throw(
-        explain(load_trace(path, options), {.about = Topic::pixel, .pixel = first})));
+    std::string explanation = explanation_of_first_pixel(found, load_trace(path, options));
 
     // Samples half a pixel away may explain most of it.
     constexpr std::uint64_t explains = 4;

@@ -1,8 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "diff_report.h"
 
+#include "explain_text.h"
+#include "load.h"
+
 #include <rastertrace/figures/png.h>
 #include <rastertrace/figures/svg.h>
+#include <rastertrace/trace/explain/explain.h>
+#include <rastertrace/trace/picture/picture_diff.h>
 #include <rastertrace/trace/text/output.h>
 #include <rastertrace/trace/text/text.h>
 
@@ -45,9 +50,7 @@ std::string summary(const TraceDiff& found) {
     if (found.is_same)
         return found.damage.empty() ? "the same" : "the same, as far as they go";
     const std::size_t steps = count_steps(found);
-    const std::uint64_t pixels = found.picture ? found.picture->only_a + found.picture->only_b +
-                                                     found.picture->colors + found.picture->owners
-                                               : 0;
+    const std::uint64_t pixels = count_pixels(found);
     std::vector<std::string> parts;
     if (steps > 0)
         parts.push_back(fmt::format("{} step{}", steps, steps == 1 ? " differs" : "s differ"));
@@ -126,6 +129,16 @@ std::string fenced(const std::string& text) {
 
 } // namespace
 
+std::string explanation_of_first_pixel(const TraceDiff& found, const Trace& trace) {
+    const Pixel pixel = found.picture->pixels.front().pixel;
+    return explanation_text(
+        value_or_throw(explain(trace, {.about = Topic::pixel, .pixel = pixel})));
+}
+
+std::string sentence_of(const std::optional<DiffStep>& step) {
+    return step ? step->sentence : "no such step";
+}
+
 std::string diff_markdown(const ToldDiff& told, const std::string& picture_folder) {
     const TraceDiff& found = told.found;
     std::string text =
@@ -133,14 +146,11 @@ std::string diff_markdown(const ToldDiff& told, const std::string& picture_folde
                     found.is_same ? "No difference" : "Decisions differ: " + summary(found),
                     printable(found.name_a), printable(found.name_b));
     if (found.first) {
-        const auto sentence = [](const std::optional<DiffStep>& step) {
-            return step ? step->sentence : std::string("no such step");
-        };
         text += fmt::format(
             "\nThe first{}:\n\n",
             found.first->primitive.empty() ? "" : ", in " + printable(found.first->primitive));
-        text +=
-            fenced(fmt::format("a {}\nb {}\n", sentence(found.first->a), sentence(found.first->b)));
+        text += fenced(
+            fmt::format("a {}\nb {}\n", sentence_of(found.first->a), sentence_of(found.first->b)));
     }
     if (!found.is_same && found.picture && !found.picture->rows.empty() && !picture_folder.empty())
         text += pictures_markdown(*found.picture, picture_folder);

@@ -9,6 +9,7 @@
 
 #include <rastertrace/trace/compare/diff.h>
 
+#include <optional>
 #include <string>
 
 namespace rastertrace {
@@ -18,6 +19,12 @@ struct ToldDiff {
     TraceDiff found{};
     std::string explanation{}; ///< "" where nothing is explained
 };
+
+/// Why a trace has the first pixel that differs, or has not. There has to be one. Throws a Problem.
+std::string explanation_of_first_pixel(const TraceDiff& found, const Trace& trace);
+
+/// What a step says, or that there is none.
+std::string sentence_of(const std::optional<DiffStep>& step);
 
 /// A summary, and what diff_text says folded away. With a folder for pictures, `a.png`, `b.png` and `difference.png` are
 /// written there, of the part that differs, and shown side by side. Throws a Problem.

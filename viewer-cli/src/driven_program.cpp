@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "driven_program.h"
 
-#include "explain_text.h"
+#include "diff_report.h"
 #include "load.h"
 #include "temporary_folder.h"
 
-#include <rastertrace/trace/explain/explain.h>
 #include <rastertrace/trace/picture/picture_diff.h>
 #include <rastertrace/trace/picture/picture_trace.h>
 #include <rastertrace/trace/record/write_trace.h>
@@ -19,7 +18,6 @@
 
 #include <algorithm>
 #include <array>
-#include <fstream>
 #include <utility>
 
 namespace rastertrace {
@@ -80,21 +78,16 @@ std::string first_line_of(const TraceDiff& found) {
     }
     if (!found.first)
         return "the end records differ";
-    const auto sentence = [](const std::optional<DiffStep>& step) {
-        return step ? step->sentence : std::string("no such step");
-    };
     return fmt::format("{}{}, yours: {}",
                        found.first->primitive.empty() ? ""
                                                       : printable(found.first->primitive) + ": ",
-                       sentence(found.first->a), sentence(found.first->b));
+                       sentence_of(found.first->a), sentence_of(found.first->b));
 }
 
 /// Why our drawing has the first pixel that differs, or has not.
 std::string explained(const std::string& reference, const TraceDiff& found) {
-    const Trace trace = value_or_throw(read_trace({"reference", reference, {}}));
-    const Pixel pixel = found.picture->pixels.front().pixel;
-    return "\n" + explanation_text(
-                      value_or_throw(explain(trace, {.about = Topic::pixel, .pixel = pixel})));
+    return "\n" + explanation_of_first_pixel(
+                      found, value_or_throw(read_trace({"reference", reference, {}})));
 }
 
 } // namespace
