@@ -126,11 +126,14 @@
 #else
 #define RT_IN_(t, call) rt_in_(t, call, RT_FILE ":" RT_LITERAL_OF_(__LINE__) RT_ZEROS_)
 #endif
-/// A function that is out of the way of what is called often.
+/// A function that is out of the way of what is called often; and one that is, where the sizes of literals are known only
+/// if it is inlined, which clang does by half.
 #ifdef __GNUC__
 #define RT_SELDOM_ static __attribute__((noinline, cold, unused))
+#define RT_OFTEN_ static inline __attribute__((always_inline))
 #else
 #define RT_SELDOM_ static inline
+#define RT_OFTEN_ static inline
 #endif
 #ifdef __cplusplus
 #define RT_NULL_ nullptr
@@ -202,7 +205,7 @@ struct rt_trace {
 };
 
 /// Notes a call. Compilers know the result of strrchr and strlen for a literal.
-static inline struct rt_trace* rt_in_(struct rt_trace* t, const char* call, const char* code) {
+RT_OFTEN_ struct rt_trace* rt_in_(struct rt_trace* t, const char* call, const char* code) {
     const char* base = strrchr(code, '/');
     code = base != RT_NULL_ ? base + 1 : code;
     base = strrchr(code, '\\');
@@ -258,21 +261,21 @@ RT_SELDOM_ void rt_flush_(struct rt_trace* t) {
     t->start = 0;
 }
 
-static inline char* rt_put_(char* out, const char* bytes, size_t size) {
+RT_OFTEN_ char* rt_put_(char* out, const char* bytes, size_t size) {
     memcpy(out, bytes, size);
     return out + size;
 }
 
-static inline void rt_set_end_(struct rt_trace* t, const char* end) {
+RT_OFTEN_ void rt_set_end_(struct rt_trace* t, const char* end) {
     t->used = RT_CAST_(size_t, end - t->buffer);
 }
 
-static inline void rt_append_(struct rt_trace* t, const char* bytes, size_t size) {
+RT_OFTEN_ void rt_append_(struct rt_trace* t, const char* bytes, size_t size) {
     rt_set_end_(t, rt_put_(t->buffer + t->used, bytes, size));
 }
 
 /// Makes room for RT_ROOM_ bytes. Behind a fault, the open line is given up.
-static inline void rt_room_(struct rt_trace* t) {
+RT_OFTEN_ void rt_room_(struct rt_trace* t) {
     while (t->used > RT_BUFFER_ - RT_ROOM_ && t->state != RT_FAILED_)
         rt_flush_(t);
     if (t->used > RT_BUFFER_ - RT_ROOM_)
@@ -300,7 +303,7 @@ RT_SELDOM_ char* rt_put_long_(char* out, unsigned long long value) {
 }
 
 /// The same, of nearly all indices four at most.
-static inline char* rt_put_digits_(char* out, unsigned long long value) {
+RT_OFTEN_ char* rt_put_digits_(char* out, unsigned long long value) {
     const unsigned number = RT_CAST_(unsigned, value);
     if (value >= 10000)
         return rt_put_long_(out, value);
@@ -315,7 +318,7 @@ static inline char* rt_put_digits_(char* out, unsigned long long value) {
     return rt_put_pair_(out, number % 100);
 }
 
-static inline void rt_append_whole_(struct rt_trace* t, long long value) {
+RT_OFTEN_ void rt_append_whole_(struct rt_trace* t, long long value) {
     const unsigned long long magnitude =
         RT_CAST_(unsigned long long, value < 0 ? -(value + 1) : value) + (value < 0);
     char* out = t->buffer + t->used;
@@ -460,7 +463,7 @@ static inline void rt_append_text_(struct rt_trace* t, const char* text) {
 }
 
 /// Ends the line of a step.
-static inline void rt_end_step_(struct rt_trace* t) {
+RT_OFTEN_ void rt_end_step_(struct rt_trace* t) {
     rt_room_(t);
     char* out = t->buffer + t->used;
     if (t->step_code_size > 0) {
@@ -502,14 +505,13 @@ RT_SELDOM_ int rt_end_line_(struct rt_trace* t) {
 }
 
 /// One of 64 bits for a field. Two of a kind in the format have none in common: nothing has to be looked for.
-static inline unsigned long long rt_bit_(const char* front, size_t size) {
+RT_OFTEN_ unsigned long long rt_bit_(const char* front, size_t size) {
     return 1ULL << (RT_CAST_(unsigned, front[2] + 9 * front[size - 3] + 5 * RT_CAST_(int, size)) %
                     64);
 }
 
 /// Begins a step. Behind a fault, it is told to a place that nobody reads.
-static inline struct rt_trace* rt_step_(struct rt_trace* t, int kind, const char* front,
-                                        size_t size) {
+RT_OFTEN_ struct rt_trace* rt_step_(struct rt_trace* t, int kind, const char* front, size_t size) {
     if (t->state == RT_OPEN_)
         rt_end_step_(t);
     else
@@ -550,7 +552,7 @@ RT_SELDOM_ int rt_fail_at_(struct rt_trace* t, const char* front, size_t size, c
 }
 
 /// Begins a field.
-static inline int rt_key_(struct rt_trace* t, const char* front, size_t size) {
+RT_OFTEN_ int rt_key_(struct rt_trace* t, const char* front, size_t size) {
     unsigned long long bit;
     if (t->state != RT_OPEN_ && t->state != RT_HEADER_) {
         if (t->state != RT_METHOD_)
@@ -569,22 +571,21 @@ static inline int rt_key_(struct rt_trace* t, const char* front, size_t size) {
     return 1;
 }
 
-static inline struct rt_trace* rt_whole_(struct rt_trace* t, const char* front, size_t size,
-                                         long long value) {
+RT_OFTEN_ struct rt_trace* rt_whole_(struct rt_trace* t, const char* front, size_t size,
+                                     long long value) {
     if (rt_key_(t, front, size))
         rt_append_whole_(t, value);
     return t;
 }
 
-static inline struct rt_trace* rt_number_(struct rt_trace* t, const char* front, size_t size,
-                                          double value) {
+RT_OFTEN_ struct rt_trace* rt_number_(struct rt_trace* t, const char* front, size_t size,
+                                      double value) {
     if (rt_key_(t, front, size))
         rt_append_number_(t, value);
     return t;
 }
 
-static inline struct rt_trace* rt_flag_(struct rt_trace* t, const char* front, size_t size,
-                                        int value) {
+RT_OFTEN_ struct rt_trace* rt_flag_(struct rt_trace* t, const char* front, size_t size, int value) {
     if (rt_key_(t, front, size))
         rt_append_literal_(t, value ? "true" : "false");
     return t;
