@@ -3,7 +3,6 @@
 
 #include "obj_file.h"
 #include "svg_text.h"
-#include "triangles_text.h"
 
 #include <rastertrace/core/draw/plan/stages.h>
 #include <rastertrace/core/numbers/number.h>
@@ -21,6 +20,7 @@
 #include <charconv>
 #include <cstddef>
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -32,6 +32,7 @@ namespace rastertrace {
 namespace {
 
 constexpr std::string_view blanks = " \t\r\v\f";
+constexpr std::string_view front_of_triangles = "canvas";
 
 struct Word {
     std::string_view text;
@@ -56,19 +57,13 @@ std::size_t beginning(std::string_view text) {
     return text.starts_with("\xEF\xBB\xBF") ? 3 : 0;
 }
 
-/// A vertex as the text has it: JSON numbers.
-struct CourseVertex {
-    std::array<std::string, 4> at;
-    Color color;
-};
-
-/// What both formats share: the canvas, vertices, triangles, and words that become numbers.
-class CourseReader {
+/// What all formats share: statements, the canvas, and words that become numbers.
+class StatementReader {
 public:
-    explicit CourseReader(const Source& source) : source_(source) {}
-    CourseReader(const CourseReader&) = delete;
-    CourseReader& operator=(const CourseReader&) = delete;
-    virtual ~CourseReader() = default;
+    explicit StatementReader(const Source& source) : source_(source) {}
+    StatementReader(const StatementReader&) = delete;
+    StatementReader& operator=(const StatementReader&) = delete;
+    virtual ~StatementReader() = default;
 
     /// The scene, as JSON.
     std::string read() {
@@ -79,8 +74,8 @@ public:
             if (!words.empty())
                 read_statement(words);
         }
-        if (triangles_.empty())
-            fail(text.size(), "expected at least one triangle, found none");
+        if (is_empty())
+            fail(text.size(), fmt::format("expected at least one {}, found none", primitive()));
         return json();
     }
 
@@ -88,8 +83,9 @@ protected:
     using Words = std::vector<Word>;
 
     virtual void read_statement(const Words& words) = 0;
-    virtual std::string_view convention() const = 0;
-    virtual std::string method() const = 0;
+    virtual bool is_empty() const = 0;
+    virtual std::string_view primitive() const { return "triangle"; }
+    virtual std::string json() const = 0;
 
     [[noreturn]] void fail(std::size_t offset, std::string message, std::string hint = {}) const {
         throw problem_at(source_, offset, std::move(message), std::move(hint));
@@ -155,6 +151,32 @@ protected:
         height_ = whole(words[2], 1, most);
     }
 
+    std::string canvas_json() const {
+        return fmt::format(R"("canvas":{{"width":{},"height":{},"origin":"top-left"}})", width_,
+                           height_);
+    }
+
+private:
+    const Source& source_;
+    std::int64_t width_ = 1;
+    std::int64_t height_ = 1;
+};
+
+/// A vertex as the text has it: JSON numbers.
+struct CourseVertex {
+    std::array<std::string, 4> at;
+    Color color;
+};
+
+/// What the formats of both courses share: vertices and triangles.
+class CourseReader : public StatementReader {
+public:
+    using StatementReader::StatementReader;
+
+protected:
+    virtual std::string_view convention() const = 0;
+    virtual std::string method() const = 0;
+
     void add_triangle(std::size_t a, std::size_t b, std::size_t c) {
         triangles_.push_back({a, b, c});
     }
@@ -162,10 +184,10 @@ protected:
     std::vector<CourseVertex> vertices_;
 
 private:
-    std::string json() const {
-        std::string text = fmt::format(
-            R"({{"canvas":{{"width":{},"height":{},"origin":"top-left"}},"convention":"{}",)",
-            width_, height_, convention());
+    bool is_empty() const final { return triangles_.empty(); }
+
+    std::string json() const final {
+        std::string text = fmt::format(R"({{{},"convention":"{}",)", canvas_json(), convention());
         text += "\n\"vertices\":{";
         std::string colors;
         for (std::size_t i = 0; i < vertices_.size(); ++i) {
@@ -183,9 +205,6 @@ private:
         return text + "],\n\"method\":{" + method() + "}}\n";
     }
 
-    const Source& source_;
-    std::int64_t width_ = 1;
-    std::int64_t height_ = 1;
     std::vector<std::array<std::size_t, 3>> triangles_; ///< places in `vertices_`
 };
 
@@ -407,6 +426,71 @@ private:
     std::size_t rendered_ = 0; ///< the first vertex that the next `render` is about
 };
 
+/// What `fuzz` writes: the canvas, and a line for each primitive, with its name and the places of its vertices.
+class TrianglesReader final : public StatementReader {
+public:
+    using StatementReader::StatementReader;
+
+private:
+    /// How many vertices of how many coordinates, and the scene's list of that kind.
+    struct Row {
+        std::string_view word;
+        std::size_t vertices;
+        std::size_t coordinates;
+        std::string_view list;
+    };
+    static constexpr std::array rows{Row{"tri", 3, 3, "triangles"}, Row{"line", 2, 3, "lines"},
+                                     Row{"clip", 3, 4, "triangles"}};
+
+    void read_statement(const Words& words) override {
+        const std::string_view name = words.front().text;
+        if (name == front_of_triangles) {
+            need(words, 2, 2);
+            return set_canvas(words);
+        }
+        const auto* const row = std::find_if(rows.begin(), rows.end(),
+                                             [name](const Row& one) { return one.word == name; });
+        if (row == rows.end())
+            refuse_statement(words.front(), {front_of_triangles, "tri", "line", "clip"});
+        const std::size_t numbers = row->vertices * row->coordinates;
+        if (words.size() != 2 + numbers)
+            fail(words.front().offset,
+                 fmt::format("expected a name and {} numbers behind {}, found {}", numbers, name,
+                             counted(words.size() - 1, "word")));
+        std::vector<std::string> names;
+        for (std::size_t i = 2; i < words.size(); i += row->coordinates) {
+            std::vector<std::string> at;
+            for (std::size_t axis = 0; axis < row->coordinates; ++axis)
+                at.push_back(typed_number(words[i + axis]));
+            names.push_back(json_quoted(fmt::format("P{}", vertices_.size() + 1)));
+            vertices_.push_back(fmt::format("{}: [{}]", names.back(), joined(at, ", ")));
+        }
+        lists_[row->list].push_back(fmt::format(R"({{"vertices": [{}], "name": {}}})",
+                                                joined(names, ", "), json_quoted(words[1].text)));
+    }
+
+    /// As it stands there: a fraction is no JSON number.
+    std::string typed_number(const Word& word) const {
+        if (!std::holds_alternative<Number>(parse_number(std::string(word.text))))
+            fail_at(word, "a number");
+        return json_quoted(word.text);
+    }
+
+    bool is_empty() const override { return lists_.empty(); }
+    std::string_view primitive() const override { return "primitive"; }
+
+    std::string json() const override {
+        std::string text =
+            fmt::format("{{{},\n\"vertices\": {{{}}}", canvas_json(), joined(vertices_, ", "));
+        for (const auto& [list, primitives] : lists_)
+            text += fmt::format(",\n\"{}\": [{}]", list, joined(primitives, ",\n  "));
+        return text + "}\n";
+    }
+
+    std::vector<std::string> vertices_;
+    std::map<std::string_view, std::vector<std::string>> lists_;
+};
+
 } // namespace
 
 Result<Source> scene_of_foreign(const Source& source) {
@@ -416,9 +500,9 @@ Result<Source> scene_of_foreign(const Source& source) {
     if (begins_obj(first))
         return scene_of_obj(source);
     try {
-        if (first == front_of_triangles)
-            return scene_of_triangles(source);
-        std::string text = first == "png" ? Cs418Reader(source).read() : UcrReader(source).read();
+        std::string text = first == front_of_triangles ? TrianglesReader(source).read()
+                           : first == "png"            ? Cs418Reader(source).read()
+                                                       : UcrReader(source).read();
         return Source{source.name + " as a scene", std::move(text), {}};
     } catch (const Problem& problem) {
         return problem;

@@ -3,7 +3,10 @@
 
 // The text formats that two courses hand out with their rasterizers, read as scenes of ours: that of UIUC CS418
 // (`png`, `xyzw`, `rgb`, `tri`, and later `position`, `color`, `drawArraysTriangles`), and that of UCR CS130 (`size`,
-// `vertex_shader`, `vertex_data`, `v`, `render`). A line is a statement; # begins a comment.
+// `vertex_shader`, `vertex_data`, `v`, `render`); and the text that `rastertrace fuzz` writes for programs that have no
+// reader of JSON: `canvas 8 8`, `tri A 0 0 0 8 0 0 0 8 0`, `line B 0 0 0 7.5 3 0`, and in clip space
+// `clip C -1 -1 0 1 1 -1 0 1 0 1 0 1`; y points down from the top left corner. A line is a statement; # begins a
+// comment.
 //
 //     png 20 30 mine.png          size 320 240
 //     xyzw 0 0.5 0 1              vertex_shader color
