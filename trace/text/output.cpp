@@ -257,6 +257,19 @@ void FileOutput::take_name() {
     temporary_.clear();
 }
 
+void write_file(const std::string& path, std::string_view bytes, std::span<const FileId> inputs) {
+    FileOutput file(path, inputs);
+    file.write(bytes);
+    file.commit();
+}
+
+void make_folder(const std::string& path) {
+    std::error_code error;
+    std::filesystem::create_directories(path, error);
+    if (error)
+        fail(path, "the folder could not be made", error.value());
+}
+
 FileOutput& FileOutputs::open(const std::string& path, std::span<const FileId> inputs) {
     FileOutput& file = files_.emplace_back(path, inputs);
     const std::string identity = file.identity();

@@ -85,6 +85,13 @@ private:
     Descriptor file_;
 };
 
+/// Writes a whole file, as FileOutput does.
+void write_file(const std::string& path, std::string_view bytes,
+                std::span<const FileId> inputs = {});
+
+/// Makes a folder with all that leads to it, if it is not there. Throws a Problem.
+void make_folder(const std::string& path);
+
 /// Files that get their names together.
 class FileOutputs {
 public:

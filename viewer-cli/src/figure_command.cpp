@@ -466,9 +466,7 @@ int run(const FigureCommand& asked) {
                 "--output FILE writes a file for each, --sheet CxR some side by side");
         print(files.content(0));
     } else if (files.count() == 1) {
-        FileOutput file(command.output, opened_files());
-        file.write(files.content(0));
-        file.commit();
+        write_file(command.output, files.content(0), opened_files());
     } else {
         FrameFiles outputs(command.output, files.count());
         for (std::size_t i = 0; i < files.count(); ++i)

@@ -156,8 +156,11 @@ public:
             style.scale = style.scale.value_or(1);
         }
         command_.format = value_of("--format", format_, figure_format_names(), figure_format_named);
-        if (!sheet_.empty())
-            command_.sheet = sheet_in(sheet_);
+        if (!sheet_.empty()) {
+            const auto [columns, rows] = size_in_option(
+                "--sheet", "columns and rows, like 3x4, each from 1 to 100", sheet_, 100);
+            command_.sheet = {columns, rows};
+        }
         drawing_.read_into(command_);
     }
 
@@ -181,18 +184,6 @@ private:
         std::erase_if(names,
                       [](std::string_view name) { return view_named(name) == View::coverage; });
         return names;
-    }
-
-    static FigureCommand::Sheet sheet_in(const std::string& text) {
-        const auto words = split_at(text, 'x');
-        if (words.size() == 2) {
-            const auto columns = whole_number<std::size_t>(words[0]);
-            const auto rows = whole_number<std::size_t>(words[1]);
-            constexpr std::size_t most = 100;
-            if (columns && rows && 0 < *columns && *columns <= most && 0 < *rows && *rows <= most)
-                return {*columns, *rows};
-        }
-        refuse_value("--sheet", "columns and rows, like 3x4, each from 1 to 100", text);
     }
 
     FigureCommand command_;

@@ -100,13 +100,10 @@ ExitStatus write_page(const FigureCommand& command) {
                           .file = input_of_page(command, input, frame)});
     }
     const std::string page = page_of(frames, options);
-    if (command.output == "-") {
+    if (command.output == "-")
         print(page);
-    } else {
-        FileOutput file(command.output, opened_files());
-        file.write(page);
-        file.commit();
-    }
+    else
+        write_file(command.output, page, opened_files());
     return status;
 }
 

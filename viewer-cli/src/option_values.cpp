@@ -11,6 +11,18 @@ void refuse_value(std::string_view option, std::string_view expected, std::strin
                      std::move(hint));
 }
 
+std::pair<std::size_t, std::size_t> size_in_option(std::string_view option,
+                                                   std::string_view expected, std::string_view text,
+                                                   std::size_t most) {
+    const std::size_t by = std::min(text.find('x'), text.size());
+    const auto first = whole_number<std::size_t>(text.substr(0, by));
+    const auto second = whole_number<std::size_t>(text.substr(std::min(by + 1, text.size())));
+    for (const auto& number : {first, second})
+        if (number.value_or(0) < 1 || *number > most)
+            refuse_value(option, expected, text);
+    return {*first, *second};
+}
+
 std::optional<Region> region_of(const std::string& text) {
     if (text.empty())
         return std::nullopt;

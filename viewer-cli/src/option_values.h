@@ -13,10 +13,12 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <system_error>
+#include <utility>
 #include <vector>
 
 namespace rastertrace {
@@ -33,6 +35,24 @@ template <typename Integer> std::optional<Integer> whole_number(std::string_view
         return std::nullopt;
     return value;
 }
+
+/// The whole number that an option gives, from `least` to `most`; nothing if it is not given.
+template <typename Integer>
+std::optional<Integer> number_in_option(std::string_view option, std::string_view text,
+                                        Integer least, Integer most,
+                                        std::string_view what = "a whole number") {
+    if (text.empty())
+        return std::nullopt;
+    const auto number = whole_number<Integer>(text);
+    if (!number || *number < least || *number > most)
+        refuse_value(option, fmt::format("{} from {} to {}", what, least, most), text);
+    return number;
+}
+
+/// Two such numbers with an x between them, as in 80x24, each from 1 to `most`.
+std::pair<std::size_t, std::size_t> size_in_option(std::string_view option,
+                                                   std::string_view expected, std::string_view text,
+                                                   std::size_t most);
 
 /// What one of several names stands for, as `named` has it; nothing if no name is given.
 template <typename Named>

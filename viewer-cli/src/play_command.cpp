@@ -221,16 +221,15 @@ public:
         if (command_.trace.empty())
             refuse_value("TRACE", "a trace or a scene to play", "none");
         command_.view = value_of("--view", view_, view_names(), view_named);
-        if (!memory_.empty()) {
-            constexpr std::size_t most_megabytes = 1'000'000;
-            const auto megabytes = whole_number<std::size_t>(memory_);
-            if (megabytes.value_or(0) < 1 || *megabytes > most_megabytes)
-                refuse_value("--memory", "a number of megabytes from 1 to 1000000", memory_);
+        if (const auto megabytes = number_in_option<std::size_t>("--memory", memory_, 1, 1'000'000,
+                                                                 "a number of megabytes"))
             command_.bytes = *megabytes * 1'000'000;
-        }
         command_.color = color_choice_of(color_);
-        if (!screen_size_.empty())
-            command_.screen = screen_size_in(screen_size_);
+        if (!screen_size_.empty()) {
+            const auto [columns, lines] = size_in_option(
+                "--print", "columns and lines from 1 to 1000, as in 80x24", screen_size_, 1000);
+            command_.screen = TextSize{columns, lines};
+        }
         drawing_.read_into(command_);
     }
 
@@ -242,20 +241,6 @@ public:
     }
 
 private:
-    /// 80x24
-    static TextSize screen_size_in(const std::string& text) {
-        constexpr std::size_t most = 1000;
-        const auto parts = split_at(text, 'x');
-        const auto columns = whole_number<std::size_t>(parts.front());
-        const auto lines = whole_number<std::size_t>(parts.back());
-        const auto is_fine = [](std::optional<std::size_t> size) {
-            return size && 1 <= *size && *size <= most;
-        };
-        if (parts.size() != 2 || !is_fine(columns) || !is_fine(lines))
-            refuse_value("--print", "columns and lines from 1 to 1000, as in 80x24", text);
-        return {*columns, *lines};
-    }
-
     PlayCommand command_;
     bool lists_keys_ = false;
     std::string view_;

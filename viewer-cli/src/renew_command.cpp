@@ -264,9 +264,8 @@ int run(const RenewCommand& command) {
         write(pages);
     } else {
         const RenewedPage& page = pages.front();
-        FileOutput output(command.output, opened_files());
-        output.write(with_outputs(page.page, page.commands, page.outputs));
-        output.commit();
+        write_file(command.output, with_outputs(page.page, page.commands, page.outputs),
+                   opened_files());
     }
     for (const RenewedPage& page : pages)
         print(fmt::format("{}: {}, {} renewed\n", printable(page.page.name),
@@ -312,13 +311,9 @@ public:
             refuse_value("--output", "the name of a file", "-");
         if (!command_.output.empty() && (command_.check || command_.pages.size() > 1))
             refuse_value("--output", "one page, and no --check", command_.output);
-        constexpr int most_seconds = 1'000'000;
-        if (!time_.empty()) {
-            const auto seconds = whole_number<int>(time_);
-            if (seconds.value_or(0) < 1 || *seconds > most_seconds)
-                refuse_value("--timeout", "a number of seconds from 1 to 1000000", time_);
+        if (const auto seconds =
+                number_in_option("--timeout", time_, 1, 1'000'000, "a number of seconds"))
             command_.time = std::chrono::seconds(*seconds);
-        }
     }
 
     int run() override { return rastertrace::run(command_); }

@@ -150,13 +150,10 @@ public:
             path_, std::move(source),
             {.method = options_.method, .limits = options_.input, .frames = options_.frames});
         const Trace trace = input.trace(input.first());
-        if (output_.empty() || output_ == "-") {
+        if (output_.empty() || output_ == "-")
             print(sheet_of(trace));
-        } else {
-            FileOutput file(output_, opened_files());
-            file.write(sheet_of(trace));
-            file.commit();
-        }
+        else
+            write_file(output_, sheet_of(trace), opened_files());
         return report_damage(trace);
     }
 

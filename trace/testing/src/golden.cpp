@@ -97,9 +97,7 @@ void renew(const std::string& path, const std::string& text) {
         if (!is_trace(older.value()))
             throw problem_of(path, "expected a golden to renew, found a file that is no trace");
     }
-    FileOutput output(path);
-    output.write(text);
-    output.commit();
+    write_file(path, text);
     std::cout << "[ RENEWED  ] " << printable(path) << std::endl;
 }
 
