@@ -73,19 +73,11 @@ bool is_told(const StepLine& step, const std::optional<Region>& region) {
 /// The kinds of step that a trace has.
 std::set<std::string, std::less<>> kinds_in(const TraceText& text) {
     std::set<std::string, std::less<>> kinds;
-    StepLines lines(text);
-    for (;;) {
-        const LinePlace behind =
-            lines.go_through(lines.unread_lines(), [&](std::string_view line, LinePlace) {
-                const std::string_view json = step_of_line(line);
-                if (!StepLines::is_blank(line))
-                    kinds.insert(std::string(StepView(json).kind_name()));
-                return true;
-            });
-        if (behind.offset == lines.place().offset)
-            return kinds;
-        lines.pass_lines(behind);
-    }
+    StepLines(text).pass_all_lines([&kinds](std::string_view line, LinePlace) {
+        if (!StepLines::is_blank(line))
+            kinds.insert(std::string(StepView(step_of_line(line)).kind_name()));
+    });
+    return kinds;
 }
 
 bool is_told(const std::string& primitive, const Trace& trace) {
@@ -112,7 +104,7 @@ ComparedSteps::ComparedSteps(const TraceText& a, const TraceText& b, const DiffO
 bool ComparedSteps::has_kind(std::string_view kind) const {
     return (!common_ || common_->contains(kind)) &&
            (options_.only.empty() || rastertrace::has(options_.only, kind)) &&
-           !rastertrace::has(options_.ignored, kind) && tells(a_, kind) && tells(b_, kind);
+           !options_.ignores(kind) && tells(a_, kind) && tells(b_, kind);
 }
 
 bool ComparedSteps::has_primitives() const {

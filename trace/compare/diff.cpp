@@ -101,10 +101,6 @@ std::vector<FieldDifference> differing_ends(const EndRecord& a, const EndRecord&
     return differences;
 }
 
-bool is_ignored(const DiffOptions& options, std::string_view name) {
-    return std::find(options.ignored.begin(), options.ignored.end(), name) != options.ignored.end();
-}
-
 /// True if options leave out something that the end record tells of.
 bool leave_out_steps(const DiffOptions& options) {
     return !options.only.empty() || !options.tolerances.empty() ||
@@ -148,7 +144,7 @@ TraceDiff diff(const TraceText& a, const TraceText& b, const DiffOptions& option
     tell_first(found, comparison, a, b);
     if (auto picture = comparison.picture())
         std::tie(found.picture, found.led_to) = *std::move(picture);
-    if (!is_ignored(options, "header"))
+    if (!options.ignores("header"))
         found.header = differing_keys(a.header_json(), b.header_json());
     if (options.compares_common)
         std::erase_if(found.header,

@@ -16,6 +16,7 @@
 #include <rastertrace/trace/record/trace_text.h>
 #include <rastertrace/trace/text/problem.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <map>
@@ -48,6 +49,10 @@ struct DiffOptions {
     bool compares_names = false; ///< a primitive, vertex or edge that has another name differs
     bool compares_order = true; ///< a step that stands among others than in the other trace differs
     bool compares_common = false; ///< only kinds and fields that both traces tell
+
+    bool ignores(std::string_view name) const {
+        return std::find(ignored.begin(), ignored.end(), name) != ignored.end();
+    }
 };
 
 /// A step of one of the two traces.
@@ -160,12 +165,20 @@ struct TraceDiff {
         picture{};                      ///< nothing: steps of pixels are missing, or ignored
     std::vector<std::string> remarks{}; ///< what was not compared, and why
     std::vector<Problem> damage{};      ///< a trace that breaks off is compared as far as it goes
+    std::string explanation{};          ///< of the first pixel that differs, where it is asked for
 };
 
 /// Compares two traces. Memory grows with the canvas and the number of primitives, not with the steps. If primitives
 /// come in another order, the steps from there on are read once more. Throws a Problem if a step that differs is none
 /// that can be understood, or an option names what neither trace has.
 TraceDiff diff(const TraceText& a, const TraceText& b, const DiffOptions& options);
+
+/// How many steps differ, or have moved; and how many pixels of the final pictures differ.
+std::uint64_t count_steps(const TraceDiff& found);
+std::uint64_t count_pixels(const TraceDiff& found);
+
+/// "1 step differs", "8 steps differ".
+std::string counted_differences(std::uint64_t count, std::string_view what);
 
 /// The whole of it as text, for people. Safe to print.
 std::string diff_text(const TraceDiff& found);

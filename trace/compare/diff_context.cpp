@@ -9,6 +9,7 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -30,11 +31,8 @@ struct Spot {
     bool is_step = false;
 };
 
-struct Around {
-    std::vector<DiffStep> before{};
-    std::optional<DiffStep> step{};
-    std::vector<DiffStep> after{};
-};
+/// The steps before it, the step, those after it.
+using Around = std::tuple<std::vector<DiffStep>, std::optional<DiffStep>, std::vector<DiffStep>>;
 
 /// A part of a trace, from which sentences can be made.
 class Excerpt {
@@ -55,34 +53,27 @@ public:
     /// the beginning.
     void add_primitive(LinePlace from, std::size_t end) {
         LastSteps last; // of each kind, between the parts kept
-        StepLines lines(text_, from, end);
-        for (;;) {
-            const LinePlace behind =
-                lines.go_through(lines.unread_lines(), [&](std::string_view line, LinePlace place) {
-                    if (StepLines::is_blank(line))
-                        return true;
-                    const std::string_view json = step_of_line(line);
-                    const auto kind = kind_in_front(json);
-                    if (place.offset >= from.offset + most_kept && place.offset + most_kept < end) {
-                        auto& [at, text] = last[kind];
-                        at = place;
-                        text.assign(json);
-                        return true;
-                    }
-                    add_in_order(std::exchange(last, {}));
-                    add(json, kind, place);
-                    return true;
-                });
-            if (behind.offset == lines.place().offset)
-                break;
-            lines.pass_lines(behind);
-        }
+        StepLines(text_, from, end).pass_all_lines([&](std::string_view line, LinePlace place) {
+            if (StepLines::is_blank(line))
+                return;
+            const std::string_view json = step_of_line(line);
+            const auto kind = kind_in_front(json);
+            if (place.offset >= from.offset + most_kept && place.offset + most_kept < end) {
+                auto& [at, text] = last[kind];
+                at = place;
+                text.assign(json);
+                return;
+            }
+            add_in_order(std::exchange(last, {}));
+            add(json, kind, place);
+        });
         add_in_order(last);
     }
 
     /// What there is around a spot, the last of the steps that have been added.
     Around around(const Spot& spot) const {
         Around found;
+        auto& [before, here, after] = found;
         Replay replay(trace_, {.depths = true});
         for (std::size_t n = 1; n <= trace_.size(); ++n) {
             const std::size_t number = trace_.number_of(n);
@@ -95,11 +86,11 @@ public:
                           .json = std::string(trace_.step(n).json()),
                           .sentence = describe_step(replay)};
             if (number < at)
-                found.before.push_back(std::move(step));
+                before.push_back(std::move(step));
             else if (number == at && spot.is_step)
-                found.step = std::move(step);
+                here = std::move(step);
             else
-                found.after.push_back(std::move(step));
+                after.push_back(std::move(step));
         }
         return found;
     }
@@ -172,18 +163,12 @@ void tell_first(TraceDiff& found, const TraceComparison& comparison, const Trace
         .kind = step.kind_name, .fields = first->fields, .is_moved = first->is_moved};
     const std::string& json = first->a ? first->section.json_a : first->section.json_b;
     difference.primitive = name_in(StepView(json)).text();
-    if (const auto spot = spot_of(first->a, is_here ? std::optional(gap->a) : std::nullopt)) {
-        Around around_a = around(a, first->section.begin_a, *spot);
-        found.before_a = std::move(around_a.before);
-        difference.a = std::move(around_a.step);
-        found.after_a = std::move(around_a.after);
-    }
-    if (const auto spot = spot_of(first->b, is_here ? std::optional(gap->b) : std::nullopt)) {
-        Around around_b = around(b, first->section.begin_b, *spot);
-        found.before_b = std::move(around_b.before);
-        difference.b = std::move(around_b.step);
-        found.after_b = std::move(around_b.after);
-    }
+    if (const auto spot = spot_of(first->a, is_here ? std::optional(gap->a) : std::nullopt))
+        std::tie(found.before_a, difference.a, found.after_a) =
+            around(a, first->section.begin_a, *spot);
+    if (const auto spot = spot_of(first->b, is_here ? std::optional(gap->b) : std::nullopt))
+        std::tie(found.before_b, difference.b, found.after_b) =
+            around(b, first->section.begin_b, *spot);
     found.first = std::move(difference);
 }
 

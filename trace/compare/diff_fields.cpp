@@ -9,7 +9,6 @@
 
 #include <fmt/core.h>
 
-#include <algorithm>
 #include <optional>
 #include <string>
 #include <utility>
@@ -66,7 +65,7 @@ std::vector<FieldDifference> FieldComparison::differing(const StepLine& a,
     const std::vector<Field> of_a = fields_in(a.json);
     const std::vector<Field> of_b = fields_in(b.json);
     const auto is_compared = [&](std::string_view name) {
-        return name != key_of_code && !is_ignored(fmt::format("{}.{}", a.kind_name, name));
+        return name != key_of_code && !options_.ignores(fmt::format("{}.{}", a.kind_name, name));
     };
     for (const auto& [name, value] : of_a) {
         const auto other = value_in(of_b, name);
@@ -95,11 +94,6 @@ std::vector<FieldDifference> FieldComparison::differing(const StepLine& a,
         if (!value_in(of_a, name) && is_compared(name))
             differences.push_back({.name = std::string(name), .b = std::string(value)});
     return differences;
-}
-
-bool FieldComparison::is_ignored(std::string_view name) const {
-    return std::find(options_.ignored.begin(), options_.ignored.end(), name) !=
-           options_.ignored.end();
 }
 
 } // namespace rastertrace

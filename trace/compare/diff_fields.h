@@ -24,8 +24,6 @@ public:
     std::vector<FieldDifference> differing(const StepLine& a, const StepLine& b) const;
 
 private:
-    bool is_ignored(std::string_view kind_and_field) const;
-
     const DiffOptions& options_;
     int floats_;
 };

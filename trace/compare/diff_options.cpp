@@ -7,7 +7,6 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <span>
 #include <string>
 #include <string_view>
 #include <tuple>
@@ -24,22 +23,8 @@ constexpr std::string_view end_name = "end";
 
 /// True if a trace has a text somewhere behind its header.
 bool mentions(const TraceText& text, const std::string& wanted) {
-    std::string block;
-    std::size_t offset = text.begin();
-    constexpr std::size_t size = 1 << 20;
-    for (;;) {
-        // It may begin in one block and end in the next.
-        const std::size_t kept = std::min(block.size(), wanted.size());
-        block.erase(0, block.size() - kept);
-        block.resize(kept + size);
-        const std::size_t count = text.read(offset, std::span(block).subspan(kept));
-        block.resize(kept + count);
-        if (block.find(wanted) != std::string::npos)
-            return true;
-        if (count == 0)
-            return false;
-        offset += count;
-    }
+    std::size_t most = text.size();
+    return text.find(wanted, text.begin(), most).has_value();
 }
 
 /// True if a step of one of the traces is of this kind, or has this field.

@@ -4,6 +4,7 @@
 #include <rastertrace/trace/record/traced_steps.h>
 
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <cstdlib>
 #include <unordered_map>
@@ -85,6 +86,25 @@ private:
 
 enum class PixelVerdict : std::uint8_t { none, alike, only_a, only_b, color, owner };
 
+/// What is counted of each verdict, and its mark; in their order.
+struct VerdictRow {
+    char mark;
+    std::uint64_t PictureDifference::*count = nullptr;
+    std::vector<Pixel> Consequences::*led_to = nullptr;
+};
+constexpr std::array verdict_rows{
+    VerdictRow{'.'},
+    VerdictRow{'#'},
+    VerdictRow{'!', &PictureDifference::only_a, &Consequences::only_a},
+    VerdictRow{'?', &PictureDifference::only_b, &Consequences::only_b},
+    VerdictRow{'~', &PictureDifference::colors, &Consequences::colors},
+    VerdictRow{'~', &PictureDifference::owners, &Consequences::owners},
+};
+
+constexpr const VerdictRow& row_of(PixelVerdict verdict) {
+    return verdict_rows[static_cast<std::size_t>(verdict)];
+}
+
 class PictureComparison {
 public:
     PictureComparison(const OwnedPicture& a, const OwnedPicture& b, const PictureOwners& owners,
@@ -124,29 +144,15 @@ private:
     }
 
     void count(Pixel pixel, int row) {
-        switch (verdict(pixel)) {
-        case PixelVerdict::none:
-        case PixelVerdict::alike:
+        const PixelVerdict here = verdict(pixel);
+        const VerdictRow& verdict_row = row_of(here);
+        if (verdict_row.count == nullptr)
             return;
-        case PixelVerdict::only_a:
-            ++found_.only_a;
-            note_reached(pixel, led_to_.only_a);
-            break;
-        case PixelVerdict::only_b:
-            ++found_.only_b;
-            note_reached(pixel, led_to_.only_b);
-            break;
-        case PixelVerdict::color:
-            ++found_.colors;
-            note_reached(pixel, led_to_.colors);
-            has_other_owner_ = has_other_owner_ || (scope_.has_owners && !has_one_owner(pixel));
-            break;
-        case PixelVerdict::owner:
-            ++found_.owners;
-            note_reached(pixel, led_to_.owners);
-            has_other_owner_ = true;
-            break;
-        }
+        ++(found_.*verdict_row.count);
+        note_reached(pixel, led_to_.*verdict_row.led_to);
+        const bool is_in_both = here == PixelVerdict::color || here == PixelVerdict::owner;
+        has_other_owner_ =
+            has_other_owner_ || (is_in_both && scope_.has_owners && !has_one_owner(pixel));
         if (!has_any_)
             left_ = right_ = pixel.x, first_row_ = row;
         has_any_ = true;
@@ -203,7 +209,7 @@ private:
             std::string marks, faces_a, faces_b;
             for (int x = left; x <= right; ++x) {
                 const Pixel pixel{x, both_.y_of(row)};
-                marks += mark_of(verdict(pixel));
+                marks += row_of(verdict(pixel)).mark;
                 faces_a += letter(letter_of, a_.owner(pixel), known_a_);
                 faces_b += letter(letter_of, b_.owner(pixel), known_b_);
             }
@@ -239,23 +245,6 @@ private:
         found_.names.push_back(text);
         letter_of.emplace(text, next);
         return next;
-    }
-
-    static char mark_of(PixelVerdict verdict) {
-        switch (verdict) {
-        case PixelVerdict::none:
-            break;
-        case PixelVerdict::alike:
-            return '#';
-        case PixelVerdict::only_a:
-            return '!';
-        case PixelVerdict::only_b:
-            return '?';
-        case PixelVerdict::color:
-        case PixelVerdict::owner:
-            return '~';
-        }
-        return '.';
     }
 
     const OwnedPicture& a_;

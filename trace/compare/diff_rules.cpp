@@ -2,8 +2,8 @@
 #include "diff_rules.h"
 
 #include <rastertrace/trace/record/step_kind.h>
-#include <rastertrace/trace/text/conventions.h>
 #include <rastertrace/trace/text/json_reader.h>
+#include <rastertrace/trace/text/method_names.h>
 #include <rastertrace/trace/text/text.h>
 
 #include <fmt/core.h>
@@ -44,21 +44,25 @@ public:
             json_.fail_expecting(root, R"(rules, like {"ignore": ["header"]})");
         json_.allow_keys(root, rules_keys);
         DiffRules rules;
-        rules.options.ignored = texts_in(root, "ignore");
-        rules.options.only = texts_in(root, "only");
+        rules.options.ignored = texts_in(root.find("ignore"));
+        rules.options.only = texts_in(root.find("only"));
         rules.options.compares_common = is_true(root, "common");
         rules.options.compares_order = !is_true(root, "any_order");
-        for (const JsonValue& one : list_in(root, "tolerance"))
-            at(one, [&] { rules.options.tolerances.push_back(parse_tolerance(one.text)); });
+        if (const auto tolerances = root.find("tolerance"))
+            for (const JsonValue& one : json_.array_in(*tolerances, "a list of texts"))
+                at(one, [&] { rules.options.tolerances.push_back(parse_tolerance(one.text)); });
         if (const auto keys = root.find("key"))
             for (const auto& [kind, fields] : keys->members())
                 at(fields, [&, &kind = kind, &fields = fields] {
                     add_step_key(rules.options,
-                                 fmt::format("{}={}", kind.text, joined(text_list(fields), ",")));
+                                 fmt::format("{}={}", kind.text, joined(texts_in(fields), ",")));
                 });
         if (const auto convention = root.find("convention")) {
+            const MethodKey& names = *find_method_key("convention");
             rules.convention = json_.string_in(*convention, "the name of a convention");
-            check_convention(*convention);
+            if (Method scratch; !names.set(scratch, rules.convention))
+                json_.fail_expecting(*convention, fmt::format("a convention ({})", names.listed()),
+                                     did_you_mean(rules.convention, names.values, "\""));
         }
         return rules;
     }
@@ -80,32 +84,12 @@ private:
         return value && value->text == "true";
     }
 
-    std::vector<JsonValue> list_in(const JsonValue& root, std::string_view key) const {
-        std::vector<JsonValue> list;
-        if (const auto value = root.find(key))
-            for (const JsonValue& one : json_.array_in(*value, "a list of texts"))
-                list.push_back(one);
-        return list;
-    }
-
-    std::vector<std::string> text_list(const JsonValue& value) const {
+    std::vector<std::string> texts_in(const std::optional<JsonValue>& value) const {
         std::vector<std::string> texts;
-        for (const JsonValue& one : json_.array_in(value, "a list of texts"))
-            texts.push_back(json_.string_in(one, "a text"));
+        if (value)
+            for (const JsonValue& one : json_.array_in(*value, "a list of texts"))
+                texts.push_back(json_.string_in(one, "a text"));
         return texts;
-    }
-    std::vector<std::string> texts_in(const JsonValue& root, std::string_view key) const {
-        const auto value = root.find(key);
-        return value ? text_list(*value) : std::vector<std::string>{};
-    }
-
-    void check_convention(const JsonValue& value) const {
-        std::vector<std::string_view> names;
-        for (const ConventionRow& row : convention_rows())
-            names.push_back(row.name);
-        if (std::find(names.begin(), names.end(), value.text) == names.end())
-            json_.fail_expecting(value, fmt::format("a convention ({})", joined(names, ", ")),
-                                 did_you_mean(value.text, names, "\""));
     }
 
     JsonReader json_;
@@ -133,50 +117,46 @@ namespace {
 constexpr std::string_view mark_of_golden = ".golden";
 constexpr std::string_view mark_of_new = ".golden.new";
 
-/// A file's name in front of its last dot, and the ending from there.
-std::pair<std::string, std::string> stem_and_ending(const std::filesystem::path& path) {
-    return {path.stem().string(), path.extension().string()};
+/// A path with another mark in front of its ending; nothing if it does not have the one that is looked for.
+std::optional<std::string> with_mark(const std::filesystem::path& path, std::string_view mark,
+                                     std::string_view other) {
+    std::string stem = path.stem().string();
+    if (!stem.ends_with(mark))
+        return std::nullopt;
+    stem.replace(stem.size() - mark.size(), mark.size(), other);
+    return (path.parent_path() / (stem + path.extension().string())).string();
 }
 
 } // namespace
 
 std::vector<std::string> other_goldens(const std::string& golden) {
     const std::filesystem::path path = golden;
-    auto [stem, ending] = stem_and_ending(path);
+    std::string front = path.stem().string();
     std::vector<std::string> others;
-    if (!stem.ends_with(mark_of_golden))
+    if (!front.ends_with(mark_of_golden))
         return others;
-    stem.erase(stem.size() - mark_of_golden.size());
+    front.resize(front.size() - mark_of_golden.size() + 1); // to the point
+    const std::string end = std::string(mark_of_golden) + path.extension().string();
     const std::filesystem::path folder = path.parent_path();
     std::error_code error;
-    for (std::filesystem::directory_iterator file(folder.empty() ? "." : folder, error), end;
-         !error && file != end; file.increment(error)) {
-        const auto [other, other_ending] = stem_and_ending(file->path());
-        if (other.starts_with(stem + ".") && other.ends_with(mark_of_golden) &&
-            other.size() > stem.size() + 1 + mark_of_golden.size() && other_ending == ending)
-            others.push_back((folder / file->path().filename()).string());
+    for (std::filesystem::directory_iterator file(folder.empty() ? "." : folder, error), behind;
+         !error && file != behind; file.increment(error)) {
+        const std::string other = file->path().filename().string();
+        if (other.starts_with(front) && other.ends_with(end) &&
+            other.size() > front.size() + end.size())
+            others.push_back((folder / other).string());
     }
     std::sort(others.begin(), others.end());
     return others;
 }
 
 std::optional<std::string> golden_of_new_one(const std::string& path) {
-    auto [stem, ending] = stem_and_ending(path);
-    if (!stem.ends_with(mark_of_new))
-        return std::nullopt;
-    stem.erase(stem.size() - mark_of_new.size());
-    return (std::filesystem::path(path).parent_path() /
-            (stem + std::string(mark_of_golden) + ending))
-        .string();
+    return with_mark(path, mark_of_new, mark_of_golden);
 }
 
 std::string new_one_of_golden(const std::string& golden) {
-    auto [stem, ending] = stem_and_ending(golden);
-    if (stem.ends_with(mark_of_golden))
-        stem.erase(stem.size() - mark_of_golden.size());
-    return (std::filesystem::path(golden).parent_path() /
-            (stem + std::string(mark_of_new) + ending))
-        .string();
+    const auto waiting = with_mark(golden, mark_of_golden, mark_of_new);
+    return waiting ? *waiting : *with_mark(golden, "", mark_of_new);
 }
 
 DiffOptions joined_options(DiffOptions rules, const DiffOptions& asked) {

@@ -28,14 +28,10 @@ void DiffTally::add_changed(std::size_t gap, const StepLine& a, const StepLine& 
     note_first(gap, &a, &b, std::move(fields), false);
 }
 
-void DiffTally::add_only_a(std::size_t gap, const StepLine& a) {
-    ++of_kind(a).only_a;
-    note_first(gap, &a, nullptr, {}, false);
-}
-
-void DiffTally::add_only_b(std::size_t gap, const StepLine& b) {
-    ++of_kind(b).only_b;
-    note_first(gap, nullptr, &b, {}, false);
+void DiffTally::add_alone(std::size_t gap, bool is_in_a, const StepLine& step) {
+    KindDifference& kind = of_kind(step);
+    ++(is_in_a ? kind.only_a : kind.only_b);
+    note_first(gap, is_in_a ? &step : nullptr, is_in_a ? nullptr : &step, {}, false);
 }
 
 void DiffTally::add_moved(std::size_t gap, const StepLine& a, const StepLine& b) {

@@ -51,8 +51,7 @@ public:
 
     void add_changed(std::size_t gap, const StepLine& a, const StepLine& b,
                      std::vector<FieldDifference> fields);
-    void add_only_a(std::size_t gap, const StepLine& a);
-    void add_only_b(std::size_t gap, const StepLine& b);
+    void add_alone(std::size_t gap, bool is_in_a, const StepLine& step);
     void add_moved(std::size_t gap, const StepLine& a, const StepLine& b);
 
     bool is_empty() const { return kinds_.empty(); }

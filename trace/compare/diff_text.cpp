@@ -5,6 +5,7 @@
 #include "diff.h"
 #include "diff_header.h"
 
+#include <rastertrace/core/draw/plan/stages.h>
 #include <rastertrace/trace/text/color_text.h>
 #include <rastertrace/trace/text/json_scanner.h>
 #include <rastertrace/trace/text/text.h>
@@ -12,6 +13,8 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <array>
+#include <cstdint>
 #include <utility>
 
 namespace rastertrace {
@@ -20,6 +23,19 @@ namespace {
 
 /// So many pixels of a list are named.
 constexpr std::size_t most_pixels_named = 8;
+
+/// How a pixel may differ, with the words for it.
+struct DifferenceRow {
+    std::uint64_t PictureDifference::*count;
+    std::vector<Pixel> Consequences::*led_to;
+    std::string_view words;
+};
+constexpr std::array difference_rows{
+    DifferenceRow{&PictureDifference::only_a, &Consequences::only_a, "only in a"},
+    DifferenceRow{&PictureDifference::only_b, &Consequences::only_b, "only in b"},
+    DifferenceRow{&PictureDifference::colors, &Consequences::colors, "in another color"},
+    DifferenceRow{&PictureDifference::owners, &Consequences::owners, "of another primitive"},
+};
 
 /// Longer JSON is cut.
 constexpr std::size_t longest_value = 60;
@@ -71,10 +87,6 @@ std::string pixels_named(const std::vector<Pixel>& pixels) {
     return text + (pixels.size() > most_pixels_named ? " ..." : "");
 }
 
-std::string plural(std::uint64_t count, std::string_view what) {
-    return fmt::format("{} {}{}", count, what, count == 1 ? "" : "s");
-}
-
 std::string first_text(const TraceDiff& found) {
     const StepDifference& first = *found.first;
     std::string text =
@@ -89,17 +101,10 @@ std::string first_text(const TraceDiff& found) {
     const Consequences& led_to = found.led_to;
     if (led_to.count == 0)
         return text + (found.picture ? "    it changes no pixel\n" : "");
-    text += fmt::format("    {} because of it\n",
-                        led_to.count == 1 ? "1 pixel differs"
-                                          : fmt::format("{} pixels differ", led_to.count));
-    if (!led_to.only_a.empty())
-        text += "        only in a:" + pixels_named(led_to.only_a) + "\n";
-    if (!led_to.only_b.empty())
-        text += "        only in b:" + pixels_named(led_to.only_b) + "\n";
-    if (!led_to.colors.empty())
-        text += "        in another color:" + pixels_named(led_to.colors) + "\n";
-    if (!led_to.owners.empty())
-        text += "        of another primitive:" + pixels_named(led_to.owners) + "\n";
+    text += fmt::format("    {} because of it\n", counted_differences(led_to.count, "pixel"));
+    for (const DifferenceRow& row : difference_rows)
+        if (const std::vector<Pixel>& pixels = led_to.*row.led_to; !pixels.empty())
+            text += fmt::format("        {}:{}\n", row.words, pixels_named(pixels));
     return text;
 }
 
@@ -174,28 +179,17 @@ std::string picture_text(const PictureDifference& picture) {
     if (picture.rows.empty())
         return "\nthe pictures are alike\n";
     std::vector<std::string> counts;
-    const auto add = [&counts](std::uint64_t count, std::string_view what) {
-        if (count > 0)
-            counts.push_back(fmt::format("{} {}", plural(count, "pixel"), what));
-    };
-    add(picture.only_a, "only in a");
-    add(picture.only_b, "only in b");
-    add(picture.colors, "in another color");
-    add(picture.owners, "of another primitive");
+    for (const DifferenceRow& row : difference_rows)
+        if (const std::uint64_t count = picture.*row.count; count > 0)
+            counts.push_back(fmt::format("{} {}", counted(count, "pixel"), row.words));
     std::string text = fmt::format("\nthe pictures: {}\n", joined(counts, ", "));
     text += grid_text(picture, {&picture.rows});
     text += "# in both, ! only in a, ? only in b, ~ in both, but otherwise\n";
     if (!picture.names.empty()) {
-        const bool has_a = !picture.faces_a.empty();
-        const bool has_b = !picture.faces_b.empty();
-        text += fmt::format("\nwho drew them, {}\n", has_a && has_b ? "a and b"
-                                                     : has_a        ? "a"
-                                                                    : "b");
-        std::vector<const std::vector<std::string>*> grids;
-        if (has_a)
-            grids.push_back(&picture.faces_a);
-        if (has_b)
-            grids.push_back(&picture.faces_b);
+        std::vector<const std::vector<std::string>*> grids{&picture.faces_a, &picture.faces_b};
+        std::erase_if(grids, [](const auto* faces) { return faces->empty(); });
+        const std::string_view one = picture.faces_a.empty() ? "b" : "a";
+        text += fmt::format("\nwho drew them, {}\n", grids.size() > 1 ? "a and b" : one);
         text += grid_text(picture, grids);
         text += names_text(picture.names);
         if (picture.names.size() == primitive_letters.size())
@@ -224,6 +218,23 @@ std::string remarks_text(const TraceDiff& found) {
 
 } // namespace
 
+std::uint64_t count_steps(const TraceDiff& found) {
+    std::uint64_t steps = 0;
+    for (const KindDifference& kind : found.kinds)
+        steps += kind.changed + kind.only_a + kind.only_b + kind.moved;
+    return steps;
+}
+
+std::uint64_t count_pixels(const TraceDiff& found) {
+    return found.picture ? found.picture->only_a + found.picture->only_b + found.picture->colors +
+                               found.picture->owners
+                         : 0;
+}
+
+std::string counted_differences(std::uint64_t count, std::string_view what) {
+    return counted(count, what) + (count == 1 ? " differs" : " differ");
+}
+
 std::string diff_text(const TraceDiff& found) {
     std::string text =
         fmt::format("a: {}\nb: {}\n", printable(found.name_a), printable(found.name_b));
@@ -233,15 +244,14 @@ std::string diff_text(const TraceDiff& found) {
                 : found.damage.empty() ? "the same\n"
                                        : "the same, as far as they go\n");
 
-    std::size_t steps = 0;
-    for (const KindDifference& kind : found.kinds)
-        steps += kind.changed + kind.only_a + kind.only_b + kind.moved;
     text += remarks_text(found);
-    const bool is_of_pictures = steps == 0 && found.header.empty() && found.end.empty();
-    text += is_of_pictures ? ""
-            : steps == 0   ? "no step differs\n"
-                           : plural(steps, "step") + (steps == 1 ? " differs\n" : " differ\n");
-    if (!found.header.empty() || !found.end.empty())
+    const std::uint64_t steps = count_steps(found);
+    const bool has_header = !found.header.empty() || !found.end.empty();
+    if (steps > 0)
+        text += counted_differences(steps, "step") + "\n";
+    else if (has_header) // else only the pictures differ
+        text += "no step differs\n";
+    if (has_header)
         text += header_text(found);
     if (found.first)
         text += first_text(found);
@@ -249,7 +259,7 @@ std::string diff_text(const TraceDiff& found) {
         text += kinds_text(found.kinds);
     if (found.picture)
         text += picture_text(*found.picture);
-    return text;
+    return text + (found.explanation.empty() ? "" : "\n" + found.explanation);
 }
 
 } // namespace rastertrace

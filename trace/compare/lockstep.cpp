@@ -46,10 +46,14 @@ struct Lockstep::State {
         while (const StepLine* const step = expected.front()) {
             if (compared.has(*step))
                 return step;
-            expected_steps.add_to_excerpt(StepView(step->json), step->kind, step->number);
+            add(expected_steps, *step);
             expected.pass();
         }
         return nullptr;
+    }
+
+    static void add(Trace& trace, const StepLine& step) {
+        trace.add_to_excerpt(StepView(step.json), step.kind, step.number);
     }
 
     /// What the last step of a trace says.
@@ -68,7 +72,7 @@ struct Lockstep::State {
                              .primitive = primitive,
                              .fields = std::move(differing)};
         if (a != nullptr) {
-            expected_steps.add_to_excerpt(StepView(a->json), a->kind, a->number);
+            add(expected_steps, *a);
             found.a = last_of(expected_steps, *a);
         }
         if (b != nullptr) {
@@ -79,22 +83,17 @@ struct Lockstep::State {
     }
 
     void take(const StepLine& step) {
-        told_steps.add_to_excerpt(StepView(step.json), step.kind, step.number);
+        add(told_steps, step);
         if (step.kind == StepKind::primitive)
             primitive = name_in(StepView(step.json)).text();
         if (!compared.has(step))
             return;
         const StepLine* const other = next();
-        if (other == nullptr || other->key != step.key) {
-            tell(other, &step, {});
-            return;
-        }
-        auto differing = fields.differing(*other, step);
-        if (!differing.empty()) {
-            tell(other, &step, std::move(differing));
-            return;
-        }
-        expected_steps.add_to_excerpt(StepView(other->json), other->kind, other->number);
+        if (other == nullptr || other->key != step.key)
+            return tell(other, &step, {});
+        if (auto differing = fields.differing(*other, step); !differing.empty())
+            return tell(other, &step, std::move(differing));
+        add(expected_steps, *other);
         expected.pass();
     }
 };

@@ -31,25 +31,43 @@ std::uint64_t hash_of(const TracedNumber& number) {
     return static_cast<std::uint64_t>(std::llround(*value * scale));
 }
 
-/// The names of primitives, and which of those that are left have each.
-using Places = std::unordered_map<std::uint64_t, std::vector<std::size_t>>;
+/// One of the two lists, and where in the other one each of it is.
+struct ListOfPair {
+    const std::vector<PrimitivePlace>& primitives;
+    std::vector<std::size_t> partner;
+
+    explicit ListOfPair(const std::vector<PrimitivePlace>& list)
+        : primitives(list), partner(list.size(), nowhere) {}
+
+    /// Those that are left from one place to another.
+    std::vector<std::size_t> left(std::size_t begin, std::size_t end) const {
+        std::vector<std::size_t> left;
+        for (std::size_t i = begin; i < end; ++i)
+            if (partner[i] == nowhere)
+                left.push_back(i);
+        return left;
+    }
+
+    /// Those that are left, by their keys. A key of 0 is none.
+    template <typename KeyOf>
+    std::unordered_map<std::uint64_t, std::vector<std::size_t>> by_key(const KeyOf& key_of) const {
+        std::unordered_map<std::uint64_t, std::vector<std::size_t>> places;
+        for (const std::size_t i : left(0, partner.size()))
+            if (const std::uint64_t key = key_of(primitives[i]); key != 0)
+                places[key].push_back(i);
+        return places;
+    }
+};
 
 class Pairing {
 public:
     Pairing(const std::vector<PrimitivePlace>& a, const std::vector<PrimitivePlace>& b)
-        : a_(a), b_(b), in_b_(a.size(), nowhere), is_taken_(b.size(), false) {}
+        : a_(a), b_(b) {}
 
-    /// Pairs those of the same key in order; with `once`, where each list has a single one left. A key of 0 is none.
+    /// Pairs those of the same key in order; with `once`, where each list has a single one left.
     template <typename KeyOf> void pair_by(const KeyOf& key_of, bool once) {
-        Places left_a;
-        Places left_b;
-        for (std::size_t i = 0; i < a_.size(); ++i)
-            if (const std::uint64_t key = key_of(a_[i]); in_b_[i] == nowhere && key != 0)
-                left_a[key].push_back(i);
-        for (std::size_t j = 0; j < b_.size(); ++j)
-            if (const std::uint64_t key = key_of(b_[j]); !is_taken_[j] && key != 0)
-                left_b[key].push_back(j);
-        for (const auto& [key, of_a] : left_a) {
+        const auto left_b = b_.by_key(key_of);
+        for (const auto& [key, of_a] : a_.by_key(key_of)) {
             const auto of_b = left_b.find(key);
             if (of_b == left_b.end() || (once && (of_a.size() > 1 || of_b->second.size() > 1)))
                 continue;
@@ -60,40 +78,26 @@ public:
 
     /// Pairs what is left between two pairs that stand in the same order in both lists.
     void pair_in_gaps() {
-        const std::vector<bool> stays = in_common_order(in_b_);
+        const std::vector<bool> stays = in_common_order(a_.partner);
         std::size_t begin_a = 0;
         std::size_t begin_b = 0;
-        for (std::size_t i = 0; i <= a_.size(); ++i) {
-            if (i < a_.size() && !stays[i])
+        const std::size_t size_a = a_.partner.size();
+        for (std::size_t i = 0; i <= size_a; ++i) {
+            if (i < size_a && !stays[i])
                 continue;
-            const std::size_t end_b = i < a_.size() ? in_b_[i] : b_.size();
-            pair_most_alike(left_in_a(begin_a, i), left_in_b(begin_b, end_b));
+            const std::size_t end_b = i < size_a ? a_.partner[i] : b_.partner.size();
+            pair_most_alike(a_.left(begin_a, i), b_.left(begin_b, end_b));
             begin_a = i + 1;
             begin_b = end_b + 1;
         }
     }
 
-    std::vector<std::size_t> places() && { return std::move(in_b_); }
+    PrimitivePairs pairs() && { return {std::move(a_.partner), std::move(b_.partner)}; }
 
 private:
     void pair(std::size_t i, std::size_t j) {
-        in_b_[i] = j;
-        is_taken_[j] = true;
-    }
-
-    std::vector<std::size_t> left_in_a(std::size_t begin, std::size_t end) const {
-        std::vector<std::size_t> left;
-        for (std::size_t i = begin; i < end; ++i)
-            if (in_b_[i] == nowhere)
-                left.push_back(i);
-        return left;
-    }
-    std::vector<std::size_t> left_in_b(std::size_t begin, std::size_t end) const {
-        std::vector<std::size_t> left;
-        for (std::size_t j = begin; j < end; ++j)
-            if (!is_taken_[j])
-                left.push_back(j);
-        return left;
+        a_.partner[i] = j;
+        b_.partner[j] = i;
     }
 
     /// How much two primitives have in common; 0: nothing that says that they are one.
@@ -118,7 +122,7 @@ private:
         std::vector<int> best((of_a.size() + 1) * columns, 0); // of what is left from (i, j) on
         const auto at = [&](std::size_t i, std::size_t j) -> int& { return best[i * columns + j]; };
         const auto paired = [&](std::size_t i, std::size_t j) {
-            const int score = likeness(a_[of_a[i]], b_[of_b[j]]);
+            const int score = likeness(a_.primitives[of_a[i]], b_.primitives[of_b[j]]);
             return score == 0 ? -1 : score + at(i + 1, j + 1);
         };
         for (std::size_t i = of_a.size(); i-- > 0;)
@@ -133,10 +137,8 @@ private:
                 ++j;
     }
 
-    const std::vector<PrimitivePlace>& a_;
-    const std::vector<PrimitivePlace>& b_;
-    std::vector<std::size_t> in_b_;
-    std::vector<bool> is_taken_;
+    ListOfPair a_;
+    ListOfPair b_;
 };
 
 std::uint64_t hash_of_name(const PrimitivePlace& one) {
@@ -197,8 +199,8 @@ bool begin_same_primitive(const std::string& a, const std::string& b) {
     });
 }
 
-std::vector<std::size_t> pair_primitives(const std::vector<PrimitivePlace>& a,
-                                         const std::vector<PrimitivePlace>& b) {
+PrimitivePairs pair_primitives(const std::vector<PrimitivePlace>& a,
+                               const std::vector<PrimitivePlace>& b) {
     Pairing pairing(a, b);
     pairing.pair_by(
         [](const PrimitivePlace& one) { return mixed(hash_of_name(one), hash_of_corners(one)); },
@@ -207,7 +209,7 @@ std::vector<std::size_t> pair_primitives(const std::vector<PrimitivePlace>& a,
     pairing.pair_by(hash_of_name, true);
     pairing.pair_in_gaps();
     pairing.pair_by(hash_of_name, false);
-    return std::move(pairing).places();
+    return std::move(pairing).pairs();
 }
 
 std::vector<bool> in_common_order(const std::vector<std::size_t>& places) {

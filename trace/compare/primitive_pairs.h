@@ -4,8 +4,8 @@
 // Which primitives of two traces are the same, and which of them have moved. Names need not agree: another program may
 // number its triangles, or call all of them alike.
 //
-//     const auto in_b = pair_primitives(of_a, of_b);  // in_b[0]: where the first one of a is in b
-//     const auto stays = in_common_order(in_b);
+//     const PrimitivePairs pairs = pair_primitives(of_a, of_b);  // pairs.in_b[0]: where the first one of a is in b
+//     const auto stays = in_common_order(pairs.in_b);
 
 #include <rastertrace/trace/record/step_lines.h>
 
@@ -40,11 +40,17 @@ bool begin_same_primitive(const std::string& a, const std::string& b);
 /// Stands for a place in the other list that there is not.
 inline constexpr std::size_t nowhere = static_cast<std::size_t>(-1);
 
-/// Where in b each one of a is. Looked for, one after the other, are: the same name and corners; the same corners; a
+/// Where in b each one of a is, and where in a each one of b.
+struct PrimitivePairs {
+    std::vector<std::size_t> in_b;
+    std::vector<std::size_t> in_a;
+};
+
+/// Looked for, one after the other, are: the same name and corners; the same corners; a
 /// name that each list has left once; then, between two that have been found, those that have most in common (corners,
 /// steps or the name), in order; at last what is left of a name, in order.
-std::vector<std::size_t> pair_primitives(const std::vector<PrimitivePlace>& a,
-                                         const std::vector<PrimitivePlace>& b);
+PrimitivePairs pair_primitives(const std::vector<PrimitivePlace>& a,
+                               const std::vector<PrimitivePlace>& b);
 
 /// Which of them come in the same order in both, as many as can: a longest increasing subsequence of the places
 /// (Fredman, On computing the length of longest increasing subsequences, 1975). All others have moved.

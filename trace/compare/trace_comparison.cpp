@@ -3,14 +3,9 @@
 
 #include <rastertrace/trace/record/trace_lines.h>
 #include <rastertrace/trace/record/traced_steps.h>
-#include <rastertrace/trace/text/text.h>
-
-#include <fmt/core.h>
 
 #include <algorithm>
 #include <cstring>
-#include <functional>
-#include <span>
 #include <string>
 #include <string_view>
 #include <unordered_map>
@@ -25,45 +20,6 @@ constexpr std::size_t farthest_look = 16384;
 /// So many bytes are taken at most by steps that have not been found in the other trace, but may be farther on.
 constexpr std::size_t most_waiting = 24'000'000;
 
-/// What comes of a line that has been read, with the place where it stands.
-struct SeenLine {
-    std::string_view line{};
-    SeenStep step{};
-    LinePlace place{};
-};
-
-/// Goes through whole lines as far as `use` wants and the steps go; returns the place behind them.
-template <typename Use>
-LinePlace go_through(const StepLines& lines, std::string_view text, const Use& use) {
-    return lines.go_through(text, [&use](std::string_view line, LinePlace place) {
-        return use(SeenLine{line, seen_in(line), place});
-    });
-}
-
-/// Where lines stand in a text from an offset on: that of the first one. At most `most` bytes are read, which are taken
-/// from it.
-std::optional<std::size_t> find_lines(const std::string& lines, const TraceText& text,
-                                      std::size_t from, std::size_t& most) {
-    constexpr std::size_t block_size = 1 << 20;
-    const std::string wanted = "\n" + lines;
-    std::string block;
-    while (most > 0) {
-        const std::size_t kept = block.size();
-        block.resize(kept + std::min(block_size, most));
-        const std::size_t count = text.read(from + kept, std::span(block).subspan(kept));
-        block.resize(kept + count);
-        most -= count;
-        if (const std::size_t found = block.find(wanted); found != std::string::npos)
-            return from + found + 1;
-        if (count == 0)
-            return std::nullopt;
-        const std::size_t gone = block.size() - std::min(block.size(), wanted.size());
-        block.erase(0, gone);
-        from += gone;
-    }
-    return std::nullopt;
-}
-
 /// True if what follows the last step of a side is not known.
 bool breaks_off(const DiffSide& side) {
     return side.breaks_off || side.lines.is_cut_off();
@@ -76,44 +32,6 @@ std::size_t common_front(std::string_view a, std::string_view b) {
         return size;
     const auto end = a.begin() + static_cast<std::ptrdiff_t>(size);
     return static_cast<std::size_t>(std::mismatch(a.begin(), end, b.begin()).first - a.begin());
-}
-
-/// The primitives that are left of a trace, which is drawn meanwhile.
-std::vector<PrimitivePlace> primitives_from_here(DiffSide& side) {
-    std::vector<PrimitivePlace> primitives;
-    const auto begin = [&](const std::string_view step, LinePlace place) {
-        if (!primitives.empty())
-            primitives.back().end = place;
-        primitives.push_back(primitive_place(std::string(step), place));
-    };
-    const auto add_content = [&primitives](std::string_view step) {
-        if (!primitives.empty())
-            primitives.back().content =
-                primitives.back().content * 31 + std::hash<std::string_view>()(step);
-    };
-    while (const StepLine* const ahead = side.lines.front()) {
-        if (ahead->kind == StepKind::primitive)
-            begin(ahead->json, ahead->place);
-        else
-            add_content(ahead->json);
-        side.pass(*ahead);
-        for (bool goes_on = true; goes_on;) {
-            const LinePlace behind =
-                go_through(side.lines, side.lines.unread_lines(), [&](const SeenLine& seen) {
-                    if (seen.step.what == SeenStep::What::primitive)
-                        begin(step_of_line(seen.line), seen.place);
-                    else
-                        add_content(step_of_line(seen.line));
-                    side.see(seen.step, seen.line, seen.place);
-                    return true;
-                });
-            goes_on = behind.offset > side.lines.place().offset;
-            side.lines.pass_lines(behind);
-        }
-    }
-    if (!primitives.empty())
-        primitives.back().end = side.lines.place();
-    return primitives;
 }
 
 } // namespace
@@ -134,14 +52,18 @@ void DiffSide::pass(const StepLine& line) {
     lines.pass();
 }
 
+std::string DiffSide::step_at(LinePlace place, std::size_t end) const {
+    StepLines from(text, place, end);
+    const StepLine* const step = from.front();
+    return step == nullptr ? "" : step->json;
+}
+
 OwnerOfPixels DiffSide::primitive(std::uint32_t number) const {
     if (number == 0)
         return {};
     const auto owner_at = [this](std::size_t i) {
         const bool is_last = i + 1 == primitives.size();
-        StepLines line(text, primitives[i], is_last ? nowhere : primitives[i + 1].offset);
-        const StepLine* const step = line.front();
-        return step == nullptr ? OwnerOfPixels{} : owner_in(step->json);
+        return owner_in(step_at(primitives[i], is_last ? nowhere : primitives[i + 1].offset));
     };
     OwnerOfPixels owner = owner_at(number - 1);
     // What is cut is told in front of its parts, with the vertices that it has in the scene.
@@ -369,16 +291,16 @@ bool TraceComparison::pass_gap(DiffSide& side, DiffSide& other) {
         return false;
     std::string next(behind->place.offset - first->place.offset, '\0');
     next.resize(other.text.read(first->place.offset, next));
-    const auto end = find_lines(next, side.text, last_seen->place.offset, bytes_to_search_);
+    const auto end = side.text.find("\n" + next, last_seen->place.offset, bytes_to_search_);
     if (!end)
         return false;
     while (const StepLine* const step = ahead(side, 0)) {
-        if (step->place.offset >= *end)
+        if (step->place.offset > *end)
             break;
         const StepLine one = *step;
         side.pass(one);
         if (compared_.has(one) && !finds_elsewhere(side, one))
-            tell_alone(side.is_a, gap_, one);
+            tally_.add_alone(gap_, side.is_a, one);
     }
     return true;
 }
@@ -408,27 +330,13 @@ bool TraceComparison::finds_elsewhere(const DiffSide& side, const StepLine& step
     return true;
 }
 
-/// A step that the other trace does not have.
-void TraceComparison::tell_alone(bool is_in_a, std::size_t gap, const StepLine& step) {
-    if (is_in_a)
-        tally_.add_only_a(gap, step);
-    else
-        tally_.add_only_b(gap, step);
-}
-
 /// What waits has no equal. If a trace breaks off, what waits in the last gap might have had one behind that.
 void TraceComparison::give_up_waiting(bool breaks_off) {
-    const auto is_told = [&](const WaitingSteps::Step& one) {
-        return !breaks_off || one.gap != gap_;
-    };
-    waiting_a_.take_all([&](const WaitingSteps::Step& one) {
-        if (is_told(one))
-            tell_alone(true, one.gap, one.line);
-    });
-    waiting_b_.take_all([&](const WaitingSteps::Step& one) {
-        if (is_told(one))
-            tell_alone(false, one.gap, one.line);
-    });
+    for (WaitingSteps* const waiting : {&waiting_a_, &waiting_b_})
+        waiting->take_all([&](const WaitingSteps::Step& one) {
+            if (!breaks_off || one.gap != gap_)
+                tally_.add_alone(one.gap, waiting == &waiting_a_, one.line);
+        });
 }
 
 /// Passes lines that are the same in both texts, without a look at what they say, but for the pictures.
@@ -453,12 +361,13 @@ std::size_t TraceComparison::pass_lines(DiffSide& a, DiffSide& b, std::string_vi
                          in_a.steps - from_a.steps + from_b.steps,
                          in_a.lines - from_a.lines + from_b.lines};
     };
-    const LinePlace behind = go_through(a.lines, text, [&](const SeenLine& seen) {
-        const bool is_primitive = seen.step.what == SeenStep::What::primitive && has_primitives_;
+    const LinePlace behind = a.lines.go_through(text, [&](std::string_view line, LinePlace place) {
+        const SeenStep step = seen_in(line);
+        const bool is_primitive = step.what == SeenStep::What::primitive && has_primitives_;
         if (is_primitive && waits)
             return false;
-        a.see(seen.step, seen.line, seen.place);
-        b.see(seen.step, seen.line, in_b(seen.place));
+        a.see(step, line, place);
+        b.see(step, line, in_b(place));
         if (is_primitive)
             begin_section();
         return true;
@@ -469,137 +378,6 @@ std::size_t TraceComparison::pass_lines(DiffSide& a, DiffSide& b, std::string_vi
     b.lines.pass_lines(in_b(behind));
     a.lines.pass_lines(behind);
     return bytes;
-}
-
-// Where the primitives are not the same in the same order, those that are the same are looked for.
-
-void TraceComparison::compare_pairs() {
-    const std::vector<PrimitivePlace> of_a = primitives_from_here(a_);
-    const std::vector<PrimitivePlace> of_b = primitives_from_here(b_);
-    const std::vector<std::size_t> in_b = pair_primitives(of_a, of_b);
-    const std::vector<bool> stays = in_common_order(in_b);
-    std::vector<std::size_t> in_a(of_b.size(), nowhere);
-    for (std::size_t i = 0; i < in_b.size(); ++i) {
-        const bool is_there = in_b[i] != nowhere;
-        if (is_there)
-            in_a[in_b[i]] = i;
-        partner_.push_back(is_there ? common_primitives_ + static_cast<std::uint32_t>(in_b[i]) + 1
-                                    : 0);
-    }
-    const bool is_one_order = std::find(stays.begin(), stays.end(), false) == stays.end() &&
-                              std::find(in_a.begin(), in_a.end(), nowhere) == in_a.end();
-    if (!is_one_order && compared_.tells_all_primitives())
-        remarks_.emplace_back("the primitives are not the same in the same order: from there on "
-                              "the traces were read twice");
-    if (!options_.compares_names)
-        find_names(of_a, of_b, in_b);
-
-    // Both lists together: what only one has, what has moved, and what is in the same order in both.
-    const auto is_broken = [&](std::size_t in_list_a, std::size_t in_list_b) {
-        return (in_list_a + 1 == of_a.size() && a_.lines.is_cut_off()) ||
-               (in_list_b + 1 == of_b.size() && b_.lines.is_cut_off());
-    };
-    std::size_t i = 0;
-    std::size_t j = 0;
-    while (i < of_a.size() || j < of_b.size()) {
-        ++gap_;
-        if (i < of_a.size() && in_b[i] == nowhere) {
-            if (!b_.lines.is_cut_off())
-                add_primitive(a_.text, of_a[i], true);
-            ++i;
-        } else if (j < of_b.size() && in_a[j] == nowhere) {
-            if (!a_.lines.is_cut_off())
-                add_primitive(b_.text, of_b[j], false);
-            ++j;
-        } else if (i < of_a.size() && !stays[i]) {
-            compare_primitives(of_a[i], of_b[in_b[i]], true, is_broken(i, in_b[i]));
-            ++i;
-        } else if (j < of_b.size() && !stays[in_a[j]]) {
-            ++j; // it has moved: it is compared where a has it
-        } else {
-            compare_primitives(of_a[i], of_b[j], false, is_broken(i, j));
-            ++i;
-            ++j;
-        }
-    }
-}
-
-/// Finds what is named otherwise in b.
-void TraceComparison::find_names(const std::vector<PrimitivePlace>& of_a,
-                                 const std::vector<PrimitivePlace>& of_b,
-                                 const std::vector<std::size_t>& in_b) {
-    std::size_t renamed = 0;
-    for (std::size_t i = 0; i < of_a.size(); ++i) {
-        if (in_b[i] == nowhere || !is_renamed(of_a[i], of_b[in_b[i]]))
-            continue;
-        names_.add(primitive_step(a_.text, of_a[i]), primitive_step(b_.text, of_b[in_b[i]]));
-        ++renamed;
-    }
-    if (renamed == 0)
-        return;
-    remarks_.push_back(renamed == 1 ? "1 primitive is renamed"
-                                    : fmt::format("{} primitives are renamed", renamed));
-    const auto has_front = [](const DiffSide& side) {
-        return !side.primitives.empty() && side.primitives.front().steps > 0;
-    };
-    needs_names_in_front_ = !had_names_ && (has_front(a_) || has_front(b_));
-}
-
-/// The step that begins a primitive.
-std::string TraceComparison::primitive_step(const TraceText& text,
-                                            const PrimitivePlace& primitive) const {
-    StepLines lines(text, primitive.begin, primitive.end.offset);
-    const StepLine* const step = lines.front();
-    return step == nullptr ? "" : step->json;
-}
-
-/// A primitive that only one trace has, with all its steps.
-void TraceComparison::add_primitive(const TraceText& text, const PrimitivePlace& primitive,
-                                    bool is_in_a) {
-    if (!compared_.has_primitive(primitive.name))
-        return;
-    StepLines lines(text, primitive.begin, primitive.end.offset);
-    DiffSection section;
-    if (const StepLine* const first = lines.front())
-        (is_in_a ? section.json_a : section.json_b) = first->json;
-    (is_in_a ? section.begin_a : section.begin_b) = primitive.begin;
-    tally_.begin_section(std::move(section));
-    while (const StepLine* const step = lines.front()) {
-        if (compared_.has(*step) && is_in_a)
-            tally_.add_only_a(gap_, *step);
-        else if (compared_.has(*step))
-            tally_.add_only_b(gap_, *step);
-        lines.pass();
-    }
-}
-
-/// A primitive that both traces have, perhaps at another place.
-void TraceComparison::compare_primitives(const PrimitivePlace& of_a, const PrimitivePlace& of_b,
-                                         bool has_moved, bool breaks_off) {
-    Renames names;
-    renames_section_ = !options_.compares_names && !names_.is_empty();
-    StepReading reading_b{.keys = options_.keys};
-    if (renames_section_) {
-        names.add(primitive_step(a_.text, of_a), primitive_step(b_.text, of_b));
-        reading_b.rewrite = [&](std::string_view step) { return names.in_step(step, names_); };
-    }
-    DiffSide a(a_.text, true, of_a, {.keys = options_.keys});
-    DiffSide b(b_.text, false, of_b, std::move(reading_b));
-    const StepLine* const step_a = a.lines.front();
-    const StepLine* const step_b = b.lines.front();
-    if (step_a == nullptr || step_b == nullptr)
-        return;
-    a_.json = step_a->json;
-    b_.json = step_b->json;
-    a_.begin = of_a.begin;
-    b_.begin = of_b.begin;
-    if (has_moved && compared_.has(*step_a)) {
-        begin_section();
-        tally_.add_moved(gap_, *step_a, *step_b);
-    }
-    a.breaks_off = b.breaks_off = breaks_off;
-    begin_primitive(a, b);
-    compare_section(a, b);
 }
 
 } // namespace rastertrace

@@ -56,6 +56,9 @@ struct DiffSide {
     /// Goes on by the next step.
     void pass(const StepLine& line);
 
+    /// The JSON of the step at a place, in front of an offset; "" if there is none.
+    std::string step_at(LinePlace place, std::size_t end) const;
+
     /// The n-th primitive, from 1; one without a name for 0.
     OwnerOfPixels primitive(std::uint32_t number) const;
 };
@@ -101,7 +104,6 @@ private:
     void compare_pairs();
     void find_names(const std::vector<PrimitivePlace>& of_a,
                     const std::vector<PrimitivePlace>& of_b, const std::vector<std::size_t>& in_b);
-    std::string primitive_step(const TraceText& text, const PrimitivePlace& primitive) const;
     void compare_section(DiffSide& a, DiffSide& b);
     void compare_primitives(const PrimitivePlace& of_a, const PrimitivePlace& of_b, bool has_moved,
                             bool breaks_off);
@@ -121,7 +123,6 @@ private:
     bool pass_gap(DiffSide& side, DiffSide& other);
     void put_aside(DiffSide& side, std::size_t steps);
     bool finds_elsewhere(const DiffSide& side, const StepLine& step);
-    void tell_alone(bool is_in_a, std::size_t gap, const StepLine& step);
     void give_up_waiting(bool breaks_off = false);
 
     void pass_equal_lines(DiffSide& a, DiffSide& b);

@@ -3,6 +3,7 @@
 
 #include "picture_trace.h"
 
+#include <rastertrace/core/draw/plan/stages.h>
 #include <rastertrace/trace/compare/diff_picture.h>
 #include <rastertrace/trace/record/step_lines.h>
 #include <rastertrace/trace/text/color_text.h>
@@ -26,20 +27,12 @@ struct DrawnTrace {
     std::vector<std::string> primitives{};
 
     explicit DrawnTrace(const TraceText& trace) : picture(trace.header().canvas) {
-        StepLines lines(trace);
-        for (;;) {
-            const LinePlace behind =
-                lines.go_through(lines.unread_lines(), [this](std::string_view line, LinePlace) {
-                    const SeenStep seen = seen_in(line);
-                    picture.see(seen);
-                    if (seen.what == SeenStep::What::primitive)
-                        primitives.emplace_back(step_of_line(line));
-                    return true;
-                });
-            if (behind.offset == lines.place().offset)
-                break;
-            lines.pass_lines(behind);
-        }
+        StepLines(trace).pass_all_lines([this](std::string_view line, LinePlace) {
+            const SeenStep seen = seen_in(line);
+            picture.see(seen);
+            if (seen.what == SeenStep::What::primitive)
+                primitives.emplace_back(step_of_line(line));
+        });
     }
 
     OwnerOfPixels owner(std::uint32_t number) const {
@@ -60,8 +53,8 @@ struct Placement {
         const auto add_move = [&parts](int by, std::string_view forward,
                                        std::string_view backward) {
             if (by != 0)
-                parts.push_back(fmt::format("moved {} pixel{} {}", std::abs(by),
-                                            std::abs(by) == 1 ? "" : "s",
+                parts.push_back(fmt::format("moved {} {}",
+                                            counted(static_cast<unsigned>(std::abs(by)), "pixel"),
                                             by > 0 ? forward : backward));
         };
         add_move(right, "to the right", "to the left");
@@ -116,17 +109,14 @@ public:
             return "";
         return fmt::format("{} {}: then {}", options_.is_picture_first ? "a is b," : "b is a,",
                            best.text(),
-                           fewest == 0   ? "nothing differs"
-                           : fewest == 1 ? "1 pixel differs"
-                                         : fmt::format("{} pixels differ", fewest));
+                           fewest == 0 ? "nothing differs" : counted_differences(fewest, "pixel"));
     }
 
     bool has_colors() const { return has_colors_; }
 
     /// What is not drawn; `no_color` if only what is transparent is.
     Color background() const {
-        const auto is_transparent = [](const Color& color) { return color.alpha() == 0; };
-        if (!picture_.has_colors || std::ranges::any_of(picture_.pixels, is_transparent))
+        if (!has_background(picture_))
             return no_color;
         if (options_.background)
             return *options_.background;
@@ -202,9 +192,7 @@ private:
 
 PictureDiffOptions picture_options(const DiffOptions& options) {
     PictureDiffOptions of_pictures;
-    for (const std::string& name : options.ignored)
-        if (name == "pixel.color" || name == "color")
-            of_pictures.compares_colors = false;
+    of_pictures.compares_colors = !options.ignores("pixel.color") && !options.ignores("color");
     for (const DiffTolerance& tolerance : options.tolerances)
         if ((tolerance.kind.empty() || tolerance.kind == "pixel") &&
             (tolerance.field.empty() || tolerance.field == "color"))
@@ -254,12 +242,6 @@ TraceDiff diff_with_picture(const TraceText& trace, const Picture& picture,
         if (std::string remark = held.placement_remark(differing); !remark.empty())
             found.remarks.push_back(std::move(remark));
     return found;
-}
-
-std::uint64_t count_pixels(const TraceDiff& found) {
-    return found.picture ? found.picture->only_a + found.picture->only_b + found.picture->colors +
-                               found.picture->owners
-                         : 0;
 }
 
 } // namespace rastertrace

@@ -33,7 +33,4 @@ PictureDiffOptions picture_options(const DiffOptions& options);
 TraceDiff diff_with_picture(const TraceText& trace, const Picture& picture,
                             const PictureDiffOptions& options);
 
-/// How many pixels are not alike.
-std::uint64_t count_pixels(const TraceDiff& found);
-
 } // namespace rastertrace

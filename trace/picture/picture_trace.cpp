@@ -41,19 +41,19 @@ Color most_frequent(const std::vector<Color>& colors) {
     return most;
 }
 
-Color background_of(const Picture& picture) {
+bool has_background(const Picture& picture) {
     const auto is_transparent = [](const Color& color) { return color.alpha() == 0; };
-    if (!picture.has_colors || std::ranges::any_of(picture.pixels, is_transparent))
+    return picture.has_colors && std::ranges::none_of(picture.pixels, is_transparent);
+}
+
+Color background_of(const Picture& picture) {
+    if (!has_background(picture))
         return no_color;
     std::vector<Color> border;
-    for (int x = 0; x < picture.width; ++x) {
-        border.push_back(picture.at(x, 0));
-        border.push_back(picture.at(x, picture.height - 1));
-    }
-    for (int row = 0; row < picture.height; ++row) {
-        border.push_back(picture.at(0, row));
-        border.push_back(picture.at(picture.width - 1, row));
-    }
+    for (int x = 0; x < picture.width; ++x)
+        border.insert(border.end(), {picture.at(x, 0), picture.at(x, picture.height - 1)});
+    for (int row = 0; row < picture.height; ++row)
+        border.insert(border.end(), {picture.at(0, row), picture.at(picture.width - 1, row)});
     return most_frequent(border);
 }
 

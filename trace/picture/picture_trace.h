@@ -12,8 +12,10 @@
 
 namespace rastertrace {
 
-/// The color of what is not drawn: `no_color` if the picture has no colors or a pixel of it is transparent, else the
-/// color that most pixels on its border have.
+/// False if the picture has no colors, or a pixel of it is transparent: then only that is not drawn.
+bool has_background(const Picture& picture);
+
+/// The color of what is not drawn: that of most pixels on its border; `no_color` if it has no background.
 Color background_of(const Picture& picture);
 
 /// The color that most of some pixels have; `no_color` of none.

@@ -97,6 +97,20 @@ public:
         }
     }
 
+    /// Calls `use(line, place)` with all whole lines that are left, as far as the steps go; none if at() has been asked for
+    /// lines ahead.
+    template <typename Use> void pass_all_lines(const Use& use) {
+        const auto goes_on = [&use](std::string_view line, LinePlace place) {
+            use(line, place);
+            return true;
+        };
+        std::size_t before = 0;
+        do {
+            before = place_.offset;
+            pass_lines(go_through(unread_lines(), goes_on));
+        } while (before != place_.offset);
+    }
+
     /// True for a line without a step.
     static bool is_blank(std::string_view line);
 

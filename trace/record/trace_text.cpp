@@ -172,6 +172,28 @@ std::size_t TraceText::read(std::size_t offset, std::span<char> to) const {
     }
 }
 
+std::optional<std::size_t> TraceText::find(std::string_view wanted, std::size_t from,
+                                           std::size_t& most) const {
+    constexpr std::size_t block_size = 1 << 20;
+    std::string block;
+    while (most > 0) {
+        const std::size_t kept = block.size();
+        block.resize(kept + std::min(block_size, most));
+        const std::size_t count = read(from + kept, std::span(block).subspan(kept));
+        block.resize(kept + count);
+        most -= count;
+        if (const std::size_t found = block.find(wanted); found != std::string::npos)
+            return from + found;
+        if (count == 0)
+            return std::nullopt;
+        // It may begin in one block and end in the next.
+        const std::size_t gone = block.size() - std::min(block.size(), wanted.size());
+        block.erase(0, gone);
+        from += gone;
+    }
+    return std::nullopt;
+}
+
 std::variant<TraceText, Source> open_trace_text(const std::string& path,
                                                 const InputLimits& limits) {
     auto [input, source, layout] = open_first_line(path, InputCheck::Kind::scene_or_trace, limits);

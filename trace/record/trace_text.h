@@ -57,6 +57,10 @@ public:
     /// Reads from a place on into `to`; fewer bytes, or none, at the end. Throws a Problem.
     std::size_t read(std::size_t offset, std::span<char> to) const;
 
+    /// The first place of a text from another one on. At most `most` bytes are read, which are taken from it.
+    std::optional<std::size_t> find(std::string_view wanted, std::size_t from,
+                                    std::size_t& most) const;
+
 private:
     friend std::variant<TraceText, Source> open_trace_text(const std::string& path,
                                                            const InputLimits& limits);

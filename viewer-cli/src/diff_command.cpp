@@ -87,9 +87,9 @@ SceneOptions options_for(const OpenedTrace& opened, const DiffCommand& command) 
 }
 
 /// What a picture shows otherwise than the trace or scene at `path` draws it, with the explanation of a pixel.
-ToldDiff diff_of_picture(const std::string& path, const Picture& picture,
-                         const std::string& picture_path, bool is_picture_first,
-                         const DiffCommand& command) {
+TraceDiff diff_of_picture(const std::string& path, const Picture& picture,
+                          const std::string& picture_path, bool is_picture_first,
+                          const DiffCommand& command) {
     PictureDiffOptions how = picture_options(command.options);
     how.name = picture_path;
     how.is_picture_first = is_picture_first;
@@ -102,8 +102,8 @@ ToldDiff diff_of_picture(const std::string& path, const Picture& picture,
     TraceDiff found = diff_with_picture(trace_text(std::move(opened), path, options), picture, how);
     const std::uint64_t differing = count_pixels(found);
     if (differing == 0)
-        return {std::move(found), ""};
-    std::string explanation = explanation_of_first_pixel(found, load_trace(path, options));
+        return found;
+    found.explanation = explanation_of_first_pixel(found, load_trace(path, options));
 
     // Samples half a pixel away may explain most of it.
     constexpr std::uint64_t explains = 4;
@@ -114,13 +114,12 @@ ToldDiff diff_of_picture(const std::string& path, const Picture& picture,
         other.method.emplace_back("sample", sample);
         const TraceDiff moved = diff_with_picture(
             trace_text(open_trace(path, command.input), path, other), picture, how);
-        if (count_pixels(moved) * explains <= differing)
-            found.remarks.push_back(fmt::format(
-                "with --sample {}: then {} differ", sample,
-                count_pixels(moved) == 0 ? "no pixels"
-                                         : fmt::format("{} pixels", count_pixels(moved))));
+        if (const std::uint64_t left = count_pixels(moved); left * explains <= differing)
+            found.remarks.push_back(
+                fmt::format("with --sample {}: then {}", sample,
+                            left == 0 ? "no pixels differ" : counted_differences(left, "pixel")));
     }
-    return {std::move(found), std::move(explanation)};
+    return found;
 }
 
 /// Compares two files. Options that say how to draw are about those that are scenes.
@@ -166,41 +165,39 @@ TraceDiff diff_of_methods(const DiffCommand& command) {
     return found;
 }
 
-std::string report_of(const DiffCommand& command, const ToldDiff& told) {
+std::string report_of(const DiffCommand& command, const TraceDiff& found) {
     switch (command.format) {
     case DiffFormat::json:
-        return diff_json(told.found);
+        return diff_json(found);
     case DiffFormat::markdown:
-        return diff_markdown(told, command.pictures);
+        return diff_markdown(found, command.pictures);
     case DiffFormat::junit:
-        return diff_junit(told);
+        return diff_junit(found);
     case DiffFormat::text:
         break;
     }
-    const std::string text = diff_text(told.found);
-    return diff_in_color(told.explanation.empty() ? text : text + "\n" + told.explanation,
-                         output_colors(command.color));
+    return diff_in_color(diff_text(found), output_colors(command.color));
 }
 
 /// Compares two files of any kind.
-ToldDiff diff_of_inputs(const std::string& path_a, const std::string& path_b,
-                        const DiffCommand& command) {
+TraceDiff diff_of_inputs(const std::string& path_a, const std::string& path_b,
+                         const DiffCommand& command) {
     const auto a = picture_in_file(path_a, command.input);
     const auto b = picture_in_file(path_b, command.input);
     if (a && !b)
         return diff_of_picture(path_b, *a, path_a, true, command);
     if (b && !a)
         return diff_of_picture(path_a, *b, path_b, false, command);
-    return {diff_of_files(path_a, path_b, command), ""};
+    return diff_of_files(path_a, path_b, command);
 }
 
-ExitStatus tell(const DiffCommand& command, const ToldDiff& told) {
-    print(report_of(command, told));
-    for (const Problem& problem : told.found.damage)
+ExitStatus tell(const DiffCommand& command, const TraceDiff& found) {
+    print(report_of(command, found));
+    for (const Problem& problem : found.damage)
         print_error(fmt::format("rastertrace: {}\n", to_text(problem)));
-    if (!told.found.damage.empty())
+    if (!found.damage.empty())
         return exit_bad_input;
-    return told.found.is_same ? exit_fine : exit_difference;
+    return found.is_same ? exit_fine : exit_difference;
 }
 
 /// The path of a file that git names: "-" is no standard input if there is such a file.
@@ -234,7 +231,7 @@ ExitStatus tell_git(const DiffCommand& command) {
         TraceDiff found = diff_of_files(old_file, new_file, command);
         found.name_a = name + ", before";
         found.name_b = new_name + ", now";
-        tell(command, {std::move(found), ""});
+        tell(command, found);
     } catch (const Problem& problem) {
         print(fmt::format("cannot be compared: {}\n", to_text(problem)));
     }
@@ -287,18 +284,18 @@ int run(const DiffCommand& command) {
     }
     const DiffCommand asked = with_rules(command);
     if (!asked.against.empty())
-        return tell(asked, {diff_of_methods(asked), ""});
-    ToldDiff told = diff_of_inputs(asked.files[0], asked.files[1], asked);
-    if (!told.found.is_same && told.found.damage.empty())
+        return tell(asked, diff_of_methods(asked));
+    TraceDiff found = diff_of_inputs(asked.files[0], asked.files[1], asked);
+    if (!found.is_same && found.damage.empty())
         for (const std::string& other : other_goldens(asked.files[0]))
-            if (ToldDiff accepted = diff_of_inputs(other, asked.files[1], asked);
-                accepted.found.is_same && accepted.found.damage.empty()) {
-                accepted.found.remarks.push_back(fmt::format(
+            if (TraceDiff accepted = diff_of_inputs(other, asked.files[1], asked);
+                accepted.is_same && accepted.damage.empty()) {
+                accepted.remarks.push_back(fmt::format(
                     "{} is accepted besides {}", printable(other), printable(asked.files[0])));
-                told = std::move(accepted);
+                found = std::move(accepted);
                 break;
             }
-    return tell(asked, told);
+    return tell(asked, found);
 }
 
 namespace {

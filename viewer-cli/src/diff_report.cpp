@@ -27,90 +27,59 @@ namespace {
 constexpr Color of_a(200, 40, 40);
 constexpr Color of_b(30, 130, 60);
 
-/// What the marks of a picture look like; see PictureDifference.
+constexpr Color drawn(60, 60, 60);
+constexpr Color empty(255, 255, 255);
+
+/// What the marks of a picture look like (see PictureDifference): in a, in b, and where they are shown together.
 struct MarkRow {
     char mark;
-    Color color;
-    bool is_in_a;
-    bool is_in_b;
+    std::array<Color, 3> colors;
 };
-constexpr std::array marks{MarkRow{'#', Color(150, 150, 150), true, true},
-                           MarkRow{'!', of_a, true, false}, MarkRow{'?', of_b, false, true},
-                           MarkRow{'~', Color(200, 120, 0), true, true}};
-
-std::size_t count_steps(const TraceDiff& found) {
-    std::size_t steps = 0;
-    for (const KindDifference& kind : found.kinds)
-        steps += kind.changed + kind.only_a + kind.only_b + kind.moved;
-    return steps;
-}
+constexpr std::array marks{MarkRow{'#', {drawn, drawn, Color(150, 150, 150)}},
+                           MarkRow{'!', {drawn, empty, of_a}}, MarkRow{'?', {empty, drawn, of_b}},
+                           MarkRow{'~', {drawn, drawn, Color(200, 120, 0)}}};
 
 /// `8 steps differ, 4 pixels differ`
 std::string summary(const TraceDiff& found) {
     if (found.is_same)
         return found.damage.empty() ? "the same" : "the same, as far as they go";
-    const std::size_t steps = count_steps(found);
-    const std::uint64_t pixels = count_pixels(found);
     std::vector<std::string> parts;
-    if (steps > 0)
-        parts.push_back(fmt::format("{} step{}", steps, steps == 1 ? " differs" : "s differ"));
-    if (pixels > 0)
-        parts.push_back(fmt::format("{} pixel{}", pixels, pixels == 1 ? " differs" : "s differ"));
+    if (const std::uint64_t steps = count_steps(found); steps > 0)
+        parts.push_back(counted_differences(steps, "step"));
+    if (const std::uint64_t pixels = count_pixels(found); pixels > 0)
+        parts.push_back(counted_differences(pixels, "pixel"));
     if (!found.header.empty() || !found.end.empty())
         parts.emplace_back("the header differs");
     return joined(parts, ", ");
 }
 
-std::string whole_text(const ToldDiff& told) {
-    return diff_text(told.found) + (told.explanation.empty() ? "" : "\n" + told.explanation);
-}
-
-/// The part of the pictures that is told, each pixel a square: those of a, of b, or both with what differs in color.
-template <typename ColorOf>
-Bitmap bitmap_of_part(const PictureDifference& picture, const ColorOf& color_of) {
+/// The part of the pictures that is told, each pixel a square; `shown` is the place among the colors of a mark.
+Bitmap bitmap_of_part(const PictureDifference& picture, std::size_t shown) {
     constexpr std::size_t side = 12;
     const std::size_t rows = picture.rows.size();
     const std::size_t columns = picture.rows.front().size();
     Bitmap bitmap{.width = columns * side,
                   .height = rows * side,
-                  .colors = std::vector<Color>(columns * side * rows * side, Color(255, 255, 255))};
+                  .colors = std::vector<Color>(columns * side * rows * side, empty)};
     for (std::size_t y = 0; y < bitmap.height; ++y)
         for (std::size_t x = 0; x < bitmap.width; ++x) {
             const bool is_line = x % side == 0 || y % side == 0;
             const char mark = picture.rows[y / side][x / side];
             const auto row = std::ranges::find(marks, mark, &MarkRow::mark);
             bitmap.colors[y * bitmap.width + x] = is_line              ? Color(225, 225, 225)
-                                                  : row == marks.end() ? Color(255, 255, 255)
-                                                                       : color_of(*row);
+                                                  : row == marks.end() ? empty
+                                                                       : row->colors[shown];
         }
     return bitmap;
 }
 
-void write_picture(const std::filesystem::path& path, const Bitmap& bitmap) {
-    const auto png = png_of(bitmap);
-    if (!png)
-        throw png.problem();
-    FileOutput output(path.string());
-    output.write(png.value());
-    output.commit();
-}
-
 std::string pictures_markdown(const PictureDifference& picture,
                               const std::filesystem::path& folder) {
-    std::error_code error;
-    std::filesystem::create_directories(folder, error);
-    if (error)
-        throw problem_of_system(folder.string(), "the folder could not be made", error.value());
-    const Color drawn(60, 60, 60);
-    const Color empty(255, 255, 255);
-    write_picture(folder / "a.png", bitmap_of_part(picture, [&](const MarkRow& row) {
-                      return row.is_in_a ? drawn : empty;
-                  }));
-    write_picture(folder / "b.png", bitmap_of_part(picture, [&](const MarkRow& row) {
-                      return row.is_in_b ? drawn : empty;
-                  }));
-    write_picture(folder / "difference.png",
-                  bitmap_of_part(picture, [](const MarkRow& row) { return row.color; }));
+    make_folder(folder.string());
+    constexpr std::array<const char*, 3> names{"a.png", "b.png", "difference.png"};
+    for (std::size_t i = 0; i < names.size(); ++i)
+        write_file((folder / names[i]).string(),
+                   value_or_throw(png_of(bitmap_of_part(picture, i))));
     const std::string path = folder.generic_string();
     return fmt::format(
         "\n| a | b | difference |\n|---|---|---|\n"
@@ -139,8 +108,7 @@ std::string sentence_of(const std::optional<DiffStep>& step) {
     return step ? step->sentence : "no such step";
 }
 
-std::string diff_markdown(const ToldDiff& told, const std::string& picture_folder) {
-    const TraceDiff& found = told.found;
+std::string diff_markdown(const TraceDiff& found, const std::string& picture_folder) {
     std::string text =
         fmt::format("### {}\n\na: `{}`, b: `{}`\n",
                     found.is_same ? "No difference" : "Decisions differ: " + summary(found),
@@ -154,15 +122,14 @@ std::string diff_markdown(const ToldDiff& told, const std::string& picture_folde
     }
     if (!found.is_same && found.picture && !found.picture->rows.empty() && !picture_folder.empty())
         text += pictures_markdown(*found.picture, picture_folder);
-    return text + "\n<details><summary>All of it</summary>\n\n" + fenced(whole_text(told)) +
+    return text + "\n<details><summary>All of it</summary>\n\n" + fenced(diff_text(found)) +
            "\n</details>\n";
 }
 
-std::string diff_junit(const ToldDiff& told) {
-    const TraceDiff& found = told.found;
+std::string diff_junit(const TraceDiff& found) {
     const std::string name = escaped(found.name_b);
     std::vector<std::string> lines;
-    for (const std::string& line : split_at(whole_text(told), '\n'))
+    for (const std::string& line : split_at(diff_text(found), '\n'))
         lines.push_back(escaped(line));
     const std::string body =
         found.is_same
@@ -191,7 +158,8 @@ std::string diff_in_color(const std::string& text, ColorDepth colors) {
             for (const char c : line) {
                 const auto row = std::ranges::find(marks, c, &MarkRow::mark);
                 const bool is_marked = row != marks.end() && c != '#';
-                colored += is_marked ? styled(std::string(1, c), {.foreground = row->color}, colors)
+                colored += is_marked ? styled(std::string(1, c), {.foreground = row->colors.back()},
+                                              colors)
                                      : std::string(1, c);
             }
         } else {

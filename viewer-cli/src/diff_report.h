@@ -14,12 +14,6 @@
 
 namespace rastertrace {
 
-/// What two traces do differently, and what is said of a pixel that differs.
-struct ToldDiff {
-    TraceDiff found{};
-    std::string explanation{}; ///< "" where nothing is explained
-};
-
 /// Why a trace has the first pixel that differs, or has not. There has to be one. Throws a Problem.
 std::string explanation_of_first_pixel(const TraceDiff& found, const Trace& trace);
 
@@ -28,10 +22,10 @@ std::string sentence_of(const std::optional<DiffStep>& step);
 
 /// A summary, and what diff_text says folded away. With a folder for pictures, `a.png`, `b.png` and `difference.png` are
 /// written there, of the part that differs, and shown side by side. Throws a Problem.
-std::string diff_markdown(const ToldDiff& told, const std::string& picture_folder);
+std::string diff_markdown(const TraceDiff& found, const std::string& picture_folder);
 
 /// One test case, which fails if they differ.
-std::string diff_junit(const ToldDiff& told);
+std::string diff_junit(const TraceDiff& found);
 
 /// What diff_text says with colors: a in red, b in green, and the marks of pictures.
 std::string diff_in_color(const std::string& text, ColorDepth colors);

@@ -13,11 +13,14 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <array>
+#include <cstdint>
 #include <filesystem>
 #include <iostream>
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -46,7 +49,8 @@ std::vector<WaitingGolden> waiting_below(const std::string& folder) {
     return waiting;
 }
 
-enum class Answer { accept, leave, see, quit };
+enum class Answer : std::uint8_t { accept, leave, see, quit };
+constexpr std::array<std::string_view, 4> answers{"accept", "leave", "see", "quit"};
 
 /// Asks until one of the letters is typed; the end of the input means to quit.
 Answer ask(bool may_accept) {
@@ -57,14 +61,9 @@ Answer ask(bool may_accept) {
             print("\n");
             return Answer::quit;
         }
-        if (may_accept && (line == "a" || line == "accept"))
-            return Answer::accept;
-        if (line == "l" || line == "leave")
-            return Answer::leave;
-        if (line == "s" || line == "see")
-            return Answer::see;
-        if (line == "q" || line == "quit")
-            return Answer::quit;
+        for (std::size_t i = may_accept ? 0 : 1; i < answers.size(); ++i)
+            if (line == answers[i] || line == answers[i].substr(0, 1))
+                return static_cast<Answer>(i);
     }
 }
 
@@ -83,8 +82,7 @@ Reviewed reviewed(const WaitingGolden& waiting) {
         const TraceText now = text_of(waiting.trace);
         std::error_code error;
         if (!std::filesystem::exists(waiting.golden, error)) {
-            const TraceDiff itself = diff(now, now, {});
-            if (!itself.damage.empty())
+            if (const TraceDiff itself = diff(now, now, {}); !itself.damage.empty())
                 throw itself.damage.front();
             return {"a golden that is new\n", "a golden that is new\n"};
         }

@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: MIT
+// What TraceComparison does where the primitives are not the same in the same order: those that are the same are looked
+// for, and compared wherever they stand.
+
+#include "trace_comparison.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <functional>
+
+namespace rastertrace {
+
+namespace {
+
+/// The primitives that are left of a trace, which is drawn meanwhile.
+std::vector<PrimitivePlace> primitives_from_here(DiffSide& side) {
+    std::vector<PrimitivePlace> primitives;
+    const auto add = [&](std::string_view line, LinePlace place) {
+        const SeenStep step = seen_in(line);
+        const std::string_view json = step_of_line(line);
+        side.see(step, line, place);
+        if (step.what == SeenStep::What::primitive) {
+            if (!primitives.empty())
+                primitives.back().end = place;
+            primitives.push_back(primitive_place(std::string(json), place));
+        } else if (!primitives.empty()) {
+            primitives.back().content =
+                primitives.back().content * 31 + std::hash<std::string_view>()(json);
+        }
+    };
+    while (const StepLine* const ahead = side.lines.front()) {
+        add(ahead->json, ahead->place);
+        side.lines.pass();
+        side.lines.pass_all_lines(add);
+    }
+    if (!primitives.empty())
+        primitives.back().end = side.lines.place();
+    return primitives;
+}
+
+} // namespace
+
+void TraceComparison::compare_pairs() {
+    const std::vector<PrimitivePlace> of_a = primitives_from_here(a_);
+    const std::vector<PrimitivePlace> of_b = primitives_from_here(b_);
+    const PrimitivePairs pairs = pair_primitives(of_a, of_b);
+    const std::vector<std::size_t>& in_b = pairs.in_b;
+    const std::vector<std::size_t>& in_a = pairs.in_a;
+    const std::vector<bool> stays = in_common_order(in_b);
+    for (const std::size_t place : in_b)
+        partner_.push_back(
+            place == nowhere ? 0 : common_primitives_ + static_cast<std::uint32_t>(place) + 1);
+    const bool is_one_order = std::find(stays.begin(), stays.end(), false) == stays.end() &&
+                              std::find(in_a.begin(), in_a.end(), nowhere) == in_a.end();
+    if (!is_one_order && compared_.tells_all_primitives())
+        remarks_.emplace_back("the primitives are not the same in the same order: from there on "
+                              "the traces were read twice");
+    if (!options_.compares_names)
+        find_names(of_a, of_b, in_b);
+
+    // Both lists together: what only one has, what has moved, and what is in the same order in both.
+    const auto is_broken = [&](std::size_t in_list_a, std::size_t in_list_b) {
+        return (in_list_a + 1 == of_a.size() && a_.lines.is_cut_off()) ||
+               (in_list_b + 1 == of_b.size() && b_.lines.is_cut_off());
+    };
+    std::size_t i = 0;
+    std::size_t j = 0;
+    while (i < of_a.size() || j < of_b.size()) {
+        ++gap_;
+        if (i < of_a.size() && in_b[i] == nowhere) {
+            if (!b_.lines.is_cut_off())
+                add_primitive(a_.text, of_a[i], true);
+            ++i;
+        } else if (j < of_b.size() && in_a[j] == nowhere) {
+            if (!a_.lines.is_cut_off())
+                add_primitive(b_.text, of_b[j], false);
+            ++j;
+        } else if (i < of_a.size() && !stays[i]) {
+            compare_primitives(of_a[i], of_b[in_b[i]], true, is_broken(i, in_b[i]));
+            ++i;
+        } else if (j < of_b.size() && !stays[in_a[j]]) {
+            ++j; // it has moved: it is compared where a has it
+        } else {
+            compare_primitives(of_a[i], of_b[j], false, is_broken(i, j));
+            ++i;
+            ++j;
+        }
+    }
+}
+
+/// Finds what is named otherwise in b.
+void TraceComparison::find_names(const std::vector<PrimitivePlace>& of_a,
+                                 const std::vector<PrimitivePlace>& of_b,
+                                 const std::vector<std::size_t>& in_b) {
+    std::size_t renamed = 0;
+    for (std::size_t i = 0; i < of_a.size(); ++i) {
+        if (in_b[i] == nowhere || !is_renamed(of_a[i], of_b[in_b[i]]))
+            continue;
+        const PrimitivePlace& other = of_b[in_b[i]];
+        names_.add(a_.step_at(of_a[i].begin, of_a[i].end.offset),
+                   b_.step_at(other.begin, other.end.offset));
+        ++renamed;
+    }
+    if (renamed == 0)
+        return;
+    remarks_.push_back(renamed == 1 ? "1 primitive is renamed"
+                                    : fmt::format("{} primitives are renamed", renamed));
+    const auto has_front = [](const DiffSide& side) {
+        return !side.primitives.empty() && side.primitives.front().steps > 0;
+    };
+    needs_names_in_front_ = !had_names_ && (has_front(a_) || has_front(b_));
+}
+
+/// A primitive that only one trace has, with all its steps.
+void TraceComparison::add_primitive(const TraceText& text, const PrimitivePlace& primitive,
+                                    bool is_in_a) {
+    if (!compared_.has_primitive(primitive.name))
+        return;
+    StepLines lines(text, primitive.begin, primitive.end.offset);
+    DiffSection section;
+    if (const StepLine* const first = lines.front())
+        (is_in_a ? section.json_a : section.json_b) = first->json;
+    (is_in_a ? section.begin_a : section.begin_b) = primitive.begin;
+    tally_.begin_section(std::move(section));
+    for (; const StepLine* const step = lines.front(); lines.pass())
+        if (compared_.has(*step))
+            tally_.add_alone(gap_, is_in_a, *step);
+}
+
+/// A primitive that both traces have, perhaps at another place.
+void TraceComparison::compare_primitives(const PrimitivePlace& of_a, const PrimitivePlace& of_b,
+                                         bool has_moved, bool breaks_off) {
+    Renames names;
+    renames_section_ = !options_.compares_names && !names_.is_empty();
+    StepReading reading_b{.keys = options_.keys};
+    DiffSide a(a_.text, true, of_a, {.keys = options_.keys});
+    if (renames_section_) { // the first step of b has the names
+        reading_b.rewrite = [&](std::string_view step) {
+            if (names.is_empty())
+                names.add(a.lines.front()->json, std::string(step));
+            return names.in_step(step, names_);
+        };
+    }
+    DiffSide b(b_.text, false, of_b, std::move(reading_b));
+    const StepLine* const step_a = a.lines.front();
+    const StepLine* const step_b = step_a == nullptr ? nullptr : b.lines.front();
+    if (step_b == nullptr)
+        return;
+    a_.json = step_a->json;
+    b_.json = step_b->json;
+    a_.begin = of_a.begin;
+    b_.begin = of_b.begin;
+    if (has_moved && compared_.has(*step_a)) {
+        begin_section();
+        tally_.add_moved(gap_, *step_a, *step_b);
+    }
+    a.breaks_off = b.breaks_off = breaks_off;
+    begin_primitive(a, b);
+    compare_section(a, b);
+}
+
+} // namespace rastertrace
