@@ -10,7 +10,6 @@
 
 #include <algorithm>
 #include <cstdlib>
-#include <map>
 #include <random>
 #include <utility>
 
@@ -193,22 +192,6 @@ std::string coordinates(const FuzzVertex& vertex, std::size_t count, std::string
     return joined(numbers, separator);
 }
 
-/// Each different vertex with its number, in the order in which they come.
-std::map<FuzzVertex, std::size_t> numbered_vertices(const FuzzScene& scene) {
-    std::map<FuzzVertex, std::size_t> numbers;
-    for (const FuzzPrimitive& primitive : scene.primitives)
-        for (const FuzzVertex& vertex : primitive.vertices)
-            numbers.try_emplace(vertex, numbers.size());
-    return numbers;
-}
-
-std::vector<FuzzVertex> vertices_in_order(const std::map<FuzzVertex, std::size_t>& numbers) {
-    std::vector<FuzzVertex> vertices(numbers.size());
-    for (const auto& [vertex, number] : numbers)
-        vertices[number] = vertex;
-    return vertices;
-}
-
 std::string vertex_name(std::size_t number, std::size_t count) {
     constexpr std::size_t letters = 26;
     return count <= letters ? std::string(1, static_cast<char>('A' + number))
@@ -225,22 +208,30 @@ FuzzScene random_scene(std::uint64_t seed, const FuzzChoice& choice) {
     return RandomFuzzScene(seed, choice).made();
 }
 
-std::size_t count_vertices(const FuzzScene& scene) {
-    return numbered_vertices(scene).size();
+std::vector<FuzzVertex> fuzz_vertices(const FuzzScene& scene) {
+    std::vector<FuzzVertex> all;
+    for (const FuzzPrimitive& primitive : scene.primitives)
+        for (const FuzzVertex& vertex : primitive.vertices)
+            if (std::ranges::find(all, vertex) == all.end())
+                all.push_back(vertex);
+    return all;
 }
 
 std::string scene_json(const FuzzScene& scene) {
-    const auto numbers = numbered_vertices(scene);
+    const std::vector<FuzzVertex> all = fuzz_vertices(scene);
+    const auto name_of_vertex = [&all](const FuzzVertex& vertex) {
+        return vertex_name(static_cast<std::size_t>(std::ranges::find(all, vertex) - all.begin()),
+                           all.size());
+    };
     std::vector<std::string> vertices;
-    for (const FuzzVertex& vertex : vertices_in_order(numbers))
-        vertices.push_back(fmt::format(R"("{}": [{}])",
-                                       vertex_name(vertices.size(), numbers.size()),
+    for (const FuzzVertex& vertex : all)
+        vertices.push_back(fmt::format(R"("{}": [{}])", name_of_vertex(vertex),
                                        coordinates(vertex, count_coordinates(scene), ", ")));
     std::vector<std::string> primitives;
     for (const FuzzPrimitive& primitive : scene.primitives) {
         std::vector<std::string> names;
         for (const FuzzVertex& vertex : primitive.vertices)
-            names.push_back(json_quoted(vertex_name(numbers.at(vertex), numbers.size())));
+            names.push_back(json_quoted(name_of_vertex(vertex)));
         primitives.push_back(fmt::format(R"({{"vertices": [{}], "name": {}, "color": "{}"}})",
                                          joined(names, ", "), json_quoted(primitive.name),
                                          to_text(primitive.color)));

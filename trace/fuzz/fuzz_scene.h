@@ -59,8 +59,8 @@ struct FuzzChoice {
 
 FuzzScene random_scene(std::uint64_t seed, const FuzzChoice& choice);
 
-/// How many different vertices there are.
-std::size_t count_vertices(const FuzzScene& scene);
+/// The different vertices, in the order in which they come.
+std::vector<FuzzVertex> fuzz_vertices(const FuzzScene& scene);
 
 /// The scene as a scene file.
 std::string scene_json(const FuzzScene& scene);

@@ -113,10 +113,9 @@ private:
     bool shift() {
         bool is_nearer = false;
         for (std::size_t axis = 0; axis < 2 && scene_.kind != FuzzKind::clip; ++axis) {
-            std::int64_t least = scene_.primitives.front().vertices.front()[axis];
-            for (const FuzzPrimitive& primitive : scene_.primitives)
-                for (const FuzzVertex& vertex : primitive.vertices)
-                    least = std::min(least, vertex[axis]);
+            const auto on_axis = [axis](const FuzzVertex& vertex) { return vertex[axis]; };
+            const std::int64_t least =
+                on_axis(std::ranges::min(fuzz_vertices(scene_), {}, on_axis));
             const std::int64_t by = least / fuzz_unit * fuzz_unit;
             if (by <= 0)
                 continue;
@@ -130,10 +129,8 @@ private:
     }
 
     std::set<FuzzVertex> vertices() const {
-        std::set<FuzzVertex> all;
-        for (const FuzzPrimitive& primitive : scene_.primitives)
-            all.insert(primitive.vertices.begin(), primitive.vertices.end());
-        return all;
+        const std::vector<FuzzVertex> all = fuzz_vertices(scene_);
+        return {all.begin(), all.end()};
     }
 
     FuzzScene with(const FuzzVertex& from, const FuzzVertex& to) const {

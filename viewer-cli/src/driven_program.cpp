@@ -47,23 +47,15 @@ std::string replaced(std::string text, std::string_view from, const std::string&
     return text;
 }
 
-void write_file(const std::filesystem::path& path, const std::string& text) {
-    FileOutput output(path.string());
-    output.write(text);
-    output.commit();
-}
-
 /// `ended by signal 11: ...`, with the last line that it printed.
 std::string ending_of(const FinishedRun& run) {
     constexpr int by_signal = 128;
-    const std::vector<std::string> lines = split_at(run.err, '\n');
-    const auto last = std::find_if(lines.rbegin(), lines.rend(),
-                                   [](const std::string& line) { return !line.empty(); });
-    const std::string said = last == lines.rend() ? "" : ": " + shortened(printable(*last), 200);
-    return (run.exit_status > by_signal
-                ? fmt::format("ended by signal {}", run.exit_status - by_signal)
-                : fmt::format("exit status {}", run.exit_status)) +
-           said;
+    const std::string lines = run.err.substr(0, run.err.find_last_not_of('\n') + 1);
+    const std::string last = lines.substr(lines.rfind('\n') + 1);
+    const bool is_signal = run.exit_status > by_signal;
+    return fmt::format("{} {}{}{}", is_signal ? "ended by signal" : "exit status",
+                       run.exit_status - (is_signal ? by_signal : 0), last.empty() ? "" : ": ",
+                       shortened(printable(last), 200));
 }
 
 /// The first difference in one line: of a step its sentence in both.
@@ -84,18 +76,12 @@ std::string first_line_of(const TraceDiff& found) {
                        sentence_of(found.first->a), sentence_of(found.first->b));
 }
 
-/// Why our drawing has the first pixel that differs, or has not.
-std::string explained(const std::string& reference, const TraceDiff& found) {
-    return "\n" + explanation_of_first_pixel(
-                      found, value_or_throw(read_trace({"reference", reference, {}})));
-}
-
 } // namespace
 
 DrivenProgram::DrivenProgram(std::vector<std::string> words, const ComparisonOptions& comparison,
-                             Limits limits)
+                             std::chrono::seconds time)
     : words_(std::move(words)), options_(comparison.options()),
-      asked_background_(comparison.background()), limits_(limits) {
+      asked_background_(comparison.background()), time_(time) {
     const auto has = [this](std::string_view placeholder) {
         return std::ranges::any_of(words_, [placeholder](const std::string& word) {
             return word.find(placeholder) != std::string::npos;
@@ -129,15 +115,19 @@ std::string_view DrivenProgram::ending() const {
     return text_for(placeholder_).ending;
 }
 
-std::string DrivenProgram::reference(const FuzzScene& scene) const {
-    Source source{"scene.json", scene_json(scene), {}};
-    if (text_for(placeholder_).write == cs418_text)
-        source = value_or_throw(scene_of_foreign({"scene.txt", cs418_text(scene), {}}));
-    const PlannedScene planned = value_or_throw(read_scene(source, scene.method));
-    std::string text;
-    StringOutput output(text);
-    write_trace(planned.scene, planned.plan, {.layout = TraceLayout::jsonl, .filter = {}}, output);
-    return text;
+Result<std::string> DrivenProgram::reference(const FuzzScene& scene) const {
+    try {
+        Source source{"scene.json", scene_json(scene), {}};
+        if (text_for(placeholder_).write == cs418_text)
+            source = value_or_throw(scene_of_foreign({"scene.txt", cs418_text(scene), {}}));
+        const auto [drawn, plan, remarks] = value_or_throw(read_scene(source, scene.method));
+        std::string text;
+        StringOutput output(text);
+        write_trace(drawn, plan, {.layout = TraceLayout::jsonl, .filter = {}}, output);
+        return text;
+    } catch (const Problem& problem) {
+        return problem;
+    }
 }
 
 std::vector<std::string> DrivenProgram::words_for(const std::string& scene,
@@ -153,17 +143,17 @@ FinishedRun DrivenProgram::run(const FuzzScene& scene, std::string& answer) cons
     const TemporaryFolder folder("rastertrace-fuzz");
     const std::filesystem::path file = folder.path() / fmt::format("scene{}", ending());
     const std::filesystem::path out = folder.path() / "out";
-    write_file(file, scene_text(scene));
+    write_file(file.string(), scene_text(scene));
     std::vector<std::string> words = words_for(file.string(), out.string());
     FinishedRun finished = run_program({.path = words.front(),
                                         .words = words,
                                         .environment = own_environment(),
-                                        .most_output = limits_.input.bytes,
-                                        .time = limits_.time,
+                                        .most_output = InputLimits{}.bytes,
+                                        .time = time_,
                                         .has_own_group = true});
     answer = finished.out;
     if (has_out_) {
-        const auto source = read_bytes(out.string(), limits_.input);
+        const auto source = read_bytes(out.string(), {});
         answer = source ? std::string(source.value().view()) : "";
     }
     return finished;
@@ -197,10 +187,8 @@ std::optional<DrivenFinding> DrivenProgram::difference(const FuzzScene& scene,
     using Kind = DrivenFinding::Kind;
     std::string answer;
     const FinishedRun finished = run(scene, answer);
-    if (finished.is_too_long) {
-        const auto seconds = std::chrono::duration<double>(limits_.time).count();
-        return DrivenFinding{Kind::hangs, "", fmt::format("not done after {} s", seconds)};
-    }
+    if (finished.is_too_long)
+        return DrivenFinding{Kind::hangs, "", fmt::format("not done after {} s", time_.count())};
     if (finished.is_too_large)
         return DrivenFinding{Kind::no_answer, "", "it prints without end"};
     if (finished.exit_status != 0)
@@ -222,7 +210,6 @@ std::optional<DrivenFinding> DrivenProgram::compared(const std::string& referenc
         const TraceText expected(Source{"reference", reference, {}});
         Source theirs{"its answer", std::move(answer), {}};
         TraceDiff found;
-        std::string explanation;
         if (is_trace(theirs)) {
             found = diff(expected, TraceText(std::move(theirs)), options_);
         } else if (picture_format(theirs)) {
@@ -230,8 +217,9 @@ std::optional<DrivenFinding> DrivenProgram::compared(const std::string& referenc
             how.name = theirs.name;
             how.background = background();
             found = diff_with_picture(expected, value_or_throw(read_picture(theirs)), how);
-            if (!found.is_same)
-                explanation = explained(reference, found);
+            if (!found.is_same) // why our drawing has that pixel, or has not
+                found.explanation = explanation_of_first_pixel(
+                    found, value_or_throw(read_trace({"reference", reference, {}})));
         } else {
             return DrivenFinding{Kind::no_answer, "",
                                  "expected a trace or a picture, found neither"};
@@ -240,7 +228,7 @@ std::optional<DrivenFinding> DrivenProgram::compared(const std::string& referenc
             return DrivenFinding{Kind::no_answer, "", to_text(found.damage.front())};
         if (found.is_same)
             return std::nullopt;
-        return DrivenFinding{Kind::differs, diff_text(found) + explanation, first_line_of(found)};
+        return DrivenFinding{Kind::differs, diff_text(found), first_line_of(found)};
     } catch (const Problem& problem) {
         return DrivenFinding{Kind::no_answer, "", to_text(problem)};
     }

@@ -3,15 +3,14 @@
 
 // A rasterizer of somebody else, run on a scene; what it answers, a trace or a picture, held against our drawing.
 //
-//     const DrivenProgram mine({"./mine", "{scene}"}, {});
-//     if (const auto finding = mine.difference(scene, mine.reference(scene))) ...
+//     const DrivenProgram mine({"./mine", "{scene}"}, {}, std::chrono::seconds(10));
+//     if (const auto finding = mine.difference(scene, mine.reference(scene).value())) ...
 
 #include "run_program.h"
 #include "shared_options.h"
 
 #include <rastertrace/trace/compare/diff.h>
 #include <rastertrace/trace/fuzz/fuzz_scene.h>
-#include <rastertrace/trace/text/input.h>
 #include <rastertrace/trace/text/problem.h>
 
 #include <chrono>
@@ -38,16 +37,11 @@ struct DrivenFinding {
 
 class DrivenProgram {
 public:
-    struct Limits {
-        std::chrono::milliseconds time{10'000};
-        InputLimits input{};
-    };
-
     /// `words` are the program and its arguments. `{scene}`, `{triangles}` and `{cs418}` stand for a file with the scene,
     /// one of them at least; `{out}` for the file that it answers in, else it answers on standard output. Throws a
     /// Problem.
     DrivenProgram(std::vector<std::string> words, const ComparisonOptions& comparison,
-                  Limits limits);
+                  std::chrono::seconds time);
 
     /// What is wrong with its answer to a scene; nothing if it agrees with the reference. Throws a Problem if the program
     /// cannot be run. May be called by several threads.
@@ -58,8 +52,8 @@ public:
     std::string scene_text(const FuzzScene& scene) const;
     std::string_view ending() const;
 
-    /// Our trace of a scene, one step a line. Throws a Problem.
-    std::string reference(const FuzzScene& scene) const;
+    /// Our trace of a scene, one step a line; a Problem if we do not draw it.
+    Result<std::string> reference(const FuzzScene& scene) const;
 
     /// The words, with a file in the place of the scene.
     std::vector<std::string> words_for(const std::string& scene, const std::string& out) const;
@@ -80,7 +74,7 @@ private:
     std::optional<Color> asked_background_;
     mutable std::once_flag has_run_probe_;
     mutable std::optional<Color> found_background_;
-    Limits limits_;
+    std::chrono::seconds time_;
     std::string placeholder_; ///< of the scene
     bool has_out_ = false;
 };

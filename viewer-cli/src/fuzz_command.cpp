@@ -11,6 +11,7 @@
 #include "run_program.h"
 #include "shared_options.h"
 
+#include <rastertrace/core/draw/plan/stages.h>
 #include <rastertrace/trace/fuzz/shrink.h>
 #include <rastertrace/trace/text/canvas_json.h>
 #include <rastertrace/trace/text/output.h>
@@ -19,6 +20,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <filesystem>
 #include <functional>
@@ -40,10 +42,10 @@ struct FuzzCommand {
     std::uint64_t runs = 1000;
     std::size_t jobs = 1;
     std::size_t most_tries = 2000; ///< to shrink what was found
-    std::string folder;
+    std::string folder = "fuzz";
     FuzzChoice choice;
     ComparisonOptions comparison;
-    DrivenProgram::Limits limits;
+    std::size_t seconds = 10; ///< that a run may take
 };
 
 /// A scene that the program fails on.
@@ -94,19 +96,15 @@ private:
 
     void try_seed(std::uint64_t seed, std::uint64_t number) {
         FuzzScene scene = random_scene(seed, command_.choice);
-        std::string reference;
-        try {
-            reference = program_.reference(scene);
-        } catch (const Problem& refusal) {
-            const std::scoped_lock lock(mutex_);
+        const auto reference = program_.reference(scene);
+        auto finding = reference ? program_.difference(scene, reference.value()) : std::nullopt;
+        const std::scoped_lock lock(mutex_);
+        if (!reference) {
             ++undrawn_;
-            refusal_ = refusal;
-            return;
+            refusal_ = reference.problem();
         }
-        auto finding = program_.difference(scene, reference);
         if (!finding)
             return;
-        const std::scoped_lock lock(mutex_);
         if (found_ && found_->seed < seed)
             return;
         found_ = FoundScene{seed, std::move(scene), *std::move(finding)};
@@ -136,7 +134,6 @@ std::string test_script(const FuzzCommand& command, const DrivenProgram& program
     for (const std::string& word :
          program.words_for("$here/" + name + std::string(program.ending()), out))
         words.push_back(script_word(word));
-    const auto seconds = std::chrono::ceil<std::chrono::seconds>(command.limits.time).count();
     return fmt::format(
         "#!/bin/sh\n"
         "# Fails until the program draws this scene as its golden says. To be run in the folder "
@@ -145,7 +142,7 @@ std::string test_script(const FuzzCommand& command, const DrivenProgram& program
         "here=$(dirname \"$0\")\n"
         "timeout {} {}{} &&\n"
         "  rastertrace diff --common --any-order {} \"$here/{}.golden.jsonl\" \"{}\"\n",
-        found.seed, found.finding.first, seconds, joined(words, " "),
+        found.seed, found.finding.first, command.seconds, joined(words, " "),
         program.answers_in_file() ? "" : fmt::format(" > \"{}\"", out),
         command.comparison.words(program.ignored()), name, out);
 }
@@ -153,58 +150,36 @@ std::string test_script(const FuzzCommand& command, const DrivenProgram& program
 /// Writes what was found; returns the names of the files.
 std::vector<std::string> write_findings(const FuzzCommand& command, const DrivenProgram& program,
                                         const FoundScene& found) {
-    const std::filesystem::path folder = command.folder;
-    std::error_code error;
-    std::filesystem::create_directories(folder, error);
-    if (error)
-        throw problem_of_system(command.folder, "the folder could not be made", error.value());
+    make_folder(command.folder);
     const std::string name = fmt::format("seed-{}", found.seed);
     std::vector<std::string> written;
     const auto write = [&](const std::string& ending, const std::string& text) {
-        FileOutput output((folder / (name + ending)).string());
-        output.write(text);
-        output.commit();
-        written.push_back((folder / (name + ending)).string());
+        written.push_back((std::filesystem::path(command.folder) / (name + ending)).string());
+        write_file(written.back(), text);
     };
     write(".json", scene_json(found.scene));
     if (program.ending() != ".json")
         write(std::string(program.ending()), program.scene_text(found.scene));
-    write(".golden.jsonl", program.reference(found.scene));
+    write(".golden.jsonl", value_or_throw(program.reference(found.scene)));
     write(".sh", test_script(command, program, found, name));
+    std::error_code ignored;
     std::filesystem::permissions(written.back(), std::filesystem::perms::owner_exec,
-                                 std::filesystem::perm_options::add, error);
+                                 std::filesystem::perm_options::add, ignored);
     return written;
 }
 
-std::string counted(std::size_t count, std::string_view what) {
-    return fmt::format("{} {}{}", count, what, count == 1 ? "" : "s");
-}
-
-std::string_view words_of(DrivenFinding::Kind kind) {
-    switch (kind) {
-    case DrivenFinding::Kind::differs:
-        return "decides otherwise";
-    case DrivenFinding::Kind::crashes:
-        return "does not end well";
-    case DrivenFinding::Kind::hangs:
-        return "hangs";
-    case DrivenFinding::Kind::no_answer:
-        break;
-    }
-    return "gives no answer";
-}
+/// In the order of DrivenFinding::Kind.
+constexpr std::array<std::string_view, 4> words_of_kinds{"decides otherwise", "does not end well",
+                                                         "hangs", "gives no answer"};
 
 /// The smallest scene that fails as the one found does.
 FoundScene shrunk_finding(const FuzzCommand& command, const DrivenProgram& program,
                           FoundScene found, std::size_t& tries) {
     const auto fails = [&](const FuzzScene& scene) {
-        std::string reference;
-        try {
-            reference = program.reference(scene);
-        } catch (const Problem&) {
+        const auto reference = program.reference(scene);
+        if (!reference)
             return false; // we do not draw it
-        }
-        auto finding = program.difference(scene, reference);
+        auto finding = program.difference(scene, reference.value());
         const bool is_it = finding && finding->kind == found.finding.kind;
         if (is_it)
             found.finding = *std::move(finding);
@@ -217,7 +192,8 @@ FoundScene shrunk_finding(const FuzzCommand& command, const DrivenProgram& progr
 }
 
 ExitStatus drive(const FuzzCommand& command) {
-    const DrivenProgram program(command.words, command.comparison, command.limits);
+    const DrivenProgram program(command.words, command.comparison,
+                                std::chrono::seconds(command.seconds));
     FuzzRuns runs(command, program);
     auto found = runs.run();
     const std::string seeds =
@@ -234,13 +210,15 @@ ExitStatus drive(const FuzzCommand& command) {
     std::size_t tries = 0;
     const FoundScene small = shrunk_finding(command, program, *std::move(found), tries);
     const bool has_lines = small.scene.kind == FuzzKind::lines;
-    std::string text = fmt::format(
-        "seed {}: {} {}\n{}\nshrunk by {} to {}, {} {}, {}x{} pixels\n\n{}{}", small.seed,
-        printable(command.words.front()), words_of(small.finding.kind), small.finding.first,
-        counted(tries, "run"),
-        counted(small.scene.primitives.size(), has_lines ? "line" : "triangle"),
-        count_vertices(small.scene), count_vertices(small.scene) == 1 ? "vertex" : "vertices",
-        small.scene.width, small.scene.height, triangles_text(small.scene), small.finding.text);
+    const std::size_t vertices = fuzz_vertices(small.scene).size();
+    std::string text =
+        fmt::format("seed {}: {} {}\n{}\nshrunk by {} to {}, {} {}, {}x{} pixels\n\n{}{}",
+                    small.seed, printable(command.words.front()),
+                    words_of_kinds[static_cast<std::size_t>(small.finding.kind)],
+                    small.finding.first, counted(tries, "run"),
+                    counted(small.scene.primitives.size(), has_lines ? "line" : "triangle"),
+                    vertices, vertices == 1 ? "vertex" : "vertices", small.scene.width,
+                    small.scene.height, triangles_text(small.scene), small.finding.text);
     for (const std::string& file : write_findings(command, program, small))
         text += fmt::format("written: {}\n", printable(file));
     print(text);
@@ -297,16 +275,20 @@ public:
     }
 
     void read() override {
-        constexpr int most = 1'000'000'000;
-        command_.runs = static_cast<std::uint64_t>(number("--runs", runs_, 1000, 1, most));
-        command_.first_seed = static_cast<std::uint64_t>(number("--seed", seed_, 1, 0, most));
-        command_.limits.time = std::chrono::seconds(number("--time", time_, 10, 1, 86'400));
-        const int cores = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
-        command_.jobs = static_cast<std::size_t>(number("--jobs", jobs_, cores, 1, 1024));
-        command_.most_tries = static_cast<std::size_t>(number("--shrink", tries_, 2000, 0, most));
-        command_.choice.largest_canvas = number("--largest", largest_, 32, 4, 1024);
-        if (command_.folder.empty())
-            command_.folder = "fuzz";
+        constexpr std::uint64_t most = 1'000'000'000;
+        const auto read_number = [](const char* option, const std::string& text, auto& number,
+                                    std::uint64_t least, std::uint64_t largest) {
+            using Number = std::remove_reference_t<decltype(number)>;
+            if (const auto given = number_in_option(option, text, least, largest))
+                number = static_cast<Number>(*given);
+        };
+        command_.jobs = std::max(1U, std::thread::hardware_concurrency());
+        read_number("--runs", runs_, command_.runs, 1, most);
+        read_number("--seed", seed_, command_.first_seed, 0, most);
+        read_number("--time", time_, command_.seconds, 1, 86'400);
+        read_number("--jobs", jobs_, command_.jobs, 1, 1024);
+        read_number("--shrink", tries_, command_.most_tries, 0, most);
+        read_number("--largest", largest_, command_.choice.largest_canvas, 4, 1024);
         auto kinds = values_of("--kinds", "kinds", kinds_,
                                {fuzz_kind_names.begin(), fuzz_kind_names.end()}, fuzz_kind_named);
         if (!kinds.empty())
@@ -319,16 +301,6 @@ public:
     int run() override { return drive(command_); }
 
 private:
-    static int number(const std::string& option, const std::string& text, int otherwise, int least,
-                      int most) {
-        if (text.empty())
-            return otherwise;
-        const auto value = whole_number<int>(text);
-        if (!value || *value < least || *value > most)
-            refuse_value(option, fmt::format("a whole number from {} to {}", least, most), text);
-        return *value;
-    }
-
     FuzzCommand command_;
     std::optional<AddedOption> program_;
     std::string runs_;
