@@ -40,6 +40,15 @@ inline std::string trace_text(const Scene& scene, const TraceOptions& options = 
     write_trace(scene, options, output);
     return text;
 }
+inline std::string trace_text(const PlannedScene& scene, const TraceOptions& options) {
+    std::string text;
+    StringOutput output(text);
+    write_trace(scene.scene, scene.plan, options, output);
+    return text;
+}
+
+/// JSON Lines: a step can be changed, put in or taken out without its neighbors.
+inline const TraceOptions in_lines{.layout = TraceLayout::jsonl, .filter = {}};
 
 /// A trace that can be read, with or without damage.
 inline Trace readable_trace(const std::string& text) {

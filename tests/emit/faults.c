@@ -41,7 +41,12 @@ static void expect_fault(int line, const char* call, const char* fault, int line
     }
 }
 
-/// A call, and what must come of it.
+/// A call, and what must come of it; the same in a trace that has begun.
+#define FAULT_IN_TRACE(call, name, fault, lines)                                                   \
+    do {                                                                                           \
+        begin();                                                                                   \
+        EXPECT_FAULT(call, name, fault, lines);                                                    \
+    } while (0)
 #define EXPECT_FAULT(call, name, fault, lines)                                                     \
     do {                                                                                           \
         call;                                                                                      \
@@ -66,11 +71,10 @@ static void too_early_or_too_late(void) {
     EXPECT_FAULT(rt_number(t, "left", 1), "rt_number \"left\"", "a step before it", 0);
     rt_open(t, path);
     EXPECT_FAULT(rt_end(t), "rt_end", "rt_header before it", 0);
-    begin();
-    EXPECT_FAULT(rt_header(t, 9, 9, "center"), "rt_header", "it once, directly behind rt_open", 2);
-    begin();
-    EXPECT_FAULT(rt_method(t, "fill", "fan"), "rt_method \"fill\"", "it directly behind rt_header",
-                 2);
+    FAULT_IN_TRACE(rt_header(t, 9, 9, "center"), "rt_header", "it once, directly behind rt_open",
+                   2);
+    FAULT_IN_TRACE(rt_method(t, "fill", "fan"), "rt_method \"fill\"",
+                   "it directly behind rt_header", 2);
     begin();
     rt_end(t);
     EXPECT_FAULT(rt_pixel(t, 1, 2), "rt_pixel", "it before the end", 4);
@@ -84,32 +88,22 @@ static void too_early_or_too_late(void) {
 
 static void fields(void) {
     static const char* const texts[] = {"A", NULL};
-    begin();
-    EXPECT_FAULT(rt_whole(t, "x", 1), "rt_whole \"x\"", "each field once", 2);
+    FAULT_IN_TRACE(rt_whole(t, "x", 1), "rt_whole \"x\"", "each field once", 2);
     begin();
     rt_text(t, "note", ",\"mine\":");
     rt_whole(t, "mine", 1); // what stands in a text is none
     EXPECT_FAULT(rt_flag(t, "mine", 1), "rt_flag \"mine\"", "each field once", 2);
-    begin();
-    EXPECT_FAULT(rt_text(t, "step", "pixel"), "rt_text \"step\"", "each field once", 2);
-    begin();
-    EXPECT_FAULT(rt_text(t, "", "A"), "rt_text", "a key that needs no escape", 2);
-    begin();
-    EXPECT_FAULT(rt_text(t, "a\"b", "A"), "rt_text", "a key that needs no escape", 2);
-    begin();
-    EXPECT_FAULT(rt_text(t, "edge", NULL), "rt_text \"edge\"", "a text, found NULL", 2);
-    begin();
-    EXPECT_FAULT(rt_texts(t, "edges", texts, 2), "rt_texts \"edges\"", "texts, found NULL", 2);
-    begin();
-    EXPECT_FAULT(rt_numbers(t, "at", NULL, 2), "rt_numbers \"at\"", "a list, found NULL", 2);
-    begin();
-    EXPECT_FAULT(rt_whole(t, "n", 9007199254740992LL), "rt_whole",
-                 "whole numbers within 9007199254740991", 2);
-    begin();
-    EXPECT_FAULT(rt_pixel(t, 0, -9007199254740992LL), "rt_pixel",
-                 "whole numbers within 9007199254740991", 3);
-    begin();
-    EXPECT_FAULT(rt_color(t, 0, 256, 0, 255), "rt_color", "channels from 0 to 255", 2);
+    FAULT_IN_TRACE(rt_text(t, "step", "pixel"), "rt_text \"step\"", "each field once", 2);
+    FAULT_IN_TRACE(rt_text(t, "", "A"), "rt_text", "a key that needs no escape", 2);
+    FAULT_IN_TRACE(rt_text(t, "a\"b", "A"), "rt_text", "a key that needs no escape", 2);
+    FAULT_IN_TRACE(rt_text(t, "edge", NULL), "rt_text \"edge\"", "a text, found NULL", 2);
+    FAULT_IN_TRACE(rt_texts(t, "edges", texts, 2), "rt_texts \"edges\"", "texts, found NULL", 2);
+    FAULT_IN_TRACE(rt_numbers(t, "at", NULL, 2), "rt_numbers \"at\"", "a list, found NULL", 2);
+    FAULT_IN_TRACE(rt_whole(t, "n", 9007199254740992LL), "rt_whole",
+                   "whole numbers within 9007199254740991", 2);
+    FAULT_IN_TRACE(rt_pixel(t, 0, -9007199254740992LL), "rt_pixel",
+                   "whole numbers within 9007199254740991", 3);
+    FAULT_IN_TRACE(rt_color(t, 0, 256, 0, 255), "rt_color", "channels from 0 to 255", 2);
 }
 
 static void headers_and_names(void) {
@@ -126,15 +120,11 @@ static void headers_and_names(void) {
     rt_open(t, path);
     rt_header(t, 9, 9, "center");
     EXPECT_FAULT(rt_text(t, "canvas", "fan"), "rt_text \"canvas\"", "each field once", 0);
-    begin();
-    EXPECT_FAULT(rt_primitive(t, "triangle", ""), "rt_primitive \"name\"", "a name", 3);
-    begin();
-    EXPECT_FAULT(rt_skip(t, NULL, "culled"), "rt_skip \"name\"", "a name", 3);
-    begin();
-    EXPECT_FAULT(rt_step(t, "scanline"), "rt_step \"scanline\"",
-                 "the call of this kind, which has its fields", 2);
-    begin();
-    EXPECT_FAULT(rt_step(t, NULL), "rt_step", "the name of a kind", 2);
+    FAULT_IN_TRACE(rt_primitive(t, "triangle", ""), "rt_primitive \"name\"", "a name", 3);
+    FAULT_IN_TRACE(rt_skip(t, NULL, "culled"), "rt_skip \"name\"", "a name", 3);
+    FAULT_IN_TRACE(rt_step(t, "scanline"), "rt_step \"scanline\"",
+                   "the call of this kind, which has its fields", 2);
+    FAULT_IN_TRACE(rt_step(t, NULL), "rt_step", "the name of a kind", 2);
 }
 
 /// Only the first fault is told, and what comes after it is not written, however much it is.
@@ -165,9 +155,8 @@ static void begin_parts(void) {
 
 static void parts(void) {
     int line;
-    begin();
-    EXPECT_FAULT(rt_primitive_number(t, 1), "rt_primitive_number",
-                 "a part that has not been joined", 2);
+    FAULT_IN_TRACE(rt_primitive_number(t, 1), "rt_primitive_number",
+                   "a part that has not been joined", 2);
 
     begin_parts();
     line = __LINE__ + 1;

@@ -5,6 +5,8 @@
 #include "check.h"
 
 #include <rastertrace/trace/picture/picture.h>
+#include <rastertrace/trace/picture/picture_trace.h>
+#include <rastertrace/trace/text/text.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -14,14 +16,6 @@
 namespace rastertrace::fuzz {
 
 namespace {
-
-std::string as_rows(const Picture& picture) {
-    std::string text;
-    for (int row = 0; row < picture.height; ++row, text += '\n')
-        for (int x = 0; x < picture.width; ++x)
-            text += picture.at(x, row) == no_color ? '.' : '#';
-    return text;
-}
 
 std::string as_ppm(const Picture& picture) {
     std::string bytes =
@@ -33,8 +27,8 @@ std::string as_ppm(const Picture& picture) {
 }
 
 void write_and_read_back(const Picture& picture) {
-    const auto again =
-        read_picture({"again", picture.has_colors ? as_ppm(picture) : as_rows(picture)});
+    const auto again = read_picture(
+        {"again", picture.has_colors ? as_ppm(picture) : joined(picture_rows(picture), "\n")});
     check(static_cast<bool>(again), "a picture that was written cannot be read");
     check(again.value().has_colors == picture.has_colors, "a picture has lost its colors");
     check(std::equal(picture.pixels.begin(), picture.pixels.end(), again.value().pixels.begin(),

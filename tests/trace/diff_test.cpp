@@ -36,9 +36,6 @@ using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 using Json = nlohmann::ordered_json;
 
-/// JSON Lines: a step can be changed, put in or taken out without its neighbors.
-const TraceOptions in_lines{.layout = TraceLayout::jsonl, .filter = {}};
-
 TraceDiff diff_of(const std::string& a, const std::string& b, const DiffOptions& options = {}) {
     return diff(TraceText({"a.json", a, {}}), TraceText({"b.json", b, {}}), options);
 }
@@ -51,6 +48,16 @@ std::vector<std::string> counts_of(const TraceDiff& found) {
                          std::to_string(kind.only_a) + " " + std::to_string(kind.only_b) + " " +
                          std::to_string(kind.moved));
     return counts;
+}
+
+/// How many steps only a has, where nothing else differs.
+std::size_t only_in_a(const TraceDiff& found) {
+    std::size_t count = 0;
+    for (const KindDifference& kind : found.kinds) {
+        count += kind.only_a;
+        EXPECT_EQ(kind.changed + kind.only_b + kind.moved, 0U) << diff_text(found);
+    }
+    return count;
 }
 
 /// What the other way round has to find.
@@ -81,12 +88,7 @@ std::vector<std::pair<std::string, std::string>> example_scenes() {
 std::string trace_of_example(const std::pair<std::string, std::string>& example,
                              const MethodOverrides& method = {}, TraceLayout layout = {}) {
     const auto read = read_scene({example.first, example.second}, method);
-    if (!read)
-        return {};
-    std::string text;
-    StringOutput output(text);
-    write_trace(read.value().scene, read.value().plan, {.layout = layout, .filter = {}}, output);
-    return text;
+    return read ? trace_text(read.value(), {.layout = layout, .filter = {}}) : "";
 }
 
 /// A random scene, and its trace; none of a scene that cannot be drawn.
@@ -101,11 +103,7 @@ struct RandomTrace {
     }
 
     std::string text(const StepFilter& filter = {}) const {
-        std::string text;
-        StringOutput output(text);
-        write_trace(planned->scene, planned->plan, {.layout = TraceLayout::jsonl, .filter = filter},
-                    output);
-        return text;
+        return trace_text(*planned, {.layout = TraceLayout::jsonl, .filter = filter});
     }
 };
 
@@ -339,11 +337,10 @@ TEST(Diff, APrimitiveThatIsGoneIsToldWithItsSteps) {
         primitives.erase(primitives.begin() + static_cast<std::ptrdiff_t>(gone));
         const TraceDiff found = diff_of(lines.text(), lines_of(lines, primitives).text());
         SCOPED_TRACE("\n" + diff_text(found));
+        only_in_a(found);
         ASSERT_EQ(found.kinds.size(), steps.size());
-        for (const KindDifference& kind : found.kinds) {
+        for (const KindDifference& kind : found.kinds)
             EXPECT_EQ(kind.only_a, steps[kind.kind]) << kind.kind;
-            EXPECT_EQ(kind.changed + kind.only_b + kind.moved, 0U);
-        }
         EXPECT_EQ(found.first->kind, "primitive");
     });
 }
@@ -657,11 +654,20 @@ TEST(Diff, TheRowOfAPixelIsToldHoweverFarBehindTheBeginningOfItsPrimitive) {
     }
 }
 
+/// A triangle that reaches so far, on a canvas that holds it.
+Lines lines_of_triangle(int reach) {
+    const std::string far = std::to_string(reach);
+    const std::string side = std::to_string(2 * reach + 4);
+    return Lines(
+        trace_text(scene_in(R"({"canvas":{"width":)" + side + R"(,"height":)" + side +
+                            R"(},"vertices":{"A":[-)" + far + ",-" + far + R"(],"B":[)" + far +
+                            ",-" + far + R"(],"C":[0,)" + far + R"(]},"triangles":["ABC"]})"),
+                   in_lines));
+}
+
 // More steps than are looked ahead, or kept until they come later, in another order.
 TEST(Diff, StepsInAnotherOrderAreFoundFarApart) {
-    const std::string scene = R"({"canvas":{"width":64,"height":64},
-        "vertices":{"A":[-30,-30],"B":[30,-30],"C":[0,30]},"triangles":["ABC"]})";
-    const Lines lines(trace_text(scene_in(scene), in_lines));
+    const Lines lines = lines_of_triangle(30);
     Lines turned = lines;
     std::reverse(turned.steps.begin() + 1, turned.steps.end());
     const TraceDiff found = diff_of(lines.text(), turned.text());
@@ -676,36 +682,22 @@ TEST(Diff, StepsInAnotherOrderAreFoundFarApart) {
 
 // As many steps as a wide row has; what stands behind them has not moved.
 TEST(Diff, ThousandsOfStepsThatOneTraceDoesNotHaveMoveNoOther) {
-    const std::string scene = R"({"canvas":{"width":128,"height":128},
-        "vertices":{"A":[-60,-60],"B":[60,-60],"C":[0,60]},"triangles":["ABC"]})";
-    const Lines lines(trace_text(scene_in(scene), in_lines));
+    const Lines lines = lines_of_triangle(60);
     Lines shorter = lines;
     const auto begin = shorter.steps.begin() + 100;
     shorter.steps.erase(begin, begin + 5000);
-    std::size_t gone = 0;
-    for (const KindDifference& kind : diff_of(lines.text(), shorter.text()).kinds) {
-        gone += kind.only_a;
-        EXPECT_EQ(kind.changed + kind.only_b + kind.moved, 0U) << kind.kind;
-    }
-    EXPECT_EQ(gone, 5000U);
+    EXPECT_EQ(only_in_a(diff_of(lines.text(), shorter.text())), 5000U);
 }
 
 // More steps than are looked ahead: what stands behind them is found byte for byte, from either side.
 TEST(Diff, AGapOfAnyLengthIsToldAsWhatItIs) {
-    const std::string scene = R"({"canvas":{"width":512,"height":512},
-        "vertices":{"A":[-250,-250],"B":[250,-250],"C":[0,250]},"triangles":["ABC"]})";
-    const Lines lines(trace_text(scene_in(scene), in_lines));
+    const Lines lines = lines_of_triangle(250);
     Lines shorter = lines;
     constexpr std::size_t gap = 60'000;
     const auto begin = shorter.steps.begin() + 100;
     shorter.steps.erase(begin, begin + gap);
     const TraceDiff found = diff_of(lines.text(), shorter.text());
-    std::size_t gone = 0;
-    for (const KindDifference& kind : found.kinds) {
-        gone += kind.only_a;
-        EXPECT_EQ(kind.changed + kind.only_b + kind.moved, 0U) << kind.kind;
-    }
-    EXPECT_EQ(gone, gap);
+    EXPECT_EQ(only_in_a(found), gap);
     EXPECT_EQ(mirrored_counts_of(diff_of(shorter.text(), lines.text())), counts_of(found));
 }
 
@@ -912,12 +904,7 @@ TEST(Diff, OneTriangleOfAHundredThatIsGoneIsToldAlone) {
     const std::size_t own_steps = primitives_in(lines)[51].size();
     for (const Naming naming : {Naming::by_id, Naming::all_alike, Naming::by_place}) {
         const TraceDiff found = diff_of(trace_named(all, naming), trace_named(fewer, naming));
-        std::size_t alone = 0;
-        for (const KindDifference& kind : found.kinds) {
-            alone += kind.only_a;
-            EXPECT_EQ(kind.changed + kind.only_b + kind.moved, 0U) << diff_text(found);
-        }
-        EXPECT_EQ(alone, own_steps) << diff_text(found);
+        EXPECT_EQ(only_in_a(found), own_steps) << diff_text(found);
         if (naming == Naming::by_place) {
             EXPECT_THAT(found.remarks, ::testing::Contains("49 primitives are renamed"));
         }

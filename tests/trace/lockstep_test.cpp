@@ -29,15 +29,9 @@ std::optional<BothWays> compared(const std::string& scene, const MethodOverrides
     const auto other = read_scene({"scene.json", scene, {}}, method);
     if (!one || !other)
         return std::nullopt;
-    const auto text_of = [](const PlannedScene& planned) {
-        std::string text;
-        StringOutput output(text);
-        write_trace(planned.scene, planned.plan, {.layout = TraceLayout::jsonl, .filter = {}},
-                    output);
-        return TraceText({"trace", std::move(text), {}});
-    };
-    const TraceText reference = text_of(one.value());
-    BothWays found{.by_sink = {}, .by_diff = diff(reference, text_of(other.value()), {})};
+    const TraceText reference({"one", trace_text(one.value(), in_lines), {}});
+    const TraceText now({"other", trace_text(other.value(), in_lines), {}});
+    BothWays found{.by_sink = {}, .by_diff = diff(reference, now, {})};
     Lockstep sink = compare_with(reference, {}, [&found](const StepDifference& difference) {
         EXPECT_FALSE(found.by_sink) << "it is called once";
         found.by_sink = difference;
@@ -77,8 +71,7 @@ TEST(Lockstep, StopsAtTheFirstStepThatDiffers) {
 }
 
 TEST(Lockstep, WhatIsMissingInTheEndIsADifference) {
-    const TraceText reference(
-        {"trace", trace_text(first_triangle(), {.layout = TraceLayout::jsonl, .filter = {}}), {}});
+    const TraceText reference({"trace", trace_text(first_triangle(), in_lines), {}});
     std::optional<StepDifference> found;
     Lockstep sink = compare_with(reference, {.only = {"pixel"}},
                                  [&found](const StepDifference& one) { found = one; });

@@ -2,7 +2,9 @@
 // Pictures in every format that is read: whole, cut short, damaged, and with headers that promise too much.
 
 #include <rastertrace/trace/picture/picture.h>
+#include <rastertrace/trace/picture/picture_trace.h>
 #include <rastertrace/trace/text/input.h>
+#include <rastertrace/trace/text/text.h>
 
 #include <gtest/gtest.h>
 
@@ -58,11 +60,7 @@ std::string drawn_in(const std::string& bytes) {
     if (!picture)
         return to_text(picture.problem());
     EXPECT_FALSE(picture.value().has_colors);
-    std::string text;
-    for (int row = 0; row < picture.value().height; ++row, text += '\n')
-        for (int x = 0; x < picture.value().width; ++x)
-            text += picture.value().at(x, row) == no_color ? '.' : '#';
-    return text;
+    return joined(picture_rows(picture.value()), "\n") + "\n";
 }
 
 std::string words(std::initializer_list<unsigned> numbers) {
@@ -107,20 +105,16 @@ Color palette_color(unsigned index) {
 /// `levels` are samples of `kind.bits` bits, pixel after pixel.
 std::string png_with(const PngKind& kind, std::size_t width, std::size_t height,
                      const Levels& levels) {
-    const std::size_t row_samples = width * channels_of(kind.type);
-    const auto bits = static_cast<unsigned>(kind.bits);
-    const std::size_t row_bytes = (row_samples * bits + 7) / 8;
-    std::vector<png_byte> bytes(row_bytes * height);
-    for (std::size_t i = 0; i < levels.size(); ++i)
-        for (unsigned bit = 0; bit < bits; ++bit)
-            if ((levels[i] >> (bits - 1 - bit) & 1U) != 0) {
-                const std::size_t at = i % row_samples * bits + bit;
-                bytes[i / row_samples * row_bytes + at / 8] |=
-                    static_cast<png_byte>(128U >> at % 8);
-            }
+    // A byte for each sample, which libpng packs, or two.
+    std::vector<png_byte> bytes;
+    for (const unsigned level : levels) {
+        if (kind.bits == 16)
+            bytes.push_back(static_cast<png_byte>(level >> 8U));
+        bytes.push_back(static_cast<png_byte>(level & 255U));
+    }
     std::vector<png_bytep> rows;
     for (std::size_t y = 0; y < height; ++y)
-        rows.push_back(bytes.data() + y * row_bytes);
+        rows.push_back(bytes.data() + y * bytes.size() / height);
 
     std::string file;
     png_structp png = png_create_write_struct(PNG_LIBPNG_VER_STRING, nullptr, nullptr, nullptr);
@@ -138,7 +132,7 @@ std::string png_with(const PngKind& kind, std::size_t width, std::size_t height,
                  PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
     std::vector<png_color> palette;
     std::vector<png_byte> alphas;
-    for (unsigned i = 0; kind.type == PNG_COLOR_TYPE_PALETTE && i < 1U << bits; ++i) {
+    for (unsigned i = 0; kind.type == PNG_COLOR_TYPE_PALETTE && i < 1U << kind.bits; ++i) {
         const Color color = palette_color(i);
         palette.push_back({color.red(), color.green(), color.blue()});
         alphas.push_back(color.alpha());
@@ -157,7 +151,7 @@ std::string png_with(const PngKind& kind, std::size_t width, std::size_t height,
     if (kind.gamma != 0)
         png_set_gAMA(png, info, kind.gamma);
     png_set_rows(png, info, rows.data());
-    png_write_png(png, info, PNG_TRANSFORM_IDENTITY, nullptr);
+    png_write_png(png, info, PNG_TRANSFORM_PACKING, nullptr);
     png_destroy_write_struct(&png, &info);
     return file;
 }
@@ -310,81 +304,51 @@ std::string tga_color(Color c, unsigned bits) {
     return bytes;
 }
 
-/// Packets of up to 128 pixels, which go on over the ends of rows.
-std::string with_runs(const std::vector<std::string>& pixels) {
-    std::string bytes;
-    for (std::size_t begin = 0; begin < pixels.size();) {
-        std::size_t end = begin + 1;
-        while (end < pixels.size() && end < begin + 128 && pixels[end] == pixels[begin])
-            ++end;
-        if (end > begin + 1) {
-            bytes += static_cast<char>(128 + end - begin - 1) + pixels[begin];
-        } else {
-            while (end < pixels.size() && end < begin + 128 &&
-                   (end + 1 == pixels.size() || pixels[end] != pixels[end + 1]))
-                ++end;
-            bytes += static_cast<char>(end - begin - 1);
-            for (std::size_t i = begin; i < end; ++i)
-                bytes += pixels[i];
-        }
-        begin = end;
+using FourColors = std::array<Color, 4>;
+
+/// Of levels that 5 bits have: grays, or colors, with alpha or without.
+FourColors colors_of_levels(bool is_gray, bool has_alpha) {
+    FourColors colors;
+    for (unsigned i = 0; i < 4; ++i) {
+        const auto level = [&](unsigned five) {
+            return nearest((is_gray ? 1 + 9 * i : five + 9 * i * five) % 32, 31);
+        };
+        const std::uint8_t alpha = has_alpha && i % 2 == 1 ? 0 : 255;
+        colors[i] = Color(level(1), level(7), level(12), alpha);
     }
-    return bytes;
+    return colors;
 }
 
-std::string tga_with(const TgaKind& kind, const Picture& picture) {
-    const auto width = static_cast<unsigned>(picture.width);
-    const auto height = static_cast<unsigned>(picture.height);
+/// Four columns and two rows of them, A A A B and B C D A, from the corner that a descriptor names on.
+std::string picture_of(const FourColors& colors, unsigned descriptor = 32) {
+    constexpr std::array<std::size_t, 8> places{0, 0, 0, 1, 1, 2, 3, 0};
+    const std::size_t other_column = (descriptor & 16) != 0 ? 3 : 0;
+    const std::size_t other_row = (descriptor & 32) != 0 ? 0 : 4;
+    Picture picture{4, 2, {}};
+    for (std::size_t i = 0; i < places.size(); ++i)
+        picture.pixels.push_back(colors[places[i ^ other_column ^ other_row]]);
+    return colors_of(picture);
+}
+
+/// With runs, packets of three, of two over the end of a row, and of three pixels by themselves.
+std::string tga_with(const TgaKind& kind, const FourColors& colors) {
     constexpr unsigned first_of_palette = 5;
     const bool has_palette = kind.palette_bits != 0;
-    std::vector<Color> palette;
-    if (has_palette)
-        for (const Color color : picture.pixels)
-            if (std::find(palette.begin(), palette.end(), color) == palette.end())
-                palette.push_back(color);
-
-    std::vector<std::string> pixels;
-    for (unsigned y = 0; y < height; ++y)
-        for (unsigned x = 0; x < width; ++x) {
-            const unsigned column = (kind.descriptor & 16) != 0 ? width - 1 - x : x;
-            const unsigned row = (kind.descriptor & 32) != 0 ? y : height - 1 - y;
-            const Color color = picture.at(static_cast<int>(column), static_cast<int>(row));
-            if (kind.type % 8 == 1) {
-                const auto place =
-                    std::find(palette.begin(), palette.end(), color) - palette.begin();
-                pixels.emplace_back(1, static_cast<char>(first_of_palette + place));
-            } else if (kind.type % 8 == 3) {
-                pixels.emplace_back(1, static_cast<char>(color.red()));
-            } else {
-                pixels.push_back(tga_color(color, kind.bits));
-            }
-        }
+    std::array<std::string, 4> p;
+    for (std::size_t i = 0; i < 4; ++i)
+        p[i] = kind.type % 8 == 1   ? std::string(1, static_cast<char>(first_of_palette + i))
+               : kind.type % 8 == 3 ? std::string(1, static_cast<char>(colors[i].red()))
+                                    : tga_color(colors[i], kind.bits);
     std::string file{4, static_cast<char>(has_palette ? 1 : 0), static_cast<char>(kind.type)};
-    file += words({has_palette ? first_of_palette : 0, static_cast<unsigned>(palette.size())});
+    file += words({has_palette ? first_of_palette : 0, has_palette ? 4U : 0U});
     file += static_cast<char>(kind.palette_bits);
-    file += words({0, 0, width, height});
+    file += words({0, 0, 4, 2});
     file += {static_cast<char>(kind.bits), static_cast<char>(kind.descriptor)};
     file += "name";
-    for (const Color color : palette)
-        file += tga_color(color, kind.palette_bits);
-    if (kind.type >= 8)
-        return file + with_runs(pixels);
-    for (const std::string& pixel : pixels)
-        file += pixel;
-    return file;
-}
-
-/// Ten columns and seven rows with runs in them, of levels that 5 bits have: grays, or colors, with alpha or without.
-Picture picture_of_levels(bool is_gray, bool has_alpha) {
-    Picture picture{10, 7, {}};
-    for (unsigned i = 0; i < 70; ++i) {
-        const unsigned n = i % 13 < 6 ? i / 13 : i;
-        const auto level = [](unsigned five) { return nearest(five % 32, 31); };
-        const std::uint8_t alpha = has_alpha && n % 3 == 0 ? 0 : 255;
-        picture.pixels.push_back(is_gray ? Color(level(n), level(n), level(n), alpha)
-                                         : Color(level(n), level(7 * n), level(11 * n + 3), alpha));
-    }
-    return picture;
+    for (const Color color : colors)
+        file += has_palette ? tga_color(color, kind.palette_bits) : "";
+    return file + (kind.type >= 8 ? "\x82" + p[0] + "\x81" + p[1] + "\x02" + p[2] + p[3] + p[0]
+                                  : p[0] + p[0] + p[0] + p[1] + p[1] + p[2] + p[3] + p[0]);
 }
 
 TEST(PictureFile, TgaOfEveryKind) {
@@ -398,8 +362,8 @@ TEST(PictureFile, TgaOfEveryKind) {
             }
             for (const TgaKind& kind : kinds) {
                 const bool has_alpha = (kind.descriptor & 15) != 0;
-                const Picture picture = picture_of_levels(kind.type % 8 == 3, has_alpha);
-                EXPECT_EQ(read_as("a.TGA", tga_with(kind, picture)), colors_of(picture))
+                const FourColors colors = colors_of_levels(kind.type % 8 == 3, has_alpha);
+                EXPECT_EQ(read_as("a.TGA", tga_with(kind, colors)), picture_of(colors, corner))
                     << "type " << kind.type << ", " << kind.bits << " bits, palette of "
                     << kind.palette_bits << ", descriptor " << kind.descriptor;
             }
@@ -407,28 +371,31 @@ TEST(PictureFile, TgaOfEveryKind) {
 }
 
 TEST(PictureFile, TgaIsRecognizedByItsEnd) {
-    const Picture picture = picture_of_levels(false, false);
-    const std::string file = tga_with({2, 24}, picture);
+    const FourColors colors = colors_of_levels(false, false);
+    const std::string file = tga_with({2, 24, 0, 32}, colors);
     const std::string footer = std::string(8, '\0') + "TRUEVISION-XFILE."s + '\0';
-    EXPECT_EQ(read(file + footer), colors_of(picture));
+    EXPECT_EQ(read(file + footer), picture_of(colors));
     EXPECT_EQ(picture_format({"a", file}), std::nullopt);
 }
 
 TEST(PictureFile, TgaWithAlphaThatItsHeaderDoesNotTell) {
-    const Picture picture = picture_of_levels(false, true);
-    EXPECT_EQ(read_as("a.tga", tga_with({2, 32}, picture)), colors_of(picture));
+    const FourColors colors = colors_of_levels(false, true);
+    EXPECT_EQ(read_as("a.tga", tga_with({2, 32, 0, 32}, colors)), picture_of(colors));
 
-    Picture opaque{1, 2, {Color(1, 2, 3, 0), Color(4, 5, 6, 0)}};
-    EXPECT_EQ(read_as("a.tga", tga_with({2, 32, 0, 8}, opaque)), "01020300\n04050600\n");
-    EXPECT_EQ(read_as("a.tga", tga_with({2, 32}, opaque)), "010203ff\n040506ff\n");
-    EXPECT_EQ(read_as("a.tga", tga_with({2, 16}, Picture{1, 1, {Color(0, 0, 255, 0)}})),
-              "0000ffff\n");
+    const FourColors clear{Color(0, 0, 255, 0), Color(0, 0, 0, 0), Color(255, 0, 0, 0),
+                           Color(0, 255, 0, 0)};
+    FourColors opaque = clear;
+    for (Color& color : opaque)
+        color = Color(color.red(), color.green(), color.blue());
+    EXPECT_EQ(read_as("a.tga", tga_with({2, 32, 0, 40}, clear)), picture_of(clear));
+    EXPECT_EQ(read_as("a.tga", tga_with({2, 32, 0, 32}, clear)), picture_of(opaque));
+    EXPECT_EQ(read_as("a.tga", tga_with({2, 16, 0, 32}, clear)), picture_of(opaque));
 }
 
 TEST(PictureFile, TgaThatIsWrongIsToldByItsPlace) {
-    const Picture picture = picture_of_levels(false, false);
+    const FourColors colors = colors_of_levels(false, false);
     const auto with = [&](std::size_t at, char byte) {
-        std::string file = tga_with({1, 8, 24}, picture);
+        std::string file = tga_with({1, 8, 24}, colors);
         file[at] = byte;
         return read_as("a.tga", file);
     };
@@ -442,10 +409,10 @@ TEST(PictureFile, TgaThatIsWrongIsToldByItsPlace) {
     EXPECT_EQ(with(16, 16), "a.tga: expected 8 bits a pixel at byte 16, found 16");
     EXPECT_EQ(with(17, '\x40'),
               "a.tga: expected rows that are not interleaved at byte 17, found 64");
-    EXPECT_EQ(with(5, 1), "a.tga: expected a color of the palette at byte 25, found 41");
-    EXPECT_EQ(with(14, 100), "a.tga: expected 100 rows, found 7 and then the end");
-    EXPECT_EQ(read_as("a.tga", tga_with({10, 24}, picture).substr(0, 120)),
-              "a.tga: expected 7 rows, found 4 and then the end");
+    EXPECT_EQ(with(5, 1), "a.tga: expected a color of the palette at byte 25, found 197");
+    EXPECT_EQ(with(14, 100), "a.tga: expected 100 rows, found 2 and then the end");
+    EXPECT_EQ(read_as("a.tga", tga_with({10, 24}, colors).substr(0, 32)),
+              "a.tga: expected 2 rows, found 1 and then the end");
 }
 
 // ---- Rows of text.
@@ -505,7 +472,7 @@ std::vector<Source> small_files() {
     for (const TgaKind& kind :
          {TgaKind{2, 24}, TgaKind{10, 24}, TgaKind{2, 16, 0, 49}, TgaKind{9, 8, 32, 8},
           TgaKind{1, 8, 15}, TgaKind{3, 8}, TgaKind{11, 8}})
-        files.push_back({"a.tga", tga_with(kind, picture_of_levels(kind.type % 8 == 3, false))});
+        files.push_back({"a.tga", tga_with(kind, colors_of_levels(kind.type % 8 == 3, false))});
     for (const std::string& text :
          {"P1 4 2 0101 1 0 1 0"s, "P2 2 3 15 1 2 3 4 5 6"s, "P3\n# two\n2 1\n255\n1 200 3 4 5 6"s,
           "P4 4 2\n\x50\xA0"s, "P5 2 3 15\n\1\2\3\4\5\6"s,

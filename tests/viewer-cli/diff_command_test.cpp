@@ -23,10 +23,6 @@ protected:
         shell("$rastertrace trace $examples/t0-fill/first-triangle.json -o a.json;"
               "sed 's|\"y\":2,\"left\":\"-1/4\"|\"y\":2,\"left\":\"-1/2\"|' a.json > b.json");
     }
-
-    Outcome diff(const std::string& arguments) const {
-        return shell("$rastertrace diff " + arguments);
-    }
 };
 
 TEST_F(DiffTest, OneNumberOfOneRow) {

@@ -23,9 +23,6 @@ protected:
               "$rastertrace trace $examples/t0-fill/first-triangle.json --rounding truncate -o "
               "b.jsonl");
     }
-    Outcome diff(const std::string& arguments) const {
-        return shell("$rastertrace diff " + arguments);
-    }
 };
 
 TEST_F(DiffFormsTest, MarkdownHasASummaryAndPicturesSideBySide) {

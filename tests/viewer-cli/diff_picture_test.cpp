@@ -46,10 +46,6 @@ protected:
         write(name, text);
     }
 
-    Outcome diff(const std::string& arguments) const {
-        return shell("$rastertrace diff " + arguments);
-    }
-
     const std::string triangle = "$examples/t0-fill/first-triangle.json";
 };
 

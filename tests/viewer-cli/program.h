@@ -77,6 +77,9 @@ protected:
         return {WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status), content(".out"),
                 content(".err"), 1024 * usage.ru_maxrss};
     }
+    Outcome diff(const std::string& arguments) const {
+        return shell("$rastertrace diff " + arguments);
+    }
 
     void write(const std::string& name, const std::string& text) const {
         std::ofstream(folder_ / name) << text;
