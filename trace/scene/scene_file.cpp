@@ -11,6 +11,7 @@
 
 #include <rastertrace/core/draw/list/geometry.h>
 #include <rastertrace/core/draw/list/pieces.h>
+#include <rastertrace/core/draw/model/mistakes.h>
 #include <rastertrace/core/draw/plan/plan.h>
 #include <rastertrace/core/draw/scene/fit.h>
 #include <rastertrace/core/raster/circle.h>
@@ -103,6 +104,7 @@ public:
             read_keep(*keep);
         apply_overrides();
         apply_convention();
+        apply_mistake();
         if (const auto vertices = root.find("vertices"))
             read_vertices(*vertices);
         read_objects(root.find("model"), root.find("meshes"));
@@ -125,6 +127,7 @@ public:
         read_view(root);
         drop_what_means_nothing();
         check_method(root);
+        check_mistake(root);
         read_canvas(root.find("canvas"), root);
     }
 
@@ -157,6 +160,11 @@ public:
             remarks.push_back(*std::move(remark));
         if (place_of_camera_)
             remarks.push_back(remark_on_camera());
+        if (place_of_idle_mistake_)
+            remarks.push_back(
+                problem_at(source_, *place_of_idle_mistake_,
+                           fmt::format("remark: the mistake \"{}\" changes nothing in such a scene",
+                                       scene_.method.mistake->name)));
         std::move(remarks_on_meshes_.begin(), remarks_on_meshes_.end(),
                   std::back_inserter(remarks));
         return {std::move(scene_), std::get<Plan>(std::move(plan)), std::move(remarks)};
@@ -254,6 +262,20 @@ private:
             for (const auto& [name, value] : row->method)
                 if (!said_.contains(name))
                     find_method_key(name)->set(scene_.method, value);
+    }
+
+    /// A mistake is a setting, whatever the scene says, or a function in the model, which is exact.
+    void apply_mistake() {
+        const Mistake* const mistake = scene_.method.mistake;
+        if (mistake == nullptr)
+            return;
+        if (mistake->put_in != nullptr) {
+            scene_.method.scalar = ScalarKind::exact;
+            return;
+        }
+        const auto settings = parse_method({"", std::string(mistake->setting)});
+        for (const auto& [name, value] : settings.value())
+            find_method_key(name)->set(scene_.method, value);
     }
 
     /// What the convention has set for other fills, or for depths that the scene has not.
@@ -621,6 +643,25 @@ private:
     }
 
     /// Choices that do not go together, as soon as it is known what they are for.
+    void check_mistake(const JsonValue& root) {
+        const Mistake* const mistake = scene_.method.mistake;
+        if (mistake == nullptr)
+            return;
+        const JsonValue blamed = root.find("method").value_or(root);
+        if (mistake->put_in != nullptr && !has_model(scene_))
+            json_.fail(blamed,
+                       fmt::format("expected what the mistake \"{}\" can be made in: triangles "
+                                   "that are filled by rows or by "
+                                   "samples, lines by bresenham, naive or dda, points, and no "
+                                   "coordinate beyond 100000; found "
+                                   "something else",
+                                   mistake->name),
+                       "no known mistake is about polygons, circles, the fan, diamonds, or lines "
+                       "that surfaces hide");
+        if (!mistake->concerns(scene_))
+            place_of_idle_mistake_ = blamed.begin;
+    }
+
     void check_method(const JsonValue& root) const {
         const Method& method = scene_.method;
         const bool has_lines =
@@ -1129,11 +1170,12 @@ private:
     const InputLimits& limits_;
     std::vector<Model>& models_;
     Scene scene_;
-    std::optional<std::size_t> place_of_fit_;     ///< offset of a camera that is to be fitted
-    std::optional<std::size_t> place_of_flat_;    ///< offset of the first primitive without depth
-    std::optional<std::size_t> place_of_camera_;  ///< offset of a camera without a projection
-    std::vector<std::size_t> places_of_vertices_; ///< offsets of their names in the source
-    std::vector<float> units_;                    ///< of each vertex: see typed_digits.h
+    std::optional<std::size_t> place_of_fit_;    ///< offset of a camera that is to be fitted
+    std::optional<std::size_t> place_of_flat_;   ///< offset of the first primitive without depth
+    std::optional<std::size_t> place_of_camera_; ///< offset of a camera without a projection
+    std::optional<std::size_t> place_of_idle_mistake_; ///< of one that changes nothing here
+    std::vector<std::size_t> places_of_vertices_;      ///< offsets of their names in the source
+    std::vector<float> units_;                         ///< of each vertex: see typed_digits.h
     std::array<std::optional<std::size_t>, 3>
         first_of_count_; ///< offsets of the first vertices of two, of three and of four numbers
     NameIndex vertex_by_name_; ///< but for those of OBJ files

@@ -4,6 +4,8 @@
 #include "conventions.h"
 #include "text.h"
 
+#include <rastertrace/core/draw/model/mistakes.h>
+
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -304,14 +306,39 @@ static MethodKey convention_key() {
     return key;
 }
 
+/// A mistake that a setting draws sets that; any other is put into the model, which has exact numbers. The reader does both
+/// (scene_file.cpp), when the scene has said all that it says.
+static MethodKey mistake_key() {
+    MethodKey key{.name = "mistake",
+                  .meaning = "a known mistake to draw with",
+                  .values = {},
+                  .get =
+                      [](const Method& method) {
+                          return std::string(method.mistake == nullptr ? "" : method.mistake->name);
+                      },
+                  .set =
+                      [](Method& method, std::string_view value) {
+                          const Mistake* const found = find_mistake(value);
+                          if (found != nullptr)
+                              method.mistake = found;
+                          return found != nullptr;
+                      },
+                  .otherwise = [](const Scene&) { return std::string(); },
+                  .in_force = [](const Scene& scene) { return scene.method.mistake != nullptr; },
+                  .number = "a name that `rastertrace mistakes` lists"};
+    for (const Mistake& mistake : mistakes())
+        key.values.push_back(mistake.name);
+    return key;
+}
+
 std::string MethodKey::listed() const {
-    if (values.empty())
+    if (!number.empty())
         return std::string(number);
     return joined(values, ", ") + (more.empty() ? "" : fmt::format(", or {}", more));
 }
 
 std::string MethodKey::expected() const {
-    return values.empty() ? listed() : fmt::format("one of {}", listed());
+    return number.empty() ? fmt::format("one of {}", listed()) : listed();
 }
 
 std::span<const MethodKey> method_keys() {
@@ -417,6 +444,7 @@ std::span<const MethodKey> method_keys() {
                 return scene.mixes_colors() ||
                        (scene.has_faces() && scene.shade() == Shade::lambert);
             }),
+        mistake_key(),
     };
     return keys;
 }
@@ -496,9 +524,9 @@ Result<MethodOverrides> parse_method(const Source& source) {
         if (!key->set(scratch, value))
             return problem_in_method(
                 source, offset + equals + 1,
-                key->values.empty() ? fmt::format("expected {}, found \"{}\"", key->number, value)
-                                    : fmt::format("expected {} out of {}, found \"{}\"", name,
-                                                  key->listed(), value),
+                !key->number.empty() ? fmt::format("expected {}, found \"{}\"", key->number, value)
+                                     : fmt::format("expected {} out of {}, found \"{}\"", name,
+                                                   key->listed(), value),
                 did_you_mean(value, key->values));
         method.emplace_back(name, value);
         offset += choice.size() + 1;

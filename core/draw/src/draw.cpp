@@ -3,6 +3,7 @@
 
 #include "draw_scalar.h"
 
+#include <rastertrace/core/draw/model/mistakes.h>
 #include <rastertrace/core/draw/scene/triangulate.h>
 
 #include <string_view>
@@ -43,6 +44,11 @@ void tell_cut_faces(const Scene& scene, const Listener& listener) {
 
 Image draw(const Scene& scene, const Plan& plan, const Listener& listener, Fallbacks* fallbacks) {
     tell_cut_faces(scene, listener);
+    if (const Mistake* const mistake = scene.method.mistake; mistake && mistake->put_in) {
+        ModelRules rules(scene);
+        mistake->put_in(rules);
+        return draw_by(rules, listener);
+    }
     const auto draw_by_plan = with_scalar(plan, []<typename Scalar>() { return draw_in<Scalar>; });
     return draw_by_plan(scene, plan, listener, fallbacks);
 }

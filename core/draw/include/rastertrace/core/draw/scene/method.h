@@ -86,6 +86,8 @@ enum class Convention {
     scotty3d,
 };
 
+struct Mistake; // model/mistakes.h
+
 /// The choices of a scene and their defaults: `nullopt` where that depends on what is drawn.
 struct Method {
     Convention convention = Convention::none;
@@ -114,6 +116,7 @@ struct Method {
     std::optional<Shade> shade = {}; ///< interpolate if a vertex has a color, else flat
     ColorLerp color_lerp = ColorLerp::axis;
     ColorRounding color_rounding = ColorRounding::nearest;
+    const Mistake* mistake = nullptr; ///< that the scene is drawn with, to show it
 };
 
 /// True if every decision is the one that exact arithmetic takes.

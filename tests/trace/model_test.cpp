@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: MIT
+// The model draws what the book draws in exact numbers, and decides alike.
+
+#include <rastertrace/core/draw/draw.h>
+#include <rastertrace/core/draw/model/model.h>
+#include <rastertrace/trace/record/step_writer.h>
+#include <rastertrace/trace/text/input.h>
+
+#include "effort.h"
+#include "random_scene.h"
+#include "traces.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstdint>
+#include <filesystem>
+#include <sstream>
+#include <string>
+#include <vector>
+
+namespace rastertrace {
+namespace {
+
+/// False of a row that has no pixel on the canvas: of a triangle that lies beside it, the book tells none.
+bool has_pixels(const std::string& step, const Canvas& canvas) {
+    const std::size_t from = step.find("\"from\":");
+    if (from == std::string::npos)
+        return true;
+    const std::size_t to = step.find("\"to\":", from);
+    return std::stoll(step.substr(from + 7)) <= canvas.right() &&
+           std::stoll(step.substr(to + 5)) >= canvas.left();
+}
+
+/// What is decided of faces, rows, samples, lines, depths and pixels, a line each, in sorted order.
+/// Rows of top-left are told by the book alone, which finds them without asking each sample.
+template <typename Draw> std::string decisions(const Scene& scene, Draw&& draw, Image& image) {
+    std::string text;
+    StringOutput output(text);
+    StepFilter filter;
+    filter.only = {StepKind::face,   StepKind::light, StepKind::sample, StepKind::along,
+                   StepKind::decide, StepKind::depth, StepKind::pixel};
+    if (scene.method.fill != Fill::top_left)
+        filter.only->push_back(StepKind::scanline);
+    StepWriter writer(output, TraceLayout::jsonl, filter);
+    image = draw(writer);
+    writer.flush();
+    std::vector<std::string> lines;
+    std::istringstream in(text);
+    for (std::string line; std::getline(in, line);)
+        if (!line.empty() && has_pixels(line, scene.canvas))
+            lines.push_back(line);
+    std::sort(lines.begin(), lines.end());
+    std::string sorted;
+    for (const std::string& line : lines)
+        sorted += line + "\n";
+    return sorted;
+}
+
+/// True if the model draws such a scene; then it is to decide as the book does.
+bool is_drawn_alike(const std::string& name, const Source& source) {
+    auto read = read_scene(source, {{"scalar", "exact"}});
+    if (!read || !has_model(read.value().scene))
+        return false;
+    Scene& scene = read.value().scene;
+    scene.keep.add(Stage::depth); // the model leaves nothing out
+    SCOPED_TRACE(name + "\n" + (source.text.size() < 3000 ? source.text : ""));
+    Image by_book(scene.canvas);
+    Image by_model(scene.canvas);
+    const std::string of_book = decisions(
+        scene, [&](auto& writer) { return draw(scene, plan_for(scene), writer); }, by_book);
+    const ModelRules rules(scene);
+    const std::string of_model = decisions(
+        scene, [&](auto& writer) { return draw_by(rules, writer); }, by_model);
+    EXPECT_TRUE(std::equal(by_book.colors().begin(), by_book.colors().end(),
+                           by_model.colors().begin(), by_model.colors().end()));
+    EXPECT_EQ(of_model, of_book);
+    return true;
+}
+
+TEST(Model, DrawsTheExamplesAsTheBookDoes) {
+    int drawn = 0;
+    for (const auto& entry : std::filesystem::recursive_directory_iterator(RASTERTRACE_EXAMPLES)) {
+        if (entry.path().extension() != ".json")
+            continue;
+        auto source = read_source(entry.path().string(), {});
+        if (source && is_drawn_alike(entry.path().string(), source.value()))
+            ++drawn;
+        if (HasFailure())
+            break;
+    }
+    EXPECT_GT(drawn, 40);
+}
+
+TEST(Model, DrawsRandomScenesAsTheBookDoes) {
+    int drawn = 0;
+    const int scenes = random_cases(3000);
+    for (int seed = 1; seed <= scenes && !HasFailure(); ++seed)
+        drawn +=
+            is_drawn_alike(std::to_string(seed),
+                           {"scene.json", RandomScene(static_cast<std::uint64_t>(seed)).text()});
+    EXPECT_GT(drawn, scenes / 4);
+}
+
+} // namespace
+} // namespace rastertrace
