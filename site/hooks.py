@@ -45,6 +45,7 @@ SECTIONS = [
     ("How it draws", [
         ("docs/pipeline.md", None),
         ("docs/conventions.md", None),
+        ("docs/mistakes.md", None),
         ("docs/fills.md", None),
         ("docs/lines.md", None),
         ("docs/along-the-texts.md", None),

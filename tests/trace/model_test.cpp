@@ -78,7 +78,7 @@ bool is_drawn_alike(const std::string& name, const Source& source) {
     return true;
 }
 
-TEST(Model, DrawsTheExamplesAsTheBookDoes) {
+TEST(ModelRasterizer, DrawsTheExamplesAsTheBookDoes) {
     int drawn = 0;
     for (const auto& entry : std::filesystem::recursive_directory_iterator(RASTERTRACE_EXAMPLES)) {
         if (entry.path().extension() != ".json")
@@ -92,7 +92,7 @@ TEST(Model, DrawsTheExamplesAsTheBookDoes) {
     EXPECT_GT(drawn, 40);
 }
 
-TEST(Model, DrawsRandomScenesAsTheBookDoes) {
+TEST(ModelRasterizer, DrawsRandomScenesAsTheBookDoes) {
     int drawn = 0;
     const int scenes = random_cases(3000);
     for (int seed = 1; seed <= scenes && !HasFailure(); ++seed)

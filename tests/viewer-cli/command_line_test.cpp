@@ -89,7 +89,7 @@ TEST_F(ProgramTest, UsageErrorsNameTheWordAndANearOne) {
         shell("$rastertrace shw x").err,
         "rastertrace: expected a command out of trace, "
         "show, play, figure, explain, stats, check, sheet, diff, "
-        "validate, plan, fuzz, review, scene, conventions, stress, report, renew, help, found "
+        "validate, plan, fuzz, review, diagnose, tell-apart, mistakes, scene, conventions, stress, report, renew, help, found "
         "\"shw\"\n"
         "hint: did you mean show?\n");
     EXPECT_EQ(shell("$rastertrace show x --evry pixel").err,

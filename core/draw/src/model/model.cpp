@@ -165,6 +165,9 @@ private:
             const std::size_t fewest = std::min<std::size_t>(polygon.size(), 3);
             for (const ClipPlane<Rational>& plane : rules_.planes)
                 polygon = clip(polygon, plane, method_.color_rounding);
+            for (ClipVertex<Rational>& vertex : polygon)
+                if (vertex.original < 0)
+                    vertex.original = -++made_;
             if (polygon.size() >= fewest && polygon.size() < 3)
                 draw_piece(primitive, polygon, color, {});
             for (std::size_t i = 2; i < polygon.size(); ++i)
@@ -193,7 +196,7 @@ private:
                  w == 0 ? Rational(0) : Rational(1 / w), vertex.color,
                  static_cast<std::uint16_t>(on_screen.size())});
             names.push_back(vertex.original < 0
-                                ? primitive.name + ":" + std::to_string(++made_)
+                                ? primitive.name + ":" + std::to_string(-vertex.original)
                                 : scene_.vertices[static_cast<std::size_t>(vertex.original)].name);
             positions.push_back(on_screen.back().at);
             if (has_buffer_)

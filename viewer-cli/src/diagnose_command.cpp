@@ -1,0 +1,282 @@
+// SPDX-License-Identifier: MIT
+// rastertrace diagnose: which rule accounts for what a renderer has drawn, and which mistake it makes.
+
+#include "command.h"
+#include "command_words.h"
+#include "explain_text.h"
+#include "load.h"
+#include "option_values.h"
+#include "shared_options.h"
+
+#include <rastertrace/trace/diagnose/diagnosis.h>
+#include <rastertrace/trace/diagnose/tell_apart.h>
+#include <rastertrace/trace/picture/picture_trace.h>
+#include <rastertrace/trace/text/output.h>
+#include <rastertrace/trace/text/text.h>
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <thread>
+#include <vector>
+
+namespace rastertrace {
+
+namespace {
+
+struct DiagnoseCommand {
+    std::vector<std::string> files; ///< a scene, what was drawn of it, and so on; or a folder
+    DiagnoseOptions options;
+    std::string predicted; ///< a scene that is to be drawn as theirs would be
+    std::string folder;    ///< for scenes that tell rules apart
+    bool writes_probes = false;
+    InputLimits input;
+};
+
+struct PairOfFiles {
+    std::string scene;
+    std::string theirs;
+};
+
+/// The scenes of a folder, each with the file of its name and another ending.
+std::vector<PairOfFiles> pairs_in(const std::string& folder) {
+    std::vector<std::filesystem::path> files;
+    for (const auto& entry : std::filesystem::directory_iterator(folder))
+        if (entry.is_regular_file())
+            files.push_back(entry.path());
+    std::ranges::sort(files);
+    std::vector<PairOfFiles> pairs;
+    for (const auto& scene : files)
+        for (const auto& theirs : files)
+            if (scene.extension() == ".json" && theirs.extension() != ".json" &&
+                scene.stem() == theirs.stem())
+                pairs.push_back({scene.string(), theirs.string()});
+    if (pairs.empty())
+        throw problem_of(folder,
+                         "expected scenes, and pictures or traces of the same names, found none");
+    return pairs;
+}
+
+std::vector<PairOfFiles> pairs_of(const std::vector<std::string>& files) {
+    std::error_code ignored;
+    if (files.size() == 1 && std::filesystem::is_directory(files.front(), ignored))
+        return pairs_in(files.front());
+    if (files.size() % 2 != 0)
+        throw problem_of(files.back(),
+                         "expected a scene and what was drawn of it, found one file alone");
+    std::vector<PairOfFiles> pairs;
+    for (std::size_t i = 0; i < files.size(); i += 2)
+        pairs.push_back({files[i], files[i + 1]});
+    return pairs;
+}
+
+DrawnPair drawn_pair(const PairOfFiles& files, const InputLimits& limits) {
+    DrawnPair pair{load_scene_source(files.scene, limits), {}};
+    const auto picture = picture_in_file(files.theirs, limits);
+    pair.seen = picture ? cells_of(*picture, pair.scene)
+                        : cells_of(load_trace(files.theirs, {.method = {}, .limits = limits}));
+    const Canvas canvas = value_or_throw(read_scene(pair.scene)).scene.canvas;
+    if (pair.seen.width != canvas.width || pair.seen.height != canvas.height)
+        throw problem_of(
+            files.theirs,
+            fmt::format("expected {} x {} pixels, as the canvas of {} has, found {} x {}",
+                        canvas.width, canvas.height, files.scene, pair.seen.width,
+                        pair.seen.height));
+    return pair;
+}
+
+/// What a rule is, in a line; settings beside what the scene asks for.
+std::string headline(const Rule& rule, const Scene& asked) {
+    std::vector<std::string> parts;
+    std::vector<std::string> instead;
+    for (const auto& [name, value] : rule.settings) {
+        const MethodKey* const key = find_method_key(name);
+        const std::string in_force = key == nullptr ? "" : value_in_force(*key, asked);
+        if (in_force == value)
+            continue;
+        parts.push_back(fmt::format("{} {}", name, value));
+        if (!in_force.empty() && name != "convention")
+            instead.push_back(fmt::format("{} {}", name, in_force));
+    }
+    std::string text;
+    if (!parts.empty())
+        text = fmt::format(
+            "draws by {}{}", joined(parts, ", "),
+            instead.empty() ? "" : fmt::format("; the scene asks for {}", joined(instead, ", ")));
+    for (const Mistake* const mistake : rule.mistakes)
+        text += fmt::format("{}{} {}: {}", text.empty() ? "" : "\n",
+                            mistake->is_rule() ? "draws by the rule" : "makes the mistake",
+                            mistake->name, mistake->says);
+    return text;
+}
+
+std::string words_for(const Rule& rule) {
+    return shell_word(name_of(rule));
+}
+
+std::string details(const Diagnosis& found, const DrawnPair& pair, const PairOfFiles& files) {
+    std::string text;
+    const Rule& rule = found.answer.front().rule;
+    for (const Mistake* const mistake : rule.mistakes) {
+        if (!mistake->is_rule())
+            text += fmt::format("  should be   {}\n", mistake->should);
+        text += fmt::format("  symptom     {} ({})\n", mistake->symptom, mistake->source);
+    }
+    for (const Mistake* const same : found.answer.front().same)
+        text += fmt::format("  known as    {}: {}\n", same->name, same->symptom);
+    text += fmt::format(
+        "  explains    {} of {} pixels that the scene's own rules draw otherwise: score {:.0f} %\n",
+        found.differing - std::min(found.unexplained, found.differing), found.differing,
+        100 * found.score());
+    if (pair.seen.between > 0)
+        text += fmt::format("  remark      {} pixels have a color between two of the scene's: "
+                            "anti-aliasing; each counts as the nearer one\n",
+                            pair.seen.between);
+    for (std::size_t i = 1; i < found.answer.size(); ++i)
+        text += fmt::format("  or          {}: it draws the same here; rastertrace tell-apart {} "
+                            "{} prints a scene that tells them apart\n",
+                            name_of(found.answer[i].rule), words_for(rule),
+                            words_for(found.answer[i].rule));
+    if (found.runner_up)
+        text +=
+            fmt::format("  next best   {}: it leaves {} of {} unexplained\n",
+                        name_of(*found.runner_up), found.runner_up_unexplained, found.differing);
+    for (const Mistake* const mistake : rule.mistakes)
+        if (!mistake->is_rule())
+            text += fmt::format("  mend it     where the code has {}, write {}\n", mistake->says,
+                                mistake->should);
+    if (rule.mistakes.empty())
+        text += "  mend it     draw as the scene asks, or say in the scene what is meant\n";
+    text += fmt::format("  test        rastertrace diff {} {}\n", shell_word(files.scene),
+                        shell_word(files.theirs));
+    return text;
+}
+
+/// How the scene's own rules come to a pixel that tells the answer from what was asked.
+std::string explained_pixel(const Diagnosis& found, const PairOfFiles& files,
+                            const InputLimits& limits) {
+    const Trace trace = load_trace(files.scene, {.method = {}, .limits = limits});
+    const auto explanation =
+        value_or_throw(explain(trace, {.about = Topic::pixel, .pixel = *found.pixel}));
+    return fmt::format("\nAs the scene asks, in {}:\n{}", printable(files.scene),
+                       explanation_text(explanation));
+}
+
+ExitStatus answer(const DiagnoseCommand& command) {
+    const std::vector<PairOfFiles> files = pairs_of(command.files);
+    std::vector<DrawnPair> pairs;
+    for (const PairOfFiles& pair : files)
+        pairs.push_back(drawn_pair(pair, command.input));
+    const Diagnosis found = diagnose(pairs, command.options);
+    if (!command.predicted.empty() && !found.answer.empty()) {
+        const auto drawn = drawn_by(found.answer.front().rule,
+                                    load_scene_source(command.predicted, command.input));
+        if (!drawn)
+            throw problem_of(command.predicted,
+                             fmt::format("expected a scene that can be drawn by {}, found another",
+                                         name_of(found.answer.front().rule)));
+        Picture picture{drawn->canvas().width, drawn->canvas().height, drawn->colors()};
+        std::string text;
+        for (const std::string& row : picture_rows(picture))
+            text += row + "\n";
+        print(text);
+        return found.is_as_asked() ? exit_fine : exit_difference;
+    }
+    if (found.is_as_asked()) {
+        print("drawn as the scene asks\n");
+        return exit_fine;
+    }
+    if (found.answer.empty()) {
+        print(fmt::format("nothing that I know: {} pixels differ from what the scene asks for, and "
+                          "the best of all known rules leaves {} of them\n",
+                          found.differing, found.unexplained));
+        return exit_difference;
+    }
+    const PairOfFiles& pair = files[found.pair];
+    const Scene asked = value_or_throw(read_scene(pairs[found.pair].scene)).scene;
+    std::string text =
+        headline(found.answer.front().rule, asked) + "\n" + details(found, pairs[found.pair], pair);
+    if (found.pixel)
+        text += explained_pixel(found, pair, command.input);
+    print(text);
+    return exit_difference;
+}
+
+ExitStatus write_probes(const DiagnoseCommand& command) {
+    make_folder(command.folder);
+    std::string text;
+    std::size_t number = 0;
+    for (const Source& scene : probe_scenes(command.options.jobs)) {
+        const std::string path =
+            (std::filesystem::path(command.folder) / fmt::format("probe-{:02}.json", ++number))
+                .string();
+        write_file(path, scene.text);
+        text += fmt::format("written: {}\n", printable(path));
+    }
+    print(text +
+          "Draw each with your renderer, as probe-01.png and so on, and diagnose the folder.\n");
+    return exit_fine;
+}
+
+class DiagnoseCommandLine final : public Command {
+public:
+    CommandAbout about() const override {
+        return {"diagnose", "Find the rule, or the mistake, that a renderer has drawn by",
+                "rastertrace diagnose scene.json theirs.png\n\n"
+                "Theirs is a picture, rows of text or a trace. Several pairs, or a folder of "
+                "scenes and pictures of the\n"
+                "same names, add up. Exit status: 0 drawn as the scene asks, 1 by another rule, a "
+                "mistake, or nothing known."};
+    }
+
+    void add_to(OptionList& options) override {
+        options.option("files", command_.files,
+                       "A scene and what was drawn of it, pair by pair; or a folder", "FILE");
+        options.option("--meant", meant_,
+                       "What the scene's method is: scene, as it says, which it is if not given; "
+                       "or any: nobody knows",
+                       "NAME");
+        options.option("--predict", command_.predicted, "Print what they would draw of this scene",
+                       "SCENE");
+        options.flag("--probe", command_.writes_probes,
+                     "Write a few scenes that tell the known rules apart");
+        options.option("-o", command_.folder, "Where to write them; probes if not given", "FOLDER");
+        options.option("--jobs", jobs_, "Threads; one for each core if not given", "N");
+        command_.input = InputLimits{};
+    }
+
+    void read() override {
+        command_.options.jobs = std::max(1U, std::thread::hardware_concurrency());
+        if (const auto jobs = number_in_option<std::size_t>("--jobs", jobs_, 1, 1024))
+            command_.options.jobs = *jobs;
+        if (!meant_.empty() && meant_ != "scene" && meant_ != "any")
+            refuse_value("--meant", "scene or any", meant_);
+        command_.options.any_convention = meant_ == "any";
+        if (command_.folder.empty())
+            command_.folder = "probes";
+        if (command_.files.empty() != command_.writes_probes)
+            throw problem_of("", command_.writes_probes
+                                     ? "expected --probe alone, found files beside it"
+                                     : "expected a scene and what was drawn of it, found nothing");
+    }
+
+    int run() override {
+        return command_.writes_probes ? write_probes(command_) : answer(command_);
+    }
+
+private:
+    DiagnoseCommand command_;
+    std::string meant_;
+    std::string jobs_;
+};
+
+} // namespace
+
+std::unique_ptr<Command> diagnose_command() {
+    return std::make_unique<DiagnoseCommandLine>();
+}
+
+} // namespace rastertrace
