@@ -2,6 +2,7 @@
 #include "tell_apart.h"
 
 #include <rastertrace/trace/fuzz/shrink.h>
+#include <rastertrace/trace/scene/scene_file.h>
 
 #include <fmt/core.h>
 
@@ -66,20 +67,26 @@ std::vector<MethodOverrides> probed_methods() {
             {{"fill", "barycentric"}, {"depth", "linear-z"}}};
 }
 
-/// Which rules draw a scene alike: a number for each rule, the same for those that do.
-std::vector<std::size_t> classes_of(const std::vector<Rule>& rules, const FuzzScene& scene) {
+/// Which mistakes draw a scene alike: a number for each, the same for those that do; the last is that of the scene's own rules.
+std::vector<std::size_t> classes_of(const FuzzScene& scene) {
     const Source source = source_of(scene);
+    const auto read = read_scene(source);
     std::map<std::vector<std::uint32_t>, std::size_t> pictures;
-    std::vector<std::size_t> classes;
-    for (const Rule& rule : rules) {
+    const auto class_of = [&](const Rule& rule) {
         std::vector<std::uint32_t> picture;
         if (const auto image = drawn_by(rule, source))
             for (const Color& color : image->colors())
                 picture.push_back(std::uint32_t{color.red()} << 16 |
                                   std::uint32_t{color.green()} << 8 | color.blue() |
                                   std::uint32_t{color.alpha()} << 24);
-        classes.push_back(pictures.try_emplace(std::move(picture), pictures.size()).first->second);
-    }
+        return pictures.try_emplace(std::move(picture), pictures.size()).first->second;
+    };
+    const std::size_t as_asked = class_of({});
+    std::vector<std::size_t> classes;
+    for (const Mistake& mistake : mistakes())
+        classes.push_back(read && mistake.concerns(read.value().scene) ? class_of({{}, {&mistake}})
+                                                                       : as_asked);
+    classes.push_back(as_asked);
     return classes;
 }
 
@@ -94,12 +101,8 @@ std::size_t refine(std::vector<std::size_t>& classes, const std::vector<std::siz
 } // namespace
 
 std::vector<Source> probe_scenes(std::size_t jobs) {
-    std::vector<Rule> rules{Rule{}};
-    for (const Mistake& mistake : mistakes())
-        rules.push_back({{}, {&mistake}});
-
     // Many scenes, and which rules each tells apart. Every eighth is larger.
-    constexpr std::size_t candidates = 120;
+    constexpr std::size_t candidates = 48;
     constexpr std::size_t in_eight = 8;
     const auto methods = probed_methods();
     std::vector<FuzzScene> scenes;
@@ -110,7 +113,7 @@ std::vector<Source> probe_scenes(std::size_t jobs) {
     std::atomic<std::size_t> next = 0;
     const auto work = [&] {
         for (std::size_t i = next++; i < candidates; i = next++)
-            partitions[i] = classes_of(rules, scenes[i]);
+            partitions[i] = classes_of(scenes[i]);
     };
     std::vector<std::jthread> threads;
     for (std::size_t i = 1; i < jobs; ++i)
@@ -124,7 +127,7 @@ std::vector<Source> probe_scenes(std::size_t jobs) {
     std::vector<Source> chosen;
     std::size_t small = 0;
     std::size_t large = 0;
-    std::vector<std::size_t> classes(rules.size(), 0);
+    std::vector<std::size_t> classes(mistakes().size() + 1, 0);
     for (std::size_t count = 1;;) {
         std::size_t best = candidates;
         std::size_t most = count;

@@ -165,15 +165,18 @@ constexpr Mistake rows_table[] = {
              return Rational(x);
          };
      }},
-    {"product-in-16-bits", "x = x1 + int16((x2 - x1) (y - y1))/(y2 - y1)", right_x, "scanline",
-     "tall triangles run wild at their lower end", "Adafruit-GFX-Library#164, #218", fills_by_rows,
+    {"product-in-16-bits", "x = x1 + int16((x2 - x1) (y - y1))/(y2 - y1), in whole numbers",
+     right_x, "scanline", "large triangles run wild at their lower end",
+     "Adafruit-GFX-Library#164, #218", fills_by_rows,
      [](ModelRules& rules) {
          rules.x_on = [](const ModelEdge& edge, Index y) {
              const Rational height = edge.to.at.y - edge.from.at.y;
              const Rational product = (edge.to.at.x - edge.from.at.x) * (y - edge.from.at.y);
-             const Index whole = truncate_index(product);
-             const Rational held = product - whole + wrapped(whole, 16);
-             return height == 0 ? edge.from.at.x : Rational(edge.from.at.x + held / height);
+             const Index held = wrapped(truncate_index(product), 16);
+             return height == 0 ? edge.from.at.x : Rational(edge.from.at.x + cut(held / height));
+         };
+         rules.span = [right_way = rules.span](const Rational& left, const Rational& right) {
+             return right_way(std::min(left, right), std::max(left, right));
          };
      }},
     {"fixed-point-overflow", "x in 16.16: beyond 32767 it turns negative", right_x, "scanline",
