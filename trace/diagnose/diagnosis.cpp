@@ -1,20 +1,17 @@
 // SPDX-License-Identifier: MIT
 #include "diagnosis.h"
 
+#include "in_threads.h"
 #include "tell_apart.h"
 
 #include <rastertrace/trace/picture/picture_trace.h>
 #include <rastertrace/trace/record/frame.h>
 #include <rastertrace/trace/scene/scene_file.h>
 
-#include <fmt/core.h>
-
 #include <algorithm>
-#include <atomic>
 #include <cstdlib>
 #include <limits>
 #include <map>
-#include <thread>
 #include <tuple>
 #include <utility>
 
@@ -33,6 +30,7 @@ struct Tried {
     Rule rule{};
     std::size_t changes = 0; ///< settings that are not those in force
     std::uint64_t unexplained = 0;
+    std::uint64_t gain = 0;    ///< pixels that it draws as seen, and the scenes' own rules do not
     std::uint64_t picture = 0; ///< a hash of all pictures
     bool is_drawn = false;
 
@@ -133,34 +131,22 @@ private:
             return std::ranges::all_of(rule.mistakes,
                                        [](const Mistake* one) { return !one->put_in; });
         };
-        for_each_index(rules.size(), [&](std::size_t i) {
+        in_threads(rules.size(), options_.jobs, [&](std::size_t i) {
             tried[i] =
                 try_one(rules[i], in_doubles(rules[i]) ? DrawnIn::doubles : DrawnIn::fractions);
         });
         const std::uint64_t least = rules.empty() ? 0 : least_of(tried);
-        for_each_index(rules.size(), [&](std::size_t i) {
+        in_threads(rules.size(), options_.jobs, [&](std::size_t i) {
             if (in_doubles(rules[i]) && tried[i].unexplained <= 2 * least + near)
                 tried[i] = try_one(rules[i], DrawnIn::fractions);
         });
         return tried;
     }
 
-    /// Calls `work(i)` for each index, in several threads.
-    template <typename Work> void for_each_index(std::size_t count, const Work& work) const {
-        std::atomic<std::size_t> next = 0;
-        const auto work_on = [&] {
-            for (std::size_t i = next++; i < count; i = next++)
-                work(i);
-        };
-        std::vector<std::jthread> threads;
-        for (std::size_t i = 1; i < options_.jobs; ++i)
-            threads.emplace_back(work_on);
-        work_on();
-    }
-
     Tried try_one(const Rule& rule, DrawnIn numbers) const {
         Tried tried{.rule = rule, .changes = rule.settings.size(), .is_drawn = true};
-        for (const DrawnPair& pair : pairs_) {
+        for (std::size_t i = 0; i < pairs_.size(); ++i) {
+            const DrawnPair& pair = pairs_[i];
             const auto image = drawn_by(rule, pair.scene, numbers);
             if (!image || image->colors().size() != pair.seen.colors.size()) {
                 tried.is_drawn = false;
@@ -168,7 +154,9 @@ private:
             }
             for (std::size_t cell = 0; cell < pair.seen.colors.size(); ++cell) {
                 const Color color = image->colors()[cell];
-                tried.unexplained += differs(pair.seen, cell, color);
+                const bool is_wrong = differs(pair.seen, cell, color);
+                tried.unexplained += is_wrong;
+                tried.gain += !is_wrong && differs(pair.seen, cell, asked_[i].colors()[cell]);
                 // FNV-1a, a word at a time.
                 const std::uint64_t word = std::uint64_t{color.red()} << 24 |
                                            std::uint64_t{color.green()} << 16 |
@@ -187,9 +175,9 @@ private:
         constexpr std::size_t most = 14;
         std::vector<std::pair<std::uint64_t, const Mistake*>> gains;
         for (const Tried& one : tried)
-            if (one.is_drawn && one.rule.mistakes.size() == 1 && one.rule.settings.empty())
-                if (const std::uint64_t gain = gain_of(one.rule); gain > 0)
-                    gains.emplace_back(gain, one.rule.mistakes.front());
+            if (one.is_drawn && one.rule.mistakes.size() == 1 && one.rule.settings.empty() &&
+                one.gain > 0)
+                gains.emplace_back(one.gain, one.rule.mistakes.front());
         std::ranges::stable_sort(gains, std::ranges::greater{},
                                  [](const auto& one) { return one.first; });
         gains.resize(std::min(gains.size(), most));
@@ -198,18 +186,6 @@ private:
             for (std::size_t k = i + 1; k < gains.size(); ++k)
                 rules.push_back({{}, {gains[i].second, gains[k].second}});
         return rules;
-    }
-
-    std::uint64_t gain_of(const Rule& rule) const {
-        std::uint64_t gain = 0;
-        for (std::size_t i = 0; i < pairs_.size(); ++i) {
-            const auto image = drawn_by(rule, pairs_[i].scene);
-            const SeenCells& seen = pairs_[i].seen;
-            for (std::size_t cell = 0; image && cell < seen.colors.size(); ++cell)
-                gain += differs(seen, cell, asked_[i].colors()[cell]) &&
-                        !differs(seen, cell, image->colors()[cell]);
-        }
-        return gain;
     }
 
     /// Adds a rule, unless one that is part of it, or that always draws the same, is there.

@@ -1,16 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include "tell_apart.h"
 
+#include "in_threads.h"
+
 #include <rastertrace/trace/fuzz/shrink.h>
 #include <rastertrace/trace/scene/scene_file.h>
 
-#include <fmt/core.h>
-
 #include <algorithm>
 #include <array>
-#include <atomic>
 #include <map>
-#include <thread>
 #include <utility>
 
 namespace rastertrace {
@@ -67,7 +65,7 @@ std::vector<MethodOverrides> probed_methods() {
             {{"fill", "barycentric"}, {"depth", "linear-z"}}};
 }
 
-/// Which mistakes draw a scene alike: a number for each, the same for those that do; the last is that of the scene's own rules.
+/// A number for each mistake, and one for the scene's own rules: the same number where the same is drawn.
 std::vector<std::size_t> classes_of(const FuzzScene& scene) {
     const Source source = source_of(scene);
     const auto read = read_scene(source);
@@ -110,16 +108,7 @@ std::vector<Source> probe_scenes(std::size_t jobs) {
         scenes.push_back(scene_of_seed(i + 1, methods[i / kinds.size() % methods.size()],
                                        i % in_eight == 0 ? 64 : 32));
     std::vector<std::vector<std::size_t>> partitions(candidates);
-    std::atomic<std::size_t> next = 0;
-    const auto work = [&] {
-        for (std::size_t i = next++; i < candidates; i = next++)
-            partitions[i] = classes_of(scenes[i]);
-    };
-    std::vector<std::jthread> threads;
-    for (std::size_t i = 1; i < jobs; ++i)
-        threads.emplace_back(work);
-    work();
-    threads.clear();
+    in_threads(candidates, jobs, [&](std::size_t i) { partitions[i] = classes_of(scenes[i]); });
 
     // The one that tells the most apart, then the one that tells the most of the rest apart, and so on.
     constexpr std::size_t most_small = 12;

@@ -24,7 +24,7 @@ inline constexpr std::uint64_t most_seeds = 300;
 std::optional<Source> scene_apart(const Rule& a, const Rule& b, const MethodOverrides& method,
                                   std::uint64_t seeds = most_seeds);
 
-/// A few scenes that tell all known rules apart which any random scene tells apart.
+/// A few scenes that together tell as many of the known mistakes apart as a set of random ones does.
 std::vector<Source> probe_scenes(std::size_t jobs);
 
 } // namespace rastertrace

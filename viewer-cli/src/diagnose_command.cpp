@@ -33,7 +33,6 @@ struct DiagnoseCommand {
     std::string predicted; ///< a scene that is to be drawn as theirs would be
     std::string folder;    ///< for scenes that tell rules apart
     bool writes_probes = false;
-    InputLimits input;
 };
 
 struct PairOfFiles {
@@ -73,11 +72,10 @@ std::vector<PairOfFiles> pairs_of(const std::vector<std::string>& files) {
     return pairs;
 }
 
-DrawnPair drawn_pair(const PairOfFiles& files, const InputLimits& limits) {
-    DrawnPair pair{load_scene_source(files.scene, limits), {}};
-    const auto picture = picture_in_file(files.theirs, limits);
-    pair.seen = picture ? cells_of(*picture, pair.scene)
-                        : cells_of(load_trace(files.theirs, {.method = {}, .limits = limits}));
+DrawnPair drawn_pair(const PairOfFiles& files) {
+    DrawnPair pair{load_scene_source(files.scene), {}};
+    const auto picture = picture_in_file(files.theirs, {});
+    pair.seen = picture ? cells_of(*picture, pair.scene) : cells_of(load_trace(files.theirs));
     const Canvas canvas = value_or_throw(read_scene(pair.scene)).scene.canvas;
     if (pair.seen.width != canvas.width || pair.seen.height != canvas.height)
         throw problem_of(
@@ -156,9 +154,8 @@ std::string details(const Diagnosis& found, const DrawnPair& pair, const PairOfF
 }
 
 /// How the scene's own rules come to a pixel that tells the answer from what was asked.
-std::string explained_pixel(const Diagnosis& found, const PairOfFiles& files,
-                            const InputLimits& limits) {
-    const Trace trace = load_trace(files.scene, {.method = {}, .limits = limits});
+std::string explained_pixel(const Diagnosis& found, const PairOfFiles& files) {
+    const Trace trace = load_trace(files.scene);
     const auto explanation =
         value_or_throw(explain(trace, {.about = Topic::pixel, .pixel = *found.pixel}));
     return fmt::format("\nAs the scene asks, in {}:\n{}", printable(files.scene),
@@ -169,11 +166,11 @@ ExitStatus answer(const DiagnoseCommand& command) {
     const std::vector<PairOfFiles> files = pairs_of(command.files);
     std::vector<DrawnPair> pairs;
     for (const PairOfFiles& pair : files)
-        pairs.push_back(drawn_pair(pair, command.input));
+        pairs.push_back(drawn_pair(pair));
     const Diagnosis found = diagnose(pairs, command.options);
     if (!command.predicted.empty() && !found.answer.empty()) {
-        const auto drawn = drawn_by(found.answer.front().rule,
-                                    load_scene_source(command.predicted, command.input));
+        const auto drawn =
+            drawn_by(found.answer.front().rule, load_scene_source(command.predicted));
         if (!drawn)
             throw problem_of(command.predicted,
                              fmt::format("expected a scene that can be drawn by {}, found another",
@@ -200,7 +197,7 @@ ExitStatus answer(const DiagnoseCommand& command) {
     std::string text =
         headline(found.answer.front().rule, asked) + "\n" + details(found, pairs[found.pair], pair);
     if (found.pixel)
-        text += explained_pixel(found, pair, command.input);
+        text += explained_pixel(found, pair);
     print(text);
     return exit_difference;
 }
@@ -245,7 +242,6 @@ public:
                      "Write a few scenes that tell the known rules apart");
         options.option("-o", command_.folder, "Where to write them; probes if not given", "FOLDER");
         options.option("--jobs", jobs_, "Threads; one for each core if not given", "N");
-        command_.input = InputLimits{};
     }
 
     void read() override {

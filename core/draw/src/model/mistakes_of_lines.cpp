@@ -41,6 +41,13 @@ GridPoint turned(GridPoint step) {
     return {-step.x, -step.y};
 }
 
+/// The color whose channels are `level(from, to)` of those at the ends of a line.
+template <typename Level> Color mixed(const GridLine& line, Level level) {
+    const Color a = line.from_color, b = line.to_color;
+    return {level(a.red(), b.red()), level(a.green(), b.green()), level(a.blue(), b.blue()),
+            a.alpha()};
+}
+
 constexpr std::string_view right_d = "d = 2 dy - dx; d += 2 dy, or 2 (dy - dx)";
 
 constexpr Mistake lines_table[] = {
@@ -209,9 +216,7 @@ constexpr Mistake lines_table[] = {
                  return static_cast<std::uint8_t>(
                      truncate_index(Rational(share * from + (1 - share) * to)));
              };
-             const Color a = line.from_color, b = line.to_color;
-             return Color(level(a.red(), b.red()), level(a.green(), b.green()),
-                          level(a.blue(), b.blue()), a.alpha());
+             return mixed(line, level);
          };
      }},
     {"color-summed-and-cut", "c += (c2 - c1)/n, then int(c)", "c = c1 + (c2 - c1) i/n, rounded",
@@ -224,9 +229,7 @@ constexpr Mistake lines_table[] = {
                      channel += (static_cast<double>(to) - from) / static_cast<double>(steps);
                  return static_cast<std::uint8_t>(std::clamp(std::trunc(channel), 0.0, 255.0));
              };
-             const Color a = line.from_color, b = line.to_color;
-             return Color(level(a.red(), b.red()), level(a.green(), b.green()),
-                          level(a.blue(), b.blue()), a.alpha());
+             return mixed(line, level);
          };
      }},
     {"color-by-distance", "the color by the distance from the end", "the color by the steps",

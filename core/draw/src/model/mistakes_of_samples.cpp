@@ -7,8 +7,6 @@ namespace rastertrace {
 
 namespace {
 
-using Weights = std::array<Rational, 3>;
-
 bool has_owners(const Scene& scene) {
     return has_triangles(scene) && scene.method.fill == Fill::top_left;
 }
@@ -57,7 +55,7 @@ template <typename Enough> void fill_by_part(ModelRules& rules, Enough enough) {
                            floor_index(std::min({a.at.y, b.at.y, c.at.y})),
                            ceil_index(std::max({a.at.y, b.at.y, c.at.y}))};
     };
-    rules.covers = [enough](const ModelTriangle& triangle, GridPoint pixel, const Weights&) {
+    rules.covers = [enough](const ModelTriangle& triangle, GridPoint pixel, const ModelWeights&) {
         return enough(covered_part(triangle, pixel));
     };
 }
@@ -129,7 +127,7 @@ constexpr Mistake samples_table[] = {
      "triangles of one winding are missing", "T3, error 5", fills_by_samples,
      [](ModelRules& rules) {
          rules.covers = [right = rules.covers](const ModelTriangle& triangle, GridPoint pixel,
-                                               const Weights& weights) {
+                                               const ModelWeights& weights) {
              const auto& [a, b, c] = triangle;
              const Rational area2 =
                  (b.at.x - a.at.x) * (c.at.y - a.at.y) - (c.at.x - a.at.x) * (b.at.y - a.at.y);
@@ -141,7 +139,7 @@ constexpr Mistake samples_table[] = {
      "sample", "triangles have no third side", "UCR CS130, a solution", fills_by_samples,
      [](ModelRules& rules) {
          rules.covers = [right = rules.covers](const ModelTriangle& triangle, GridPoint pixel,
-                                               Weights weights) {
+                                               ModelWeights weights) {
              weights[1] = 1; // opposite to the edge from C to A
              return right(triangle, pixel, weights);
          };
@@ -161,7 +159,7 @@ constexpr Mistake samples_table[] = {
      "Adafruit-GFX-Library#218", fills_by_samples,
      [](ModelRules& rules) {
          rules.covers = [right = rules.covers](const ModelTriangle& triangle, GridPoint pixel,
-                                               Weights weights) {
+                                               ModelWeights weights) {
              const auto held = [](const Rational& product) {
                  const Index whole = truncate_index(product);
                  return Rational(product - whole + wrapped(whole, 16));

@@ -8,7 +8,6 @@ namespace rastertrace {
 namespace {
 
 using Vec4 = Vec<Rational, 4>;
-using Weights = std::array<Rational, 3>;
 
 bool any_scene(const Scene&) {
     return true;
@@ -292,9 +291,9 @@ constexpr Mistake space_table[] = {
      "colors look as if they were not sorted", "tinyrenderer#40", mixes_colors,
      [](ModelRules& rules) {
          rules.shares = [right = rules.shares](const ModelTriangle& triangle,
-                                               const Weights& weights) {
-             const Weights shares = right(triangle, weights);
-             return Weights{shares[2], shares[0], shares[1]};
+                                               const ModelWeights& weights) {
+             const ModelWeights shares = right(triangle, weights);
+             return ModelWeights{shares[2], shares[0], shares[1]};
          };
      }},
     {"byte-cast", "int(level)", "round(level)", "pixel", "127 in the middle of 0 to 255", "T2",

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <rastertrace/core/draw/model/model.h>
 
+#include "list/faces.h"
 #include "tell/listener_sink.h"
 
 #include <rastertrace/core/draw/list/drawing_order.h>
@@ -95,7 +96,8 @@ private:
             face.skip = SkipReason::zero_area;
         if (!face.skip && method_.cull != Cull::none) {
             const bool is_by_light = method_.cull == Cull::light;
-            const Point3 view = is_by_light ? to_light(centroid) : to_eye(centroid);
+            const Point3 view =
+                is_by_light ? light_from<Rational>(*scene_.light, centroid) : to_eye(centroid);
             const Rational dot = rules_.facing(normal, view);
             const bool is_culled = rastertrace::is_culled(method_.cull, dot);
             face.tested = {normal,
@@ -109,17 +111,12 @@ private:
                 face.skip = SkipReason::culled;
         }
         if (!face.skip && method_.shade == Shade::lambert) {
-            const Point3 light = to_light(centroid);
+            const Point3 light = light_from<Rational>(*scene_.light, centroid);
             const double intensity = rules_.intensity(normal, light);
             face.lit = {normal, light, dot(normal, light), intensity,
                         lit(primitive.color, intensity, method_.color_rounding)};
         }
         return face;
-    }
-
-    Point3 to_light(const Point3& centroid) const {
-        const Point3 at = exact(scene_.light->at);
-        return scene_.light->kind == Light::Kind::position ? at - centroid : at;
     }
 
     Point3 to_eye(const Point3& centroid) const {
