@@ -828,7 +828,8 @@ TEST(Slips, TheTableHasEachNameOnce) {
     for (const Slip& slip : slips()) {
         EXPECT_TRUE(names.insert(slip.name).second) << slip.name;
         EXPECT_EQ(find_slip(slip.name), &slip);
-        EXPECT_FALSE(slip.done.empty() || slip.instead_of.empty() || slip.symptom.empty());
+        EXPECT_FALSE(slip.done.empty() || slip.instead_of.empty() || slip.symptom.empty())
+            << slip.name;
     }
     EXPECT_EQ(find_slip("no-such-slip"), nullptr);
 }

@@ -145,8 +145,8 @@ TEST_F(CheckTest, EndsOfARowThatWereExchangedAreToldWithTheSlipOfEach) {
     // dx/dy turned over gives 1 + 3/2 (-2) = -2 on the left.
     EXPECT_THAT(
         check_row("y=1: 3, -2"),
-        HasSubstr("    likely slip dx-dy-inverted: (y2 - y1) / (x2 - x1) instead of (x2 - x1) / "
-                  "(y2 - y1)\n    left and right are exchanged\n"));
+        HasSubstr("    likely slip dx-dy-inverted: dx/dy = (y2 - y1)/(x2 - x1) instead of dx/dy = "
+                  "(x2 - x1)/(y2 - y1)\n    left and right are exchanged\n"));
     EXPECT_THAT(check_row("y=1: 17, 19"), Not(HasSubstr("exchanged")));
 }
 

@@ -8,6 +8,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <variant>
 #include <vector>
@@ -39,6 +40,9 @@ private:
     Values right_;
     std::vector<SlipResult> results_;
 };
+
+/// Words of a slip that is a known mistake of programs, too (mistakes.h): they are that one's.
+inline constexpr std::string_view known = {};
 
 /// The formula, if it is of this form.
 template <typename Form> const Form* as_form(const Formula& formula) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "slip_results.h"
 
+#include <rastertrace/core/draw/model/mistakes.h>
 #include <rastertrace/core/numbers/irrational.h>
 
 #include <fmt/core.h>
@@ -580,39 +581,29 @@ std::vector<SlipResult> edge_the_other_way(const Formula& formula) {
 }
 
 constexpr Slip other_slips[] = {
-    {"truncate-for-floor", "rounding toward 0", "rounding down",
-     "left of x = 0, rows begin and end one pixel too far right", 150,
-     instead_of_floor<Rounding::truncate>},
-    {"nearest-for-floor", "rounding to the nearest", "rounding down",
-     "half of the ends lie one pixel too far right", 120, instead_of_floor<Rounding::nearest>},
-    {"inside-for-floor", "only the pixels between the ends", "rounding down at both ends",
-     "rows begin one pixel too late", 80, instead_of_floor<Rounding::inside>},
-    {"half-open-for-floor", "leaving out the right end", "rounding down at both ends",
-     "rows end one pixel too early", 80, instead_of_floor<Rounding::half_open>},
-    {"dx-dy-inverted", "(y2 - y1) / (x2 - x1)", "(x2 - x1) / (y2 - y1)",
-     "steep edges lie flat, flat ones are steep", 70, dx_dy_inverted},
+    {"truncate-for-floor", known, known, known, 150, instead_of_floor<Rounding::truncate>},
+    {"nearest-for-floor", known, known, known, 120, instead_of_floor<Rounding::nearest>},
+    {"inside-for-floor", known, known, known, 80, instead_of_floor<Rounding::inside>},
+    {"half-open-for-floor", known, known, known, 80, instead_of_floor<Rounding::half_open>},
+    {"dx-dy-inverted", known, known, known, 70, dx_dy_inverted},
     {"dy-dx-inverted", "(x2 - x1) / (y2 - y1)", "(y2 - y1) / (x2 - x1)",
      "steep edges lie flat, flat ones are steep", 70, dy_dx_inverted},
     {"edge-the-other-way", "a sample on an edge decided the other way", "the scene's own rule",
      "pixels on edges are missing, or drawn twice", 800, edge_the_other_way},
     {"byte-cast", "cutting a level off to a whole number, or rounding it", "the scene's own rule",
-     "127 in the middle of 0 to 255", 40, byte_cast},
+     known, 40, byte_cast},
     {"color-by-distance", "the color by the distance, or by the steps", "the scene's own rule",
-     "colors a little beside, most on diagonal lines", 20, color_by_other_share},
-    {"z-for-inverse-z", "z itself, or z in a straight line", "1/z in a straight line",
-     "what is in the middle lies too far away", 60, z_for_inverse_z},
-    {"start-and-step-exchanged", "adding the start again and again to the step",
-     "adding the step again and again to the start", "the numbers grow too fast", 20,
-     start_and_step_exchanged},
+     known, 20, color_by_other_share},
+    {"z-for-inverse-z", "z itself, or z in a straight line", "1/z in a straight line", known, 60,
+     z_for_inverse_z},
+    {"start-and-step-exchanged", known, known, known, 20, start_and_step_exchanged},
     {"y-for-z", "z in the place of y", "y", "what points away points up", 20, y_for_z},
-    {"view-turned-round", "from the eye to the face", "from the face to the eye",
-     "what is turned away is drawn, what is turned to the eye is culled", 40, view_turned_round},
+    {"view-turned-round", known, known, known, 40, view_turned_round},
     {"cosine-of-dot-only", "the dot product alone", "the dot product divided by both lengths",
-     "cosines beyond 1", 30, cosine_of_dot_only},
+     known, 30, cosine_of_dot_only},
     {"normal-for-view", "the normal once more", "the view", "no face is turned away", 10,
      normal_for_view},
-    {"corner-for-center", "a pixel's own x and y", "its center, 1/2 further",
-     "the picture is moved by half a pixel", 40, corner_for_center},
+    {"corner-for-center", known, known, known, 40, corner_for_center},
     {"corner-for-centroid", "a corner", "the centroid",
      "faces near the silhouette are culled wrongly", 15, corner_for_centroid},
     {"not-divided", "leaving out a division", "dividing", "numbers that are too large", 30,
@@ -626,16 +617,14 @@ constexpr Slip other_slips[] = {
     {"sign", "losing or adding a minus", "keeping each sign", "mirrored", 60, sign},
     {"term-dropped", "leaving out a term of the sum", "all terms", "moved by a constant", 20,
      term_dropped},
-    {"slope-of-zero", "d2 - d2 in the slope", "d2 - d1", "every row has the number of the first",
-     25, slope_of_zero},
+    {"slope-of-zero", known, known, known, 25, slope_of_zero},
     {"three-corners", "three corners of a polygon", "all of its corners",
      "the normal of a bent face leans", 150, three_corners},
     {"c-minus-a", "another corner", "the edge's own corner", "the edge of another pair of vertices",
      15, c_minus_a},
     {"pixel-for-end", "the pixel", "the exact end of the row",
      "whole numbers where fractions belong", 10, pixel_for_end},
-    {"integer-division", "a quotient cut off to a whole number", "the quotient itself",
-     "slopes below 1 are 0", 20, integer_division},
+    {"integer-division", known, known, known, 20, integer_division},
     {"coordinates-exchanged", "two coordinates exchanged", "x, y, z in this order",
      "mirrored at a diagonal", 15, coordinates_exchanged},
     {"angle-for-cosine", "the angle", "its cosine", "numbers beyond 1", 15, angle_for_cosine},
@@ -657,6 +646,14 @@ std::span<const Slip> slips() {
         std::vector<Slip> rows(std::begin(other_slips), std::end(other_slips));
         for (const std::span<const Slip> more : {slips_of_lines(), slips_of_matrices()})
             rows.insert(rows.end(), more.begin(), more.end());
+        for (Slip& row : rows)
+            if (const Mistake* const mistake = find_mistake(row.name)) {
+                for (const auto& [words, of_mistake] : {std::pair(&row.done, mistake->says),
+                                                        {&row.instead_of, mistake->should},
+                                                        {&row.symptom, mistake->symptom}})
+                    if (words->empty())
+                        *words = of_mistake;
+            }
         return rows;
     }();
     return all;

@@ -25,8 +25,8 @@ struct SlipResult {
 /// One mistake.
 struct Slip {
     std::string_view name;       ///< "truncate-for-floor"
-    std::string_view done;       ///< "rounding toward 0"
-    std::string_view instead_of; ///< "rounding down"
+    std::string_view done;       ///< "z in the place of y"
+    std::string_view instead_of; ///< "y"
     std::string_view symptom;    ///< what is seen of it in the picture or the numbers
     double in_thousand; ///< a guess of how many wrong numbers come of it, where it can happen
 

@@ -127,14 +127,11 @@ std::vector<SlipResult> size_for_last_pixel(const Formula& formula) {
 }
 
 constexpr Slip matrix_slips[] = {
-    {"turned-the-other-way", "turning clockwise", "turning counter-clockwise",
-     "the object is turned to the other side", 30, turned_the_other_way},
+    {"turned-the-other-way", known, known, known, 30, turned_the_other_way},
     {"degrees-for-radians", "the number of degrees taken for radians", "degrees",
      "the angle seems to be any", 30, degrees_for_radians},
-    {"factors-exchanged", "matrices in the other order", "the order of the scene",
-     "what was to turn about itself turns about the origin", 30, factors_exchanged},
-    {"size-for-last-pixel", "W and H", "W - 1 and H - 1",
-     "the right and the upper edge are cut off", 30, size_for_last_pixel},
+    {"factors-exchanged", known, known, known, 30, factors_exchanged},
+    {"size-for-last-pixel", known, known, known, 30, size_for_last_pixel},
     {"rows-for-columns", "the columns of the matrix taken for rows", "its rows",
      "turned the other way, and moved nowhere", 20, rows_for_columns},
 };

@@ -4,26 +4,17 @@
 #include "in_threads.h"
 #include "tell_apart.h"
 
-#include <rastertrace/trace/picture/picture_trace.h>
-#include <rastertrace/trace/record/frame.h>
 #include <rastertrace/trace/scene/scene_file.h>
 
 #include <algorithm>
-#include <cstdlib>
 #include <limits>
-#include <map>
+#include <set>
 #include <tuple>
 #include <utility>
 
 namespace rastertrace {
 
 namespace {
-
-/// True if a pixel of a picture is not as it was seen.
-bool differs(const SeenCells& seen, std::size_t cell, Color drawn) {
-    const Color color = seen.colors[cell];
-    return seen.has_colors ? color != drawn : (color == no_color) != (drawn == no_color);
-}
 
 /// A rule, and how it does on all pairs.
 struct Tried {
@@ -50,37 +41,49 @@ public:
             if (!read)
                 throw read.problem();
             scenes_.push_back(std::move(read.value().scene));
-            asked_.push_back(*drawn_by({}, pair.scene));
+            pictures_.push_back(*drawn_by({}, pair.scene));
+            asked_.push_back(*held_against(pair, {}));
+            all_.push_back(all_.size());
         }
+        constexpr std::size_t few = 6;
+        few_ = all_;
+        std::ranges::stable_sort(few_, std::ranges::greater{}, [this](std::size_t i) {
+            return std::ranges::count(asked_[i].wrong, true);
+        });
+        few_.resize(std::min(few_.size(), few));
     }
 
     Diagnosis found() {
         Diagnosis diagnosis;
-        const Tried as_asked = try_one({}, DrawnIn::fractions);
+        const Tried as_asked = try_one({}, all_, DrawnIn::fractions);
         diagnosis.differing = as_asked.unexplained;
+        for (const DrawnPair& pair : pairs_)
+            diagnosis.between += pair.seen.between;
         if (diagnosis.is_as_asked()) {
             diagnosis.answer.emplace_back();
             return diagnosis;
         }
         for (std::size_t i = 0; i < pairs_.size(); ++i)
-            for (std::size_t cell = 0; cell < pairs_[i].seen.colors.size(); ++cell)
-                diagnosis.drawn +=
-                    pairs_[i].seen.colors[cell] != no_color || asked_[i].colors()[cell] != no_color;
+            for (std::size_t k = 0; k < pairs_[i].size(); ++k)
+                diagnosis.drawn += pairs_[i].claims || pairs_[i].seen.colors[k] != no_color ||
+                                   pictures_[i].colors()[k] != no_color;
 
         std::vector<Tried> tried = try_all(distinct(all_rules()));
         if (const std::uint64_t least = least_of(tried); least > 0) {
-            const auto two = try_all(rules_of_two(tried));
+            const auto two = try_all(rules_of_two());
             if (!two.empty() && least_of(two) < least)
                 tried.insert(tried.end(), two.begin(), two.end());
         }
         std::ranges::stable_sort(tried, {}, &Tried::order);
         const Tried best = tried.front();
         diagnosis.unexplained = best.unexplained;
-        if (best.unexplained > 0 &&
-            (best.unexplained * 3 > diagnosis.differing || best.unexplained * 20 > diagnosis.drawn))
+        if (best.unexplained > 0 && (best.unexplained * 3 > diagnosis.differing ||
+                                     best.unexplained * 20 > diagnosis.drawn)) {
+            diagnosis.runner_up = best.rule;
             return diagnosis;
+        }
         for (const Tried& one : tried)
-            if (one.picture == best.picture && one.size() < best.size() + 2)
+            if (one.picture == best.picture && one.size() <= best.size())
                 add_to_answer(one.rule, diagnosis.answer);
         const auto next = std::ranges::find_if(
             tried, [&](const Tried& one) { return one.is_drawn && one.picture != best.picture; });
@@ -88,7 +91,13 @@ public:
             diagnosis.runner_up = next->rule;
             diagnosis.runner_up_unexplained = next->unexplained;
         }
-        find_pixel(diagnosis);
+        if (const auto found = telling_cell(diagnosis)) {
+            const auto& [pair, cell] = *found;
+            diagnosis.pair = pair;
+            diagnosis.pixel = pixel_of(pair, cell);
+            if (diagnosis.runner_up)
+                diagnosis.rows = telling_rows(diagnosis);
+        }
         return diagnosis;
     }
 
@@ -104,7 +113,7 @@ private:
     /// Each once; without the settings that are in force in all scenes anyway.
     std::vector<Rule> distinct(std::vector<Rule> rules) const {
         std::vector<Rule> kept;
-        std::map<std::string, bool> seen;
+        std::set<std::string> seen;
         for (Rule& rule : rules) {
             std::erase_if(rule.settings, [this](const auto& setting) {
                 const MethodKey& key = *find_method_key(setting.first);
@@ -113,7 +122,7 @@ private:
                            return value_in_force(key, scene) == setting.second;
                        });
             });
-            if (seen.try_emplace(name_of(rule), true).second)
+            if (seen.insert(name_of(rule)).second)
                 kept.push_back(std::move(rule));
         }
         return kept;
@@ -123,61 +132,70 @@ private:
         return std::ranges::min(tried, {}, &Tried::unexplained).unexplained;
     }
 
+    /// All rules on the few pairs that differ the most; those that come near the best of them on all.
+    std::vector<Tried> try_all(const std::vector<Rule>& rules) {
+        std::vector<Tried> tried = try_on(rules, few_);
+        for (const Tried& one : tried)
+            if (one.is_drawn && one.rule.mistakes.size() == 1 && one.rule.settings.empty() &&
+                one.gain > 0)
+                gains_.emplace_back(one.gain, one.rule.mistakes.front());
+        if (few_.size() == pairs_.size() || tried.empty())
+            return tried;
+        const std::uint64_t least = least_of(tried);
+        std::vector<Rule> near_rules;
+        for (const Tried& one : tried)
+            if (is_near(one, least))
+                near_rules.push_back(one.rule);
+        return try_on(near_rules, all_);
+    }
+
     /// Settings are drawn in doubles first. Those that come near the best are drawn again in fractions.
-    std::vector<Tried> try_all(const std::vector<Rule>& rules) const {
-        constexpr std::uint64_t near = 16;
+    std::vector<Tried> try_on(const std::vector<Rule>& rules,
+                              const std::vector<std::size_t>& pairs) const {
         std::vector<Tried> tried(rules.size());
         const auto in_doubles = [](const Rule& rule) {
             return std::ranges::all_of(rule.mistakes,
                                        [](const Mistake* one) { return !one->put_in; });
         };
         in_threads(rules.size(), options_.jobs, [&](std::size_t i) {
-            tried[i] =
-                try_one(rules[i], in_doubles(rules[i]) ? DrawnIn::doubles : DrawnIn::fractions);
+            tried[i] = try_one(rules[i], pairs,
+                               in_doubles(rules[i]) ? DrawnIn::doubles : DrawnIn::fractions);
         });
         const std::uint64_t least = rules.empty() ? 0 : least_of(tried);
         in_threads(rules.size(), options_.jobs, [&](std::size_t i) {
-            if (in_doubles(rules[i]) && tried[i].unexplained <= 2 * least + near)
-                tried[i] = try_one(rules[i], DrawnIn::fractions);
+            if (in_doubles(rules[i]) && is_near(tried[i], least))
+                tried[i] = try_one(rules[i], pairs, DrawnIn::fractions);
         });
         return tried;
     }
 
-    Tried try_one(const Rule& rule, DrawnIn numbers) const {
+    static bool is_near(const Tried& one, std::uint64_t least) {
+        constexpr std::uint64_t near = 16;
+        return one.is_drawn && one.unexplained <= 2 * least + near;
+    }
+
+    Tried try_one(const Rule& rule, const std::vector<std::size_t>& pairs, DrawnIn numbers) const {
         Tried tried{.rule = rule, .changes = rule.settings.size(), .is_drawn = true};
-        for (std::size_t i = 0; i < pairs_.size(); ++i) {
-            const DrawnPair& pair = pairs_[i];
-            const auto image = drawn_by(rule, pair.scene, numbers);
-            if (!image || image->colors().size() != pair.seen.colors.size()) {
-                tried.is_drawn = false;
-                break;
+        for (const std::size_t i : pairs) {
+            const auto held = held_against(pairs_[i], rule, numbers);
+            if (!held)
+                return {.rule = rule,
+                        .changes = rule.settings.size(),
+                        .unexplained = std::numeric_limits<std::uint64_t>::max()};
+            for (std::size_t k = 0; k < held->wrong.size(); ++k) {
+                tried.unexplained += held->wrong[k];
+                tried.gain += !held->wrong[k] && asked_[i].wrong[k];
             }
-            for (std::size_t cell = 0; cell < pair.seen.colors.size(); ++cell) {
-                const Color color = image->colors()[cell];
-                const bool is_wrong = differs(pair.seen, cell, color);
-                tried.unexplained += is_wrong;
-                tried.gain += !is_wrong && differs(pair.seen, cell, asked_[i].colors()[cell]);
-                // FNV-1a, a word at a time.
-                const std::uint64_t word = std::uint64_t{color.red()} << 24 |
-                                           std::uint64_t{color.green()} << 16 |
-                                           std::uint64_t{color.blue()} << 8 | color.alpha();
-                tried.picture = (tried.picture ^ word) * 0x100000001B3;
-            }
+            tried.picture = tried.picture * 31 + held->picture;
         }
-        if (!tried.is_drawn)
-            tried.unexplained = std::numeric_limits<std::uint64_t>::max();
         return tried;
     }
 
     /// Pairs of the mistakes that each explain the most of what differs: pixels that they draw as seen, and the scene's
     /// own rules do not.
-    std::vector<Rule> rules_of_two(const std::vector<Tried>& tried) const {
+    std::vector<Rule> rules_of_two() const {
         constexpr std::size_t most = 14;
-        std::vector<std::pair<std::uint64_t, const Mistake*>> gains;
-        for (const Tried& one : tried)
-            if (one.is_drawn && one.rule.mistakes.size() == 1 && one.rule.settings.empty() &&
-                one.gain > 0)
-                gains.emplace_back(one.gain, one.rule.mistakes.front());
+        auto gains = gains_;
         std::ranges::stable_sort(gains, std::ranges::greater{},
                                  [](const auto& one) { return one.first; });
         gains.resize(std::min(gains.size(), most));
@@ -205,7 +223,7 @@ private:
         for (AnsweredRule& one : answer) {
             if (is_part(one.rule))
                 return;
-            if (scene_apart(one.rule, rule, method_of(scenes_.front()), seeds))
+            if (are_told_apart(one.rule, rule, method_of(scenes_.front()), seeds))
                 continue;
             if (rule.mistakes.size() == 1 && rule.settings.empty())
                 one.same.push_back(rule.mistakes.front());
@@ -224,88 +242,62 @@ private:
         return method;
     }
 
-    /// A pixel that is as the answer has it, and neither as the scene asks nor, if possible, as the runner-up has it.
-    void find_pixel(Diagnosis& diagnosis) const {
-        for (const bool tells_apart : {true, false})
-            for (std::size_t i = 0; i < pairs_.size() && !diagnosis.pixel; ++i) {
-                const SeenCells& seen = pairs_[i].seen;
-                const auto by_answer = drawn_by(diagnosis.answer.front().rule, pairs_[i].scene);
-                const auto by_next = diagnosis.runner_up
-                                         ? drawn_by(*diagnosis.runner_up, pairs_[i].scene)
-                                         : std::nullopt;
-                for (std::size_t cell = 0; cell < seen.colors.size(); ++cell)
-                    if (differs(seen, cell, asked_[i].colors()[cell]) &&
-                        !differs(seen, cell, by_answer->colors()[cell]) &&
-                        (!tells_apart || !by_next ||
-                         differs(seen, cell, by_next->colors()[cell]))) {
-                        const Canvas& canvas = scenes_[i].canvas;
-                        const auto width = static_cast<std::size_t>(canvas.width);
-                        diagnosis.pair = i;
-                        diagnosis.pixel = Pixel{canvas.left() + static_cast<int>(cell % width),
-                                                canvas.y_of(static_cast<int>(cell / width))};
-                        break;
-                    }
+    /// A pixel that is as the answer has it, and neither as the scene asks nor, if possible, as the runner-up has it: of
+    /// which pair, and which of its cells.
+    std::optional<std::pair<std::size_t, std::size_t>>
+    telling_cell(const Diagnosis& diagnosis) const {
+        std::optional<std::pair<std::size_t, std::size_t>> found;
+        for (std::size_t i = 0; i < pairs_.size(); ++i) {
+            if (pairs_[i].claims)
+                continue;
+            const auto by_answer = held_against(pairs_[i], diagnosis.answer.front().rule);
+            const auto by_next =
+                diagnosis.runner_up ? held_against(pairs_[i], *diagnosis.runner_up) : std::nullopt;
+            for (std::size_t cell = 0; cell < asked_[i].wrong.size(); ++cell) {
+                if (!asked_[i].wrong[cell] || by_answer->wrong[cell])
+                    continue;
+                if (!by_next || by_next->wrong[cell])
+                    return std::pair(i, cell);
+                if (!found)
+                    found.emplace(i, cell);
             }
+        }
+        return found;
+    }
+
+    Pixel pixel_of(std::size_t pair, std::size_t cell) const {
+        const Canvas& canvas = scenes_[pair].canvas;
+        const auto width = static_cast<std::size_t>(canvas.width);
+        return {canvas.left() + static_cast<int>(cell % width),
+                canvas.y_of(static_cast<int>(cell / width))};
+    }
+
+    /// The rows with pixels that are as the answer has them, and not as the runner-up does.
+    std::vector<int> telling_rows(const Diagnosis& diagnosis) const {
+        const DrawnPair& pair = pairs_[diagnosis.pair];
+        const auto by_answer = held_against(pair, diagnosis.answer.front().rule);
+        const auto by_next = held_against(pair, *diagnosis.runner_up);
+        std::vector<int> rows;
+        for (std::size_t cell = 0; cell < by_answer->wrong.size(); ++cell) {
+            const int y = pixel_of(diagnosis.pair, cell).y;
+            if (!by_answer->wrong[cell] && by_next->wrong[cell] &&
+                (rows.empty() || rows.back() != y))
+                rows.push_back(y);
+        }
+        return rows;
     }
 
     std::span<const DrawnPair> pairs_;
     const DiagnoseOptions& options_;
     std::vector<Scene> scenes_;
-    std::vector<Image> asked_;
+    std::vector<Image> pictures_;                                 ///< as the scenes ask
+    std::vector<std::size_t> all_;                                ///< the numbers of the pairs
+    std::vector<std::size_t> few_;                                ///< of those that differ the most
+    std::vector<std::pair<std::uint64_t, const Mistake*>> gains_; ///< of the mistakes, on these
+    std::vector<HeldAgainst> asked_; ///< what is seen, held against these
 };
 
 } // namespace
-
-SeenCells cells_of(const Picture& picture, const Source& scene) {
-    SeenCells cells{picture.width,
-                    picture.height,
-                    {picture.pixels.begin(), picture.pixels.end()},
-                    picture.has_colors};
-    const auto asked = drawn_by({}, scene);
-    if (!picture.has_colors || !asked || asked->colors().size() != cells.colors.size())
-        return cells;
-
-    // What is not drawn.
-    std::vector<Color> not_drawn;
-    std::vector<Color> known{no_color};
-    for (std::size_t i = 0; i < cells.colors.size(); ++i) {
-        const Color color = asked->colors()[i];
-        if (color == no_color)
-            not_drawn.push_back(cells.colors[i]);
-        else if (std::ranges::find(known, color) == known.end() && known.size() < 64)
-            known.push_back(color);
-    }
-    const Color background = most_frequent(not_drawn);
-    for (Color& color : cells.colors)
-        if (color == background || color.alpha() == 0)
-            color = no_color;
-
-    // Colors between those of a scene that mixes none.
-    const auto read = read_scene(scene);
-    const bool is_flat =
-        read && !read.value().scene.mixes_colors() && read.value().scene.shade() != Shade::lambert;
-    const auto distance = [&](Color a, Color b) {
-        const Color p = a == no_color ? background : a;
-        const Color q = b == no_color ? background : b;
-        return std::abs(p.red() - q.red()) + std::abs(p.green() - q.green()) +
-               std::abs(p.blue() - q.blue());
-    };
-    for (Color& color : cells.colors)
-        if (is_flat && std::ranges::find(known, color) == known.end()) {
-            ++cells.between;
-            color = *std::ranges::min_element(known, {},
-                                              [&](Color one) { return distance(one, color); });
-        }
-    return cells;
-}
-
-SeenCells cells_of(const Trace& trace) {
-    Replay replay(trace);
-    replay.go_to(trace.size());
-    const Image& image = replay.frame().image;
-    return {
-        trace.canvas.width, trace.canvas.height, {image.colors().begin(), image.colors().end()}};
-}
 
 Diagnosis diagnose(std::span<const DrawnPair> pairs, const DiagnoseOptions& options) {
     return Search(pairs, options).found();

@@ -161,6 +161,17 @@ std::optional<Image> drawn_by(const Rule& rule, const Source& scene, DrawnIn num
     return draw_by(rules);
 }
 
+std::optional<Trace> traced_by(const Rule& rule, const Source& scene) {
+    constexpr std::size_t most_steps = 1'000'000;
+    Settings settings = rule.settings;
+    for (const Mistake* const mistake : rule.mistakes)
+        settings.emplace_back("mistake", mistake->name);
+    const auto read = rule.mistakes.size() < 2 ? read_by(settings, scene) : std::nullopt;
+    if (!read)
+        return std::nullopt;
+    return drawn_trace(read->scene, read->plan, scene.name, most_steps);
+}
+
 std::vector<Rule> rules_for(const Source& scene, bool any_convention) {
     std::vector<Rule> rules{Rule{}};
     const auto read = read_by({}, scene);

@@ -8,6 +8,7 @@
 
 #include <rastertrace/core/draw/model/mistakes.h>
 #include <rastertrace/core/raster/image.h>
+#include <rastertrace/trace/record/trace.h>
 #include <rastertrace/trace/text/method_names.h>
 #include <rastertrace/trace/text/problem.h>
 
@@ -37,6 +38,9 @@ enum class DrawnIn { fractions, doubles };
 /// A scene drawn by a rule. `nullopt` if it cannot be drawn so.
 std::optional<Image> drawn_by(const Rule& rule, const Source& scene,
                               DrawnIn numbers = DrawnIn::fractions);
+
+/// The trace of a scene drawn by a rule, in fractions. `nullopt` if it cannot be drawn so, or by two mistakes.
+std::optional<Trace> traced_by(const Rule& rule, const Source& scene);
 
 /// The rules that a scene may have been drawn by: all values of each setting that its picture may depend on, alone and
 /// in the combinations that decide which pixels are covered; the named conventions; the known mistakes. The first one

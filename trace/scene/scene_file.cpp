@@ -642,7 +642,7 @@ private:
         }
     }
 
-    /// Choices that do not go together, as soon as it is known what they are for.
+    /// A mistake that the model cannot make in such a scene is refused; one that changes nothing is worth a remark.
     void check_mistake(const JsonValue& root) {
         const Mistake* const mistake = scene_.method.mistake;
         if (mistake == nullptr)
@@ -658,10 +658,11 @@ private:
                                    mistake->name),
                        "no known mistake is about polygons, circles, the fan, diamonds, or lines "
                        "that surfaces hide");
-        if (!mistake->concerns(scene_))
+        if (mistake->put_in != nullptr && !mistake->concerns(scene_))
             place_of_idle_mistake_ = blamed.begin;
     }
 
+    /// Choices that do not go together, as soon as it is known what they are for.
     void check_method(const JsonValue& root) const {
         const Method& method = scene_.method;
         const bool has_lines =

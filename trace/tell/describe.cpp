@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "describe.h"
 
+#include "mistake_text.h"
 #include "step_text.h"
 
 #include <rastertrace/trace/record/step_kind.h>
@@ -840,7 +841,7 @@ std::string describe_step(const Replay& replay) {
     std::string text(pieces.front());
     for (std::size_t i = 0; i < sentence.fills.size(); ++i)
         text.append(sentence.fills[i]).append(pieces[i + 1]);
-    return text + what_numbers_give(replay.trace(), replay.step()) +
+    return text + what_numbers_give(replay.trace(), replay.step()) + formula_of_mistake(replay) +
            place_in_code(replay.trace(), replay.step());
 }
 

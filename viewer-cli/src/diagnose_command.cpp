@@ -64,19 +64,57 @@ std::vector<PairOfFiles> pairs_of(const std::vector<std::string>& files) {
     if (files.size() == 1 && std::filesystem::is_directory(files.front(), ignored))
         return pairs_in(files.front());
     if (files.size() % 2 != 0)
-        throw problem_of(files.back(),
-                         "expected a scene and what was drawn of it, found one file alone");
+        throw problem_of(
+            files.back(),
+            fmt::format("expected a scene and what was drawn of it, pair by pair, found {}",
+                        files.size() == 1 ? "one file alone"
+                                          : fmt::format("{} files", files.size())));
     std::vector<PairOfFiles> pairs;
     for (std::size_t i = 0; i < files.size(); i += 2)
         pairs.push_back({files[i], files[i + 1]});
     return pairs;
 }
 
+/// Throws a Problem if somebody claims two things of one number, or something of a name that is not in the scene.
+void check_agreement(const Claims& claims, const Source& scene) {
+    for (const CheckedClaim& claim : check(Truth(scene, {}), claims).claims)
+        for (const std::string& remark : claim.remarks)
+            if (remark.starts_with("contradicts"))
+                throw problem_at(claims.source, claims.claims[claim.claim].offset,
+                                 fmt::format("expected claims that agree with one another, found "
+                                             "one that {}",
+                                             remark));
+}
+
 DrawnPair drawn_pair(const PairOfFiles& files) {
-    DrawnPair pair{load_scene_source(files.scene), {}};
-    const auto picture = picture_in_file(files.theirs, {});
-    pair.seen = picture ? cells_of(*picture, pair.scene) : cells_of(load_trace(files.theirs));
+    DrawnPair pair{.scene = load_scene_source(files.scene)};
     const Canvas canvas = value_or_throw(read_scene(pair.scene)).scene.canvas;
+    if (const auto picture = picture_in_file(files.theirs, {})) {
+        pair.seen = cells_of(*picture, pair.scene);
+    } else {
+        Source theirs = load_scene_trace_or_claims(files.theirs, {});
+        if (is_claims(theirs)) {
+            pair.claims = comparable(value_or_throw(read_claims(std::move(theirs))));
+            if (pair.claims->claims.empty())
+                throw problem_of(files.theirs, "expected claims about what is drawn, found none");
+            check_agreement(*pair.claims, pair.scene);
+            return pair;
+        }
+        if (!is_trace(theirs))
+            throw problem_of(
+                files.theirs,
+                fmt::format("expected what was drawn of {}, found another scene", files.scene),
+                "theirs is a picture, rows of text, a trace, or claims");
+        const Trace trace = load_trace(files.theirs);
+        const Canvas& theirs_on = trace.canvas;
+        if (theirs_on.left() != canvas.left() || theirs_on.top() != canvas.top())
+            throw problem_of(files.theirs,
+                             fmt::format("expected a canvas with ({}, {}) at its top left, as that "
+                                         "of {} has, found ({}, {})",
+                                         canvas.left(), canvas.top(), files.scene, theirs_on.left(),
+                                         theirs_on.top()));
+        pair.seen = cells_of(trace);
+    }
     if (pair.seen.width != canvas.width || pair.seen.height != canvas.height)
         throw problem_of(
             files.theirs,
@@ -84,6 +122,37 @@ DrawnPair drawn_pair(const PairOfFiles& files) {
                         canvas.width, canvas.height, files.scene, pair.seen.width,
                         pair.seen.height));
     return pair;
+}
+
+/// What is to be known of the pictures, whatever they come of.
+std::string remarks_on(const std::vector<DrawnPair>& pairs, const std::vector<PairOfFiles>& files) {
+    std::string text;
+    for (std::size_t i = 0; i < pairs.size(); ++i) {
+        if (pairs[i].claims)
+            continue;
+        const SeenCells& seen = pairs[i].seen;
+        const Image asked = *drawn_by({}, pairs[i].scene);
+        bool has_common = false;
+        for (std::size_t cell = 0; cell < seen.colors.size(); ++cell)
+            has_common =
+                has_common || (seen.colors[cell] != no_color && asked.colors()[cell] != no_color);
+        if (!has_common)
+            text += fmt::format("  remark      no pixel is drawn in {} and by {} as well: is it a "
+                                "picture of this scene?\n",
+                                printable(files[i].theirs), printable(files[i].scene));
+        if (seen.between > 0)
+            text += fmt::format("  remark      {} pixels of {} have a color between two of the "
+                                "scene's: anti-aliasing; each counts as the nearer one\n",
+                                seen.between, printable(files[i].theirs));
+    }
+    return text;
+}
+
+/// What the differences are counted in.
+std::string_view counted(const std::vector<DrawnPair>& pairs) {
+    const auto of_claims = static_cast<std::size_t>(std::ranges::count_if(
+        pairs, [](const DrawnPair& pair) { return pair.claims.has_value(); }));
+    return of_claims == 0 ? "pixels" : of_claims == pairs.size() ? "claims" : "pixels and claims";
 }
 
 /// What a rule is, in a line; settings beside what the scene asks for.
@@ -105,9 +174,10 @@ std::string headline(const Rule& rule, const Scene& asked) {
             "draws by {}{}", joined(parts, ", "),
             instead.empty() ? "" : fmt::format("; the scene asks for {}", joined(instead, ", ")));
     for (const Mistake* const mistake : rule.mistakes)
-        text += fmt::format("{}{} {}: {}", text.empty() ? "" : "\n",
+        text += fmt::format("{}{} {}: {}{}", text.empty() ? "" : "\n",
                             mistake->is_rule() ? "draws by the rule" : "makes the mistake",
-                            mistake->name, mistake->says);
+                            mistake->name, mistake->says,
+                            mistake->is_rule() ? "" : fmt::format("; right: {}", mistake->should));
     return text;
 }
 
@@ -115,24 +185,31 @@ std::string words_for(const Rule& rule) {
     return shell_word(name_of(rule));
 }
 
-std::string details(const Diagnosis& found, const DrawnPair& pair, const PairOfFiles& files) {
+/// y = 1, 10; after a few: and 5 more rows
+std::string rows_in_words(const std::vector<int>& rows) {
+    constexpr std::size_t most = 8;
+    std::vector<std::string> told;
+    for (std::size_t i = 0; i < std::min(rows.size(), most); ++i)
+        told.push_back(std::to_string(rows[i]));
+    return "y = " + joined(told, ", ") +
+           (rows.size() > most ? fmt::format(" and {} more rows", rows.size() - most) : "");
+}
+
+std::string details(const Diagnosis& found, const std::vector<DrawnPair>& pairs,
+                    const std::vector<PairOfFiles>& files) {
     std::string text;
     const Rule& rule = found.answer.front().rule;
-    for (const Mistake* const mistake : rule.mistakes) {
-        if (!mistake->is_rule())
-            text += fmt::format("  should be   {}\n", mistake->should);
+    for (const Mistake* const mistake : rule.mistakes)
         text += fmt::format("  symptom     {} ({})\n", mistake->symptom, mistake->source);
-    }
+    for (const auto& [name, value] : rule.settings)
+        text += fmt::format("  {:<10}  {}\n", name, find_method_key(name)->meaning);
     for (const Mistake* const same : found.answer.front().same)
         text += fmt::format("  known as    {}: {}\n", same->name, same->symptom);
-    text += fmt::format(
-        "  explains    {} of {} pixels that the scene's own rules draw otherwise: score {:.0f} %\n",
-        found.differing - std::min(found.unexplained, found.differing), found.differing,
-        100 * found.score());
-    if (pair.seen.between > 0)
-        text += fmt::format("  remark      {} pixels have a color between two of the scene's: "
-                            "anti-aliasing; each counts as the nearer one\n",
-                            pair.seen.between);
+    text +=
+        fmt::format("  explains    {} of {} {} that are not as the scene asks: score {:.0f} %\n",
+                    found.differing - std::min(found.unexplained, found.differing), found.differing,
+                    counted(pairs), 100 * found.score());
+    text += remarks_on(pairs, files);
     for (std::size_t i = 1; i < found.answer.size(); ++i)
         text += fmt::format("  or          {}: it draws the same here; rastertrace tell-apart {} "
                             "{} prints a scene that tells them apart\n",
@@ -140,16 +217,18 @@ std::string details(const Diagnosis& found, const DrawnPair& pair, const PairOfF
                             words_for(found.answer[i].rule));
     if (found.runner_up)
         text +=
-            fmt::format("  next best   {}: it leaves {} of {} unexplained\n",
-                        name_of(*found.runner_up), found.runner_up_unexplained, found.differing);
+            fmt::format("  next best   {}: it leaves {} of {} unexplained{}\n",
+                        name_of(*found.runner_up), found.runner_up_unexplained, found.differing,
+                        found.rows.empty() ? "" : "; it differs on " + rows_in_words(found.rows));
     for (const Mistake* const mistake : rule.mistakes)
         if (!mistake->is_rule())
             text += fmt::format("  mend it     where the code has {}, write {}\n", mistake->says,
                                 mistake->should);
     if (rule.mistakes.empty())
         text += "  mend it     draw as the scene asks, or say in the scene what is meant\n";
-    text += fmt::format("  test        rastertrace diff {} {}\n", shell_word(files.scene),
-                        shell_word(files.theirs));
+    text += fmt::format("  test        rastertrace {} {} {}\n",
+                        pairs[found.pair].claims ? "check" : "diff",
+                        shell_word(files[found.pair].scene), shell_word(files[found.pair].theirs));
     return text;
 }
 
@@ -183,21 +262,24 @@ ExitStatus answer(const DiagnoseCommand& command) {
         return found.is_as_asked() ? exit_fine : exit_difference;
     }
     if (found.is_as_asked()) {
-        print("drawn as the scene asks\n");
+        print("drawn as the scene asks\n" + remarks_on(pairs, files));
         return exit_fine;
     }
     if (found.answer.empty()) {
-        print(fmt::format("nothing that I know: {} pixels differ from what the scene asks for, and "
-                          "the best of all known rules leaves {} of them\n",
-                          found.differing, found.unexplained));
+        print(fmt::format("nothing that I know: {} {} are not as the scene asks; the closest rule, "
+                          "{}, draws {} otherwise\n"
+                          "  see         rastertrace {} {} {}\n",
+                          found.differing, counted(pairs), name_of(*found.runner_up),
+                          found.unexplained, pairs.front().claims ? "check" : "diff",
+                          shell_word(files.front().scene), shell_word(files.front().theirs)) +
+              remarks_on(pairs, files));
         return exit_difference;
     }
-    const PairOfFiles& pair = files[found.pair];
     const Scene asked = value_or_throw(read_scene(pairs[found.pair].scene)).scene;
     std::string text =
-        headline(found.answer.front().rule, asked) + "\n" + details(found, pairs[found.pair], pair);
+        headline(found.answer.front().rule, asked) + "\n" + details(found, pairs, files);
     if (found.pixel)
-        text += explained_pixel(found, pair);
+        text += explained_pixel(found, files[found.pair]);
     print(text);
     return exit_difference;
 }
@@ -221,12 +303,13 @@ ExitStatus write_probes(const DiagnoseCommand& command) {
 class DiagnoseCommandLine final : public Command {
 public:
     CommandAbout about() const override {
-        return {"diagnose", "Find the rule, or the mistake, that a renderer has drawn by",
-                "rastertrace diagnose scene.json theirs.png\n\n"
-                "Theirs is a picture, rows of text or a trace. Several pairs, or a folder of "
-                "scenes and pictures of the\n"
-                "same names, add up. Exit status: 0 drawn as the scene asks, 1 by another rule, a "
-                "mistake, or nothing known."};
+        return {
+            "diagnose", "Find the rule, or the mistake, that a renderer has drawn by",
+            "rastertrace diagnose scene.json theirs.png\n\n"
+            "Theirs is a picture, rows of text, a trace, or claims. Several pairs, or a folder of "
+            "scenes and pictures of\n"
+            "the same names, add up. Exit status: 0 drawn as the scene asks, 1 by another rule, a "
+            "mistake, or nothing known."};
     }
 
     void add_to(OptionList& options) override {

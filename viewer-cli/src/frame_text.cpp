@@ -261,7 +261,10 @@ std::string title_line(const Trace& trace, const FrameText& about, std::size_t c
     const std::string steps = steps_text(trace, {about.first_step, about.last_step});
     const std::size_t width = std::clamp(columns, steps.size() + 5, page_columns);
     const std::size_t room = width - steps.size() - 2;
-    const std::string title = shortened(printable(trace.title), room);
+    const std::string mistake = trace.method_value("mistake");
+    const std::string marked = mistake.empty() ? "" : ", with " + mistake;
+    const std::string title =
+        shortened(printable(trace.title), room - std::min(room, marked.size())) + marked;
     return fmt::format("{}{:>{}}", title, steps, width - columns_in(title));
 }
 

@@ -112,7 +112,10 @@ Trace InputFrames::trace(std::size_t frame) {
             mark_wrong_steps(trace);
         return titled(std::move(trace), path_);
     }
-    return titled(drawn(scene(frame), source_.name, options_.limits), path_);
+    Trace trace = drawn(scene(frame), source_.name, options_.limits);
+    if (options_.tells_steps && !trace.method_value("mistake").empty())
+        mark_wrong_steps(trace);
+    return titled(std::move(trace), path_);
 }
 
 Trace InputFrames::trace_by(std::size_t frame, const MethodOverrides& method) const {

@@ -6,13 +6,18 @@
 #include "option_values.h"
 
 #include <rastertrace/core/draw/model/mistakes.h>
+#include <rastertrace/trace/diagnose/rule.h>
 #include <rastertrace/trace/text/text.h>
 
 #include <fmt/core.h>
 
+#include <algorithm>
+#include <cctype>
+#include <filesystem>
 #include <memory>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace rastertrace {
 
@@ -45,6 +50,107 @@ std::string as_json() {
     return text + "\n]}\n";
 }
 
+/// A small scene of a gallery, and its right picture.
+struct GalleryScene {
+    std::string path;
+    Source source;
+    Scene scene;
+    Image asked;
+};
+
+/// The small scenes in a folder and those in it that the model draws, small canvases first.
+std::vector<GalleryScene> scenes_in(const std::string& folder) {
+    constexpr int most_columns = 40;
+    constexpr int most_rows = 24;
+    std::vector<std::string> paths;
+    std::error_code ignored;
+    if (!std::filesystem::is_directory(folder, ignored))
+        throw problem_of(folder, "expected a folder of scenes, found none");
+    for (const auto& entry : std::filesystem::recursive_directory_iterator(folder))
+        if (entry.is_regular_file() && entry.path().extension() == ".json")
+            paths.push_back(entry.path().generic_string());
+    std::ranges::sort(paths);
+    std::vector<GalleryScene> scenes;
+    for (const std::string& path : paths) {
+        auto source = read_source(path, {});
+        auto read = source && is_scene(source.value())
+                        ? read_scene(source.value(), {{"scalar", "exact"}})
+                        : Result<PlannedScene>(Problem{});
+        if (!read || !has_model(read.value().scene))
+            continue;
+        const Canvas& canvas = read.value().scene.canvas;
+        auto asked = canvas.width <= most_columns && canvas.height <= most_rows
+                         ? drawn_by({}, source.value())
+                         : std::nullopt;
+        if (asked)
+            scenes.push_back({path, std::move(source.value()), std::move(read.value().scene),
+                              std::move(*asked)});
+    }
+    std::ranges::stable_sort(scenes, {}, [](const GalleryScene& one) {
+        return one.asked.canvas().width * one.asked.canvas().height;
+    });
+    return scenes;
+}
+
+/// A row of the right picture, and beside it what a mistake makes of it: `+` too much, `-` missing, `*` another color.
+std::string both_pictures(const Image& asked, const Image& drawn) {
+    std::string text;
+    const auto width = static_cast<std::size_t>(asked.canvas().width);
+    for (std::size_t row = 0; row < asked.colors().size(); row += width) {
+        std::string right;
+        std::string wrong;
+        for (std::size_t i = row; i < row + width; ++i) {
+            const Color a = asked.colors()[i];
+            const Color b = drawn.colors()[i];
+            right += a == no_color ? '.' : '#';
+            wrong += a == b ? right.back() : a == no_color ? '+' : b == no_color ? '-' : '*';
+        }
+        text += right + "    " + wrong + "\n";
+    }
+    return text;
+}
+
+/// A mistake on the page of all of them, in the smallest scene in which it changes a few pixels.
+std::string gallery_entry(const Mistake& mistake, const std::vector<GalleryScene>& scenes) {
+    constexpr std::ptrdiff_t few = 3;
+    std::string symptom(mistake.symptom);
+    symptom[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(symptom[0])));
+    std::string text = fmt::format(
+        "\n## {}\n\n{} ({}).\n\n```text\nit says   {}\n{}", mistake.name, symptom, mistake.source,
+        mistake.says, mistake.is_rule() ? "" : fmt::format("should    {}\n", mistake.should));
+    if (!mistake.setting.empty())
+        text += fmt::format("the same  {}\n", mistake.setting);
+    for (const std::ptrdiff_t least : {few, std::ptrdiff_t{1}})
+        for (const GalleryScene& scene : scenes) {
+            const auto drawn = mistake.concerns(scene.scene)
+                                   ? drawn_by({{}, {&mistake}}, scene.source)
+                                   : std::nullopt;
+            if (!drawn)
+                continue;
+            std::ptrdiff_t changed = 0;
+            for (std::size_t i = 0; i < drawn->colors().size(); ++i)
+                changed += drawn->colors()[i] != scene.asked.colors()[i];
+            if (changed >= least)
+                return text + fmt::format("\n{}```\n\n`rastertrace show {} --mistake {}`\n",
+                                          both_pictures(scene.asked, *drawn), scene.path,
+                                          mistake.name);
+        }
+    return text + "```\n";
+}
+
+std::string gallery(const std::string& folder) {
+    const std::vector<GalleryScene> scenes = scenes_in(folder);
+    std::string text = "# Known mistakes\n\n"
+                       "What a rasterizer says that makes the mistake, what it should say, and a "
+                       "small scene: on the left as it should be drawn, on the right\n"
+                       "with the mistake. `+` is too much, `-` is missing, `*` has another color. "
+                       "[`rastertrace diagnose`](diagnose.md) finds which of them yours\n"
+                       "makes.\n";
+    for (const Mistake& mistake : mistakes())
+        text += gallery_entry(mistake, scenes);
+    return text;
+}
+
 class MistakesCommandLine final : public Command {
 public:
     CommandAbout about() const override {
@@ -55,6 +161,10 @@ public:
     void add_to(OptionList& options) override {
         options.option("name", name_, "Only this one", "NAME");
         options.flag("--json", json_, "Print JSON");
+        options.option("--gallery", gallery_,
+                       "Print a page in Markdown: each with a picture of one of the scenes in this "
+                       "folder",
+                       "FOLDER");
     }
 
     void read() override {
@@ -67,7 +177,9 @@ public:
     }
 
     int run() override {
-        if (!name_.empty()) {
+        if (!gallery_.empty()) {
+            print(gallery(gallery_));
+        } else if (!name_.empty()) {
             print(as_text(*find_mistake(name_)));
         } else if (json_) {
             print(as_json());
@@ -82,6 +194,7 @@ public:
 
 private:
     std::string name_;
+    std::string gallery_;
     bool json_ = false;
 };
 

@@ -51,8 +51,9 @@ template <typename Level> Color mixed(const GridLine& line, Level level) {
 constexpr std::string_view right_d = "d = 2 dy - dx; d += 2 dy, or 2 (dy - dx)";
 
 constexpr Mistake lines_table[] = {
-    {"falling-octants", "d = -2 dy - dx where the line falls", "d = 2 dy - dx in every octant",
-     "decide", "falling lines end too high", "stackoverflow 10060046", walks,
+    {"falling-octants", "d = -2 |dy| - |dx| at the start of lines with y2 < y1",
+     "d = 2 |dy| - |dx| in every octant", "decide", "falling lines end too high",
+     "stackoverflow 10060046", walks,
      [](ModelRules& rules) {
          change_line(rules, [](ModelLine& line) {
              if (line.diagonal.y < 0)
@@ -120,13 +121,13 @@ constexpr Mistake lines_table[] = {
      [](ModelRules& rules) {
          change_line(rules, [](ModelLine& line) { std::swap(line.d_straight, line.d_diagonal); });
      }},
-    {"diagonal-of-one-axis", "d += 2 dy - dx after a diagonal step", right_d, "decide",
-     "the line is too steep", "T2", walks,
+    {"diagonal-of-one-axis", "d += 2 dy after a diagonal step, too", right_d, "decide",
+     "after its first step the line is diagonal", "T2", walks,
      [](ModelRules& rules) {
-         change_line(rules, [](ModelLine& line) { line.d_diagonal += line.steps; });
+         change_line(rules, [](ModelLine& line) { line.d_diagonal = line.d_straight; });
      }},
-    {"dx-and-dy-exchanged", "steps along y where |dx| > |dy|", "steps along the longer axis",
-     "decide", "lines are too short, or have gaps", "T2, error 6", walks,
+    {"dx-and-dy-exchanged", "steps along the shorter axis", "steps along the longer axis", "decide",
+     "lines are too short, or have gaps", "T2, error 6", walks,
      [](ModelRules& rules) {
          change_line(rules, [](ModelLine& line) {
              const Index minor = minor_of(line);

@@ -11,10 +11,11 @@ Rational x_at(const ModelEdge& edge, const Rational& y) {
     return edge.from.at.x + edge.dx_dy * (y - edge.from.at.y);
 }
 
+constexpr std::string_view right_slope = "dx/dy = (x2 - x1)/(y2 - y1)";
 constexpr std::string_view right_x = "x = x1 + (x2 - x1)/(y2 - y1) (y - y1)";
 
 constexpr Mistake rows_table[] = {
-    {"dx-dy-inverted", "x = x1 + (y2 - y1)/(x2 - x1) (y - y1)", right_x, "scanline",
+    {"dx-dy-inverted", "dx/dy = (y2 - y1)/(x2 - x1)", right_slope, "edge",
      "steep edges lie flat, flat ones are steep", "T0, error 1", fills_by_rows,
      [](ModelRules& rules) {
          rules.slope = [](const ModelEdge& edge) {
@@ -22,7 +23,7 @@ constexpr Mistake rows_table[] = {
              return dx == 0 ? Rational(0) : Rational((edge.to.at.y - edge.from.at.y) / dx);
          };
      }},
-    {"slope-of-zero", "x = x1 + (x2 - x2)/(y2 - y1) (y - y1)", right_x, "scanline",
+    {"slope-of-zero", "dx/dy = (x2 - x2)/(y2 - y1)", right_slope, "edge",
      "edges run straight down from their upper vertices", "T0, error 2", fills_by_rows,
      [](ModelRules& rules) { rules.slope = [](const ModelEdge&) { return Rational(0); }; }},
     {"step-before-first", "x = x1 + (x2 - x1)/(y2 - y1) (y + 1 - y1)", right_x, "scanline",
@@ -77,8 +78,9 @@ constexpr Mistake rows_table[] = {
              return bc > ac ? ModelTriangle{b, a, c} : ModelTriangle{a, b, c};
          };
      }},
-    {"height-plus-one", "x = x1 + (x2 - x1)/(y2 - y1 + 1) (y - y1) on the short edges", right_x,
-     "scanline", "gaps and overlaps along short edges, the more the flatter", "tinyrenderer#32",
+    {"height-plus-one",
+     "dx/dy = (x2 - x1)/(y2 - y1 + 1) on the two edges that meet in the middle vertex", right_slope,
+     "edge", "gaps and overlaps along short edges, the more the flatter", "tinyrenderer#32",
      fills_by_rows,
      [](ModelRules& rules) {
          rules.slope = [right = rules.slope](const ModelEdge& edge) {
@@ -88,8 +90,10 @@ constexpr Mistake rows_table[] = {
                                    (edge.to.at.y - edge.from.at.y + 1));
          };
      }},
-    {"pre-step-a-row-off", "first row floor(y1) + 1, x there x1 + (ceil(y1) - y1) dx/dy",
-     "first row ceil(y1)", "scanline", "cracks where triangles join, if vertices have whole y",
+    {"pre-step-a-row-off",
+     "first row floor(y1) + 1, with the x of row ceil(y1), which is another one where y1 is whole",
+     "first row ceil(y1), and the x of that row", "scanline",
+     "cracks where triangles join, if vertices have whole y",
      "GameDev.net, Triangle Rasterization Troubles, 2012", fills_by_rows,
      [](ModelRules& rules) {
          rules.rows = [](const Rational& top, const Rational& bottom) {
@@ -187,7 +191,7 @@ constexpr Mistake rows_table[] = {
              return Rational(wrapped(units, 32), 65536);
          };
      }},
-    {"integer-division", "x = x1 + int((x2 - x1)/(y2 - y1)) (y - y1)", right_x, "scanline",
+    {"integer-division", "dx/dy = int((x2 - x1)/(y2 - y1))", right_slope, "edge",
      "slopes below 1 are 0: edges run straight down", "C's / of ints", fills_by_rows,
      [](ModelRules& rules) {
          rules.slope = [right = rules.slope](const ModelEdge& edge) { return cut(right(edge)); };
@@ -202,15 +206,17 @@ constexpr Mistake rows_table[] = {
              return Rational(at_first + nearest_index(edge.dx_dy, Ties::up) * (y - first));
          };
      }},
-    {"truncate-for-floor", "int(x)", "floor(x)", "scanline",
+    {"truncate-for-floor", "rounding toward 0, int(x)", "rounding down, floor(x)", "scanline",
      "left of x = 0, rows begin and end one pixel too far right", "T0, figures", fills_by_rows,
      nullptr, "rounding=truncate"},
-    {"nearest-for-floor", "round(x)", "floor(x)", "scanline",
-     "half of the ends lie one pixel too far right", "T0 against T2", fills_by_rows, nullptr,
-     "rounding=nearest"},
-    {"inside-for-floor", "ceil(left), floor(right)", "floor(left), floor(right)", "scanline",
+    {"nearest-for-floor", "rounding to the nearest, round(x)", "rounding down, floor(x)",
+     "scanline", "half of the ends lie one pixel too far right", "T0 against T2", fills_by_rows,
+     nullptr, "rounding=nearest"},
+    {"inside-for-floor", "only the pixels between the ends, ceil(left) to floor(right)",
+     "rounding down at both ends, floor(left) to floor(right)", "scanline",
      "rows begin one pixel too late", "T3", fills_by_rows, nullptr, "rounding=inside"},
-    {"half-open-for-floor", "ceil(left), ceil(right) - 1", "floor(left), floor(right)", "scanline",
+    {"half-open-for-floor", "leaving out the right end, ceil(left) to ceil(right) - 1",
+     "rounding down at both ends, floor(left) to floor(right)", "scanline",
      "rows end one pixel too early", "TIC-80#1862", fills_by_rows, nullptr, "rounding=half-open"},
     {"half-open-left-out", "y <= floor(y3), x <= floor(right)", "y < ceil(y3), x < ceil(right)",
      "scanline", "shared edges are drawn by both triangles", "Avocado#18", fills_by_rows, nullptr,

@@ -63,14 +63,14 @@ template <typename Enough> void fill_by_part(ModelRules& rules, Enough enough) {
 constexpr std::string_view top_left = "E > 0, or E = 0 on a top or left edge";
 
 constexpr Mistake samples_table[] = {
-    {"tie-refused-by-both", "E > 0", top_left, "sample",
+    {"tie-refused-by-both", "E > 0, with E the edge function at the sample", top_left, "sample",
      "holes along edges that two triangles share", "DRTK#9", fills_by_samples,
      [](ModelRules& rules) {
          rules.admits = [](const Rational& weight, const auto&, const auto&, const auto&) {
              return weight > 0;
          };
      }},
-    {"tie-taken-by-both", "E >= 0", top_left, "sample",
+    {"tie-taken-by-both", "E >= 0, with E the edge function at the sample", top_left, "sample",
      "shared edges are drawn twice: visible where colors are mixed with what is there",
      "Avocado#18", has_owners, nullptr, "fill=barycentric,sample=center"},
     {"bottom-right-for-top-left", "E = 0 on a bottom or right edge", top_left, "sample",

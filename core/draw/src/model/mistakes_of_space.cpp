@@ -64,7 +64,7 @@ Vec<Rational, 3> divided_anyway(const Vec4& clip) {
 
 constexpr Mistake space_table[] = {
     // From object space to the screen.
-    {"factors-exchanged", "the model's matrices in the other order",
+    {"factors-exchanged", "the matrices in the other order",
      "the last step first: its matrix stands left", "matrix", "turned about another point",
      "T4, error 3", has_models,
      [](ModelRules& rules) {
@@ -175,7 +175,7 @@ constexpr Mistake space_table[] = {
     {"turned-after-moving", "y = -(y + 1) (H - 1)/2", "y = (1 - y) (H - 1)/2", "vertex",
      "nothing is on the screen", "T4, error 4", has_viewport,
      [](ModelRules& rules) { rules.viewport.rows[1][3] = -abs(rules.viewport.rows[1][3]); }},
-    {"y-the-other-way", "y turned twice, or never", "y turned once", "vertex",
+    {"y-the-other-way", "y flipped twice, or never", "y flipped once", "vertex",
      "the picture is upside down", "T4", any_scene,
      [](ModelRules& rules) {
          const Canvas& canvas = rules.scene.canvas;
@@ -200,7 +200,7 @@ constexpr Mistake space_table[] = {
          rules.facing = [](const auto& normal, const auto&) { return normal.z; };
      }},
     {"cosine-of-dot-only", "normal . light", "normal . light / (|normal| |light|)", "light",
-     "large faces are white", "T3, error 7", is_lit,
+     "cosines beyond 1: large faces are white", "T3, error 7", is_lit,
      [](ModelRules& rules) {
          rules.intensity = [](const auto& normal, const auto& light) {
              return std::clamp(Rational(dot(normal, light)).get_d(), 0.0, 1.0);

@@ -278,15 +278,17 @@ private:
         return {weight(b, c), weight(c, a), weight(a, b)};
     }
 
-    /// Every pixel of the box whose sample the rule admits.
+    /// Every pixel of the box whose sample the rule admits. Each weight grows by the same from sample to sample of a row.
     void fill_by_samples(const ModelTriangle& triangle) {
         const BoundingBox box = rules_.box(triangle);
         const Index top = Index{canvas_.top()} * down_;
+        const Index first = std::max<Index>(box.first_x, canvas_.left());
+        const ModelWeights at_origin = weights_at(triangle, {0, 0});
+        const ModelWeights beside = weights_at(triangle, {1, 0});
         for (Index y = std::max(box.first_row, top);
-             y <= std::min(box.last_row, top + canvas_.height - 1); ++y)
-            for (Index x = std::max<Index>(box.first_x, canvas_.left());
-                 x <= std::min<Index>(box.last_x, canvas_.right()); ++x) {
-                const ModelWeights weights = weights_at(triangle, {x, y});
+             y <= std::min(box.last_row, top + canvas_.height - 1); ++y) {
+            ModelWeights weights = weights_at(triangle, {first, y});
+            for (Index x = first; x <= std::min<Index>(box.last_x, canvas_.right()); ++x) {
                 const bool covers = rules_.covers(triangle, {x, y}, weights);
                 if (method_.fill == Fill::barycentric)
                     sink_(SampleTested<Rational>{pixel_at({x, y * down_}), weights, covers});
@@ -296,7 +298,10 @@ private:
                         return Rational(weights[0] * a.depth + weights[1] * b.depth +
                                         weights[2] * c.depth);
                     });
+                for (std::size_t i = 0; i < 3; ++i)
+                    weights[i] += beside[i] - at_origin[i];
             }
+        }
     }
 
     ModelEdge edge_between(ModelEdge::Role role, const ModelVertex& from,
