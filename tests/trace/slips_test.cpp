@@ -727,7 +727,8 @@ TEST(Slips, APlantedOneIsNamed) {
         EXPECT_GE(tally.planted, random_cases(5U)) << slip;
         EXPECT_GE(tally.named, tally.planted * 2 / 5) << slip << " of " << tally.planted;
     }
-    EXPECT_GE(tallies.size(), 28U);
+    const std::size_t kinds = 28; // of 2,000; fewer of a tenth
+    EXPECT_GE(tallies.size(), wanted == 2000 ? kinds : kinds * 3 / 4);
 }
 
 TEST(Slips, APlantedOneOfALineIsNamed) {

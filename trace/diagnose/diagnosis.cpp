@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <limits>
 #include <set>
+#include <string_view>
 #include <tuple>
 #include <utility>
 
@@ -136,9 +137,8 @@ private:
     std::vector<Tried> try_all(const std::vector<Rule>& rules) {
         std::vector<Tried> tried = try_on(rules, few_);
         for (const Tried& one : tried)
-            if (one.is_drawn && one.rule.mistakes.size() == 1 && one.rule.settings.empty() &&
-                one.gain > 0)
-                gains_.emplace_back(one.gain, one.rule.mistakes.front());
+            if (one.is_drawn && one.rule.mistakes.size() == 1 && one.rule.settings.empty())
+                singles_.push_back(one);
         if (few_.size() == pairs_.size() || tried.empty())
             return tried;
         const std::uint64_t least = least_of(tried);
@@ -191,18 +191,32 @@ private:
         return tried;
     }
 
-    /// Pairs of the mistakes that each explain the most of what differs: pixels that they draw as seen, and the scene's
-    /// own rules do not.
+    /// Pairs of the mistakes that each draw the most pixels as seen which the scene's own rules do not, and of the few best
+    /// ones with any other.
     std::vector<Rule> rules_of_two() const {
-        constexpr std::size_t most = 14;
-        auto gains = gains_;
-        std::ranges::stable_sort(gains, std::ranges::greater{},
-                                 [](const auto& one) { return one.first; });
-        gains.resize(std::min(gains.size(), most));
+        constexpr std::size_t most_gaining = 14;
+        constexpr std::size_t best_ones = 3;
+        auto by_gain = singles_;
+        std::ranges::stable_sort(by_gain, std::ranges::greater{}, &Tried::gain);
+        by_gain.resize(std::min(by_gain.size(), most_gaining));
+        auto by_order = singles_;
+        std::ranges::stable_sort(by_order, {}, &Tried::order);
+        by_order.resize(std::min(by_order.size(), best_ones));
+
         std::vector<Rule> rules;
-        for (std::size_t i = 0; i < gains.size(); ++i)
-            for (std::size_t k = i + 1; k < gains.size(); ++k)
-                rules.push_back({{}, {gains[i].second, gains[k].second}});
+        std::set<std::pair<std::string_view, std::string_view>> known;
+        const auto add = [&](const Tried& one, const Tried& other) {
+            const Mistake* const a = one.rule.mistakes.front();
+            const Mistake* const b = other.rule.mistakes.front();
+            if (a->name != b->name && known.insert(std::minmax(a->name, b->name)).second)
+                rules.push_back({{}, {a, b}});
+        };
+        for (const Tried& one : by_gain)
+            for (const Tried& other : by_gain)
+                add(one, other);
+        for (const Tried& one : by_order)
+            for (const Tried& other : singles_)
+                add(one, other);
         return rules;
     }
 
@@ -290,10 +304,10 @@ private:
     std::span<const DrawnPair> pairs_;
     const DiagnoseOptions& options_;
     std::vector<Scene> scenes_;
-    std::vector<Image> pictures_;                                 ///< as the scenes ask
-    std::vector<std::size_t> all_;                                ///< the numbers of the pairs
-    std::vector<std::size_t> few_;                                ///< of those that differ the most
-    std::vector<std::pair<std::uint64_t, const Mistake*>> gains_; ///< of the mistakes, on these
+    std::vector<Image> pictures_;    ///< as the scenes ask
+    std::vector<std::size_t> all_;   ///< the numbers of the pairs
+    std::vector<std::size_t> few_;   ///< of those that differ the most
+    std::vector<Tried> singles_;     ///< one mistake each, on these
     std::vector<HeldAgainst> asked_; ///< what is seen, held against these
 };
 
