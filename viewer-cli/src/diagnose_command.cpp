@@ -156,7 +156,8 @@ std::string_view counted(const std::vector<DrawnPair>& pairs) {
 }
 
 /// What a rule is, in a line; settings beside what the scene asks for.
-std::string headline(const Rule& rule, const Scene& asked) {
+std::string headline(const AnsweredRule& answer, const Scene& asked) {
+    const Rule& rule = answer.rule;
     std::vector<std::string> parts;
     std::vector<std::string> instead;
     for (const auto& [name, value] : rule.settings) {
@@ -171,7 +172,8 @@ std::string headline(const Rule& rule, const Scene& asked) {
     std::string text;
     if (!parts.empty())
         text = fmt::format(
-            "draws by {}{}", joined(parts, ", "),
+            "draws by {}{}{}", joined(parts, ", "),
+            answer.same.empty() ? "" : fmt::format(" ({})", answer.same.front()->says),
             instead.empty() ? "" : fmt::format("; the scene asks for {}", joined(instead, ", ")));
     for (const Mistake* const mistake : rule.mistakes)
         text += fmt::format("{}{} {}: {}{}", text.empty() ? "" : "\n",
@@ -267,7 +269,7 @@ ExitStatus answer(const DiagnoseCommand& command) {
     }
     if (found.answer.empty()) {
         print(fmt::format("nothing that I know: {} {} are not as the scene asks; the closest rule, "
-                          "{}, draws {} otherwise\n"
+                          "{}, leaves {} wrong\n"
                           "  see         rastertrace {} {} {}\n",
                           found.differing, counted(pairs), name_of(*found.runner_up),
                           found.unexplained, pairs.front().claims ? "check" : "diff",
@@ -276,8 +278,7 @@ ExitStatus answer(const DiagnoseCommand& command) {
         return exit_difference;
     }
     const Scene asked = value_or_throw(read_scene(pairs[found.pair].scene)).scene;
-    std::string text =
-        headline(found.answer.front().rule, asked) + "\n" + details(found, pairs, files);
+    std::string text = headline(found.answer.front(), asked) + "\n" + details(found, pairs, files);
     if (found.pixel)
         text += explained_pixel(found, files[found.pair]);
     print(text);

@@ -52,7 +52,7 @@ constexpr std::string_view right_d = "d = 2 dy - dx; d += 2 dy, or 2 (dy - dx)";
 
 constexpr Mistake lines_table[] = {
     {"falling-octants", "d = -2 |dy| - |dx| at the start of lines with y2 < y1",
-     "d = 2 |dy| - |dx| in every octant", "decide", "falling lines end too high",
+     "d = 2 |dy| - |dx|, whatever the signs", "decide", "falling lines end too high",
      "stackoverflow 10060046", walks,
      [](ModelRules& rules) {
          change_line(rules, [](ModelLine& line) {
@@ -84,7 +84,7 @@ constexpr Mistake lines_table[] = {
          });
      }},
     {"octant-ignored", "x from x0 to x1; y + 1 if d > 0, with dx and dy as they are",
-     "in the octant of the line", "decide",
+     "steps along the longer axis, with the signs of dx and dy", "decide",
      "lines that fall stay flat, steep ones run diagonally, those to the left are points",
      "T2, error 5", walks,
      [](ModelRules& rules) {

@@ -91,7 +91,7 @@ constexpr Mistake rows_table[] = {
          };
      }},
     {"pre-step-a-row-off",
-     "first row floor(y1) + 1, with the x of row ceil(y1), which is another one where y1 is whole",
+     "first row floor(y1) + 1 with the x of row ceil(y1): these two differ where y1 is whole",
      "first row ceil(y1), and the x of that row", "scanline",
      "cracks where triangles join, if vertices have whole y",
      "GameDev.net, Triangle Rasterization Troubles, 2012", fills_by_rows,
@@ -169,9 +169,8 @@ constexpr Mistake rows_table[] = {
              return Rational(x);
          };
      }},
-    {"product-in-16-bits", "x = x1 + int16((x2 - x1) (y - y1))/(y2 - y1), in whole numbers",
-     right_x, "scanline", "large triangles run wild at their lower end",
-     "Adafruit-GFX-Library#164, #218", fills_by_rows,
+    {"product-in-16-bits", "x = x1 + int16((x2 - x1) (y - y1))/(y2 - y1)", right_x, "scanline",
+     "large triangles run wild at their lower end", "Adafruit-GFX-Library#164, #218", fills_by_rows,
      [](ModelRules& rules) {
          rules.x_on = [](const ModelEdge& edge, Index y) {
              const Rational height = edge.to.at.y - edge.from.at.y;

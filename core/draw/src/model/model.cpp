@@ -1,27 +1,20 @@
 // SPDX-License-Identifier: MIT
 #include <rastertrace/core/draw/model/model.h>
 
-#include "list/faces.h"
-#include "tell/listener_sink.h"
+#include "model/model_pieces.h"
 
-#include <rastertrace/core/draw/list/drawing_order.h>
-#include <rastertrace/core/draw/list/light.h>
 #include <rastertrace/core/draw/list/pieces.h>
-#include <rastertrace/core/raster/clip.h>
 #include <rastertrace/core/raster/line_bresenham.h>
 #include <rastertrace/core/raster/line_sampling.h>
 #include <rastertrace/core/raster/shading.h>
 
-#include <numeric>
-#include <string>
+#include <algorithm>
+#include <tuple>
 #include <utility>
 
 namespace rastertrace {
 
 namespace {
-
-using Point3 = Vec<Rational, 3>;
-using Point4 = Vec<Rational, 4>;
 
 Pixel pixel_at(GridPoint p) {
     return {static_cast<int>(p.x), static_cast<int>(p.y)};
@@ -35,190 +28,13 @@ public:
           image_(canvas_), buffer_(has_buffer_ ? image_.colors().size() : 0) {}
 
     Image drawn() {
-        for (std::size_t i = 0; i < scene_.vertices.size(); ++i)
-            vertices_.push_back(moved(i));
-        for (const std::size_t index : drawing_order())
-            draw(scene_.primitives[index], index);
+        for_each_piece(rules_, sink_, [this](const ModelPiece& piece) { draw(piece); });
         return std::move(image_);
     }
 
 private:
-    // --- From object space to the screen ---------------------------------------------------------
-
-    /// A vertex before clipping.
-    struct ClipSpace {
-        Point3 world;
-        Point4 clip;
-        Rational distance; ///< from the eye along the view
-    };
-
-    ClipSpace moved(std::size_t index) const {
-        const SceneVertex& vertex = scene_.vertices[index];
-        Point4 world{vertex.x.exact(), vertex.y.exact(), vertex.z.exact(), vertex.w.exact()};
-        for (std::size_t i = 0; i < scene_.objects.size(); ++i)
-            if (index < scene_.objects[i].end_vertex) {
-                world = rules_.models[i] * world;
-                break;
-            }
-        const Point4 camera = rules_.view * world;
-        const ProjectionType type = scene_.projection.type;
-        const bool is_ahead =
-            type == ProjectionType::pinhole || (type == ProjectionType::none && !scene_.camera);
-        const Rational distance = type == ProjectionType::clip_space ? camera.w
-                                  : is_ahead                         ? camera.z
-                                                                     : Rational(-camera.z);
-        return {{world.x, world.y, world.z}, rules_.projection * camera, distance};
-    }
-
-    std::vector<std::size_t> drawing_order() const {
-        std::vector<std::size_t> as_listed(scene_.primitives.size());
-        std::iota(as_listed.begin(), as_listed.end(), 0);
-        if (scene_.depth() != Depth::painter)
-            return as_listed;
-        auto keys = keys_of_faces<Rational>(
-            scene_, [this](std::size_t i) -> const Rational& { return vertices_[i].distance; });
-        for (Rational& key : keys)
-            key *= rules_.paints_farthest_first ? 1 : -1;
-        return sorted_by_distance(scene_, keys).primitives;
-    }
-
-    /// Is it seen, and in which light?
-    Face<Rational> face_of(const ScenePrimitive& primitive) const {
-        Face<Rational> face;
-        if (!is_filled(primitive.kind) || !scene_.tests_faces())
-            return face;
-        std::vector<Point3> world;
-        for (const std::size_t corner : primitive.corners())
-            world.push_back(vertices_[corner].world);
-        const Point3 normal = normal_of<Rational>(world);
-        const Point3 centroid = centroid_of<Rational>(world);
-        if (has_no_length<Rational>(normal))
-            face.skip = SkipReason::zero_area;
-        if (!face.skip && method_.cull != Cull::none) {
-            const bool is_by_light = method_.cull == Cull::light;
-            const Point3 view =
-                is_by_light ? light_from<Rational>(*scene_.light, centroid) : to_eye(centroid);
-            const Rational dot = rules_.facing(normal, view);
-            const bool is_culled = rastertrace::is_culled(method_.cull, dot);
-            face.tested = {normal,
-                           view,
-                           dot,
-                           cosine_between(normal, view),
-                           is_by_light,
-                           is_culled,
-                           rastertrace::is_culled(method_.cull, Rational(-dot))};
-            if (is_culled)
-                face.skip = SkipReason::culled;
-        }
-        if (!face.skip && method_.shade == Shade::lambert) {
-            const Point3 light = light_from<Rational>(*scene_.light, centroid);
-            const double intensity = rules_.intensity(normal, light);
-            face.lit = {normal, light, dot(normal, light), intensity,
-                        lit(primitive.color, intensity, method_.color_rounding)};
-        }
-        return face;
-    }
-
-    Point3 to_eye(const Point3& centroid) const {
-        if (is_perspective(scene_.projection.type))
-            return exact(scene_.camera ? scene_.camera->position : Numbers3{0, 0, 0}) - centroid;
-        return scene_.camera ? axes_of(*scene_.camera).back : Point3{0, 0, 1};
-    }
-
-    /// Tests the face, clips, and draws what is left: the primitive, or parts of it.
-    void draw(const ScenePrimitive& primitive, std::size_t index) {
-        const Face<Rational> face = face_of(primitive);
-        const Color color = method_.shade == Shade::faces ? color_of_face(index)
-                            : face.lit                    ? face.lit->color
-                                                          : primitive.color;
-        std::vector<ClipVertex<Rational>> corners;
-        bool is_whole = true;
-        for (const std::size_t corner : primitive.corners()) {
-            const auto& [world, clip, distance] = vertices_[corner];
-            const auto own = scene_.mixes_colors() ? scene_.vertices[corner].color : std::nullopt;
-            corners.push_back({clip, distance, own ? *own : color, static_cast<int>(corner)});
-            for (const ClipPlane<Rational>& plane : rules_.planes)
-                is_whole = is_whole && plane.has_inside(clip);
-        }
-        if (rules_.drops(corners))
-            return;
-        made_ = parts_ = 0;
-        if (is_whole)
-            return draw_piece(primitive, corners, color, face);
-
-        // The sides of an outline are clipped one by one; what is left of a triangle is a fan.
-        sink_(PrimitiveBegan<Rational>{.kind = primitive.kind,
-                                       .name = primitive.name,
-                                       .vertices = {},
-                                       .positions = {},
-                                       .color = color,
-                                       .colors = {}});
-        if (!tell_face(face, sink_))
-            return;
-        const bool is_outline = primitive.kind == PrimitiveKind::outline;
-        for (std::size_t side = 0; side < (is_outline ? 3 : 1); ++side) {
-            auto polygon =
-                is_outline ? std::vector{corners[side], corners[(side + 1) % 3]} : corners;
-            const std::size_t fewest = std::min<std::size_t>(polygon.size(), 3);
-            for (const ClipPlane<Rational>& plane : rules_.planes)
-                polygon = clip(polygon, plane, method_.color_rounding);
-            for (ClipVertex<Rational>& vertex : polygon)
-                if (vertex.original < 0)
-                    vertex.original = -++made_;
-            if (polygon.size() >= fewest && polygon.size() < 3)
-                draw_piece(primitive, polygon, color, {});
-            for (std::size_t i = 2; i < polygon.size(); ++i)
-                draw_piece(primitive, {polygon[0], polygon[i - 1], polygon[i]}, color, {});
-        }
-    }
-
-    /// Divides by w, and draws a primitive or a part of it.
-    void draw_piece(const ScenePrimitive& primitive,
-                    const std::vector<ClipVertex<Rational>>& corners, Color color,
-                    const Face<Rational>& face) {
-        std::vector<ModelVertex> on_screen;
-        std::vector<std::string> names;
-        std::vector<Vec<Rational, 2>> positions;
-        std::vector<Rational> depths;
-        std::vector<Color> colors;
-        const bool is_part = parts_ > 0 || corners.size() != primitive.corners().size();
-        for (const ClipVertex<Rational>& vertex : corners) {
-            const Point3 canonical = rules_.divided(vertex.position);
-            const Point4 screen =
-                rules_.viewport * Point4{canonical.x, canonical.y, canonical.z, 1};
-            const Rational& w = vertex.position.w;
-            on_screen.push_back(
-                {rules_.placed({screen.x, screen.y}),
-                 has_buffer_ ? rules_.depth_of(vertex.distance, vertex.position) : Rational(0),
-                 w == 0 ? Rational(0) : Rational(1 / w), vertex.color,
-                 static_cast<std::uint16_t>(on_screen.size())});
-            names.push_back(vertex.original < 0
-                                ? primitive.name + ":" + std::to_string(-vertex.original)
-                                : scene_.vertices[static_cast<std::size_t>(vertex.original)].name);
-            positions.push_back(on_screen.back().at);
-            if (has_buffer_)
-                depths.push_back(on_screen.back().depth);
-            if (scene_.mixes_colors())
-                colors.push_back(vertex.color);
-        }
-        ++parts_;
-        const PrimitiveKind kind = corners.size() == 2 ? PrimitiveKind::line : primitive.kind;
-        const std::string name =
-            is_part ? primitive.name + "/" + std::to_string(parts_) : primitive.name;
-        const std::vector<std::string_view> told_names(names.begin(), names.end());
-        sink_(PrimitiveBegan<Rational>{.kind = kind,
-                                       .name = name,
-                                       .vertices = told_names,
-                                       .positions = positions,
-                                       .color = color,
-                                       .colors = colors,
-                                       .is_part = is_part,
-                                       .depths = depths});
-        if (tell_face(face, sink_))
-            draw_on_screen(kind, on_screen, color);
-    }
-
-    void draw_on_screen(PrimitiveKind kind, const std::vector<ModelVertex>& corners, Color color) {
+    void draw(const ModelPiece& piece) {
+        const auto& [kind, corners, color] = piece;
         const bool has_sides = kind == PrimitiveKind::outline || rules_.draws_outlines;
         if (kind == PrimitiveKind::point)
             plot(pixel_of(on_samples(corners[0], sample_of_others(method_))), corners[0].color);
@@ -490,12 +306,9 @@ private:
     ListenerSink sink_;
     Image image_;
     std::vector<std::optional<Rational>> buffer_; ///< of depths, top row first
-    std::vector<ClipSpace> vertices_;
-    int made_ = 0;       ///< vertices of the primitive that clipping has made
-    int parts_ = 0;      ///< of it that have been drawn
-    Rational area2_;     ///< of the triangle that is filled, twice
-    Color color_;        ///< of its pixels, unless
-    bool mixes_ = false; ///< they are mixed
+    Rational area2_;                              ///< of the triangle that is filled, twice
+    Color color_;                                 ///< of its pixels, unless
+    bool mixes_ = false;                          ///< they are mixed
 };
 
 } // namespace
