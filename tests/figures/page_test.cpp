@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // What a page holds: the program's own sentences, answers and pixels, and nothing that a browser obeys.
 
+#include "effort.h"
 #include "page_parts.h"
 #include "traces.h"
 
@@ -118,7 +119,7 @@ struct Example {
 /// The traces of all examples that have a page; those of more steps take too long here.
 const std::vector<Example>& examples() {
     static const std::vector<Example> all = [] {
-        constexpr std::size_t most_steps = 8'000;
+        constexpr auto most_steps = random_cases<std::size_t>(8'000);
         std::vector<std::string> files;
         for (const auto& entry :
              std::filesystem::recursive_directory_iterator(RASTERTRACE_EXAMPLES))
