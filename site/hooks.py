@@ -38,6 +38,7 @@ SECTIONS = [
         ("docs/diff.md", "diff"),
         ("docs/validate.md", "validate"),
         ("docs/report.md", "report"),
+        ("docs/exercises.md", "exercise"),
         ("docs/diagnose.md", "diagnose"),
         ("docs/stress-command.md", "stress"),
         ("docs/pages.md", "renew"),

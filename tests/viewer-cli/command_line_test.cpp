@@ -85,13 +85,13 @@ TEST_F(ProgramTest, HelpThatCannotBeWrittenIsAFailure) {
 TEST_F(ProgramTest, UsageErrorsNameTheWordAndANearOne) {
     EXPECT_EQ(shell("$rastertrace").status, 2);
     EXPECT_THAT(shell("$rastertrace").err, HasSubstr("rastertrace show examples/"));
-    EXPECT_EQ(
-        shell("$rastertrace shw x").err,
-        "rastertrace: expected a command out of trace, "
-        "show, play, figure, explain, stats, check, sheet, diff, "
-        "validate, plan, fuzz, review, diagnose, tell-apart, mistakes, scene, conventions, stress, report, renew, help, found "
-        "\"shw\"\n"
-        "hint: did you mean show?\n");
+    EXPECT_EQ(shell("$rastertrace shw x").err,
+              "rastertrace: expected a command out of trace, "
+              "show, play, figure, explain, stats, check, sheet, exercise, diff, "
+              "validate, plan, fuzz, review, diagnose, tell-apart, mistakes, scene, conventions, "
+              "stress, report, renew, help, found "
+              "\"shw\"\n"
+              "hint: did you mean show?\n");
     EXPECT_EQ(shell("$rastertrace show x --evry pixel").err,
               "rastertrace show: --evry: no such option\nhint: did you mean --every?\n"
               "see rastertrace show --help\n");

@@ -99,12 +99,12 @@ public:
                     "A file without a command is shown.\n" +
                     std::string(exit_statuses));
         for (const auto make :
-             {trace_command,   show_command,        play_command,       figure_command,
-              explain_command, stats_command,       check_command,      sheet_command,
-              diff_command,    validate_command,    plan_command,       fuzz_command,
-              review_command,  diagnose_command,    tell_apart_command, mistakes_command,
-              scene_command,   conventions_command, stress_command,     report_command,
-              renew_command}) {
+             {trace_command,    show_command,   play_command,        figure_command,
+              explain_command,  stats_command,  check_command,       sheet_command,
+              exercise_command, diff_command,   validate_command,    plan_command,
+              fuzz_command,     review_command, diagnose_command,    tell_apart_command,
+              mistakes_command, scene_command,  conventions_command, stress_command,
+              report_command,   renew_command}) {
             std::unique_ptr<Command> command = make();
             const CommandAbout about = command->about();
             CLI::App& app = *app_.add_subcommand(about.name, about.meaning);

@@ -1,0 +1,331 @@
+// SPDX-License-Identifier: MIT
+#include "exercise.h"
+
+#include "facts.h"
+
+#include <rastertrace/core/draw/draw.h>
+#include <rastertrace/trace/check/derivation.h>
+#include <rastertrace/trace/check/slips.h>
+#include <rastertrace/trace/check/step_index.h>
+#include <rastertrace/trace/record/trace.h>
+#include <rastertrace/trace/scene/scene_file.h>
+#include <rastertrace/trace/text/json_document.h>
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <set>
+#include <utility>
+
+namespace rastertrace {
+
+namespace {
+
+/// Random numbers that are the same everywhere: SplitMix64 (Steele, Lea and Flood 2014), from the FNV-1a hash of an ID.
+class RandomNumbers {
+public:
+    explicit RandomNumbers(std::string_view id) {
+        for (const char c : id)
+            state_ = (state_ ^ static_cast<unsigned char>(c)) * 0x100000001B3;
+    }
+
+    /// From 0 to `count` - 1.
+    std::uint64_t below(std::uint64_t count) {
+        std::uint64_t z = state_ += 0x9E3779B97F4A7C15;
+        z = (z ^ (z >> 30U)) * 0xBF58476D1CE4E5B9;
+        z = (z ^ (z >> 27U)) * 0x94D049BB133111EB;
+        return (z ^ (z >> 31U)) % count;
+    }
+
+private:
+    std::uint64_t state_ = 0xCBF29CE484222325;
+};
+
+/// Where a coordinate of a vertex stands in the scene's text.
+struct Place {
+    std::size_t begin;
+    std::size_t end;
+    std::size_t axis;
+    Rational value;
+};
+
+/// A scene drawn in exact numbers.
+struct Drawn {
+    Scene scene;
+    Trace trace;
+};
+
+std::optional<Drawn> drawn(const Source& source) {
+    constexpr std::size_t most_steps = 20'000;
+    auto read = read_scene(source, {{"scalar", "exact"}});
+    if (!read)
+        return std::nullopt;
+    Trace trace = drawn_trace(read.value().scene, read.value().plan, source.name, most_steps);
+    return Drawn{std::move(read.value().scene), std::move(trace)};
+}
+
+/// What every slip makes of all that can be worked out in a trace; a slip that cannot be made has no answer.
+std::map<std::string_view, std::string> answers_in(const Trace& trace) {
+    constexpr std::array worked_out{StepKind::vertex, StepKind::face,     StepKind::light,
+                                    StepKind::edge,   StepKind::scanline, StepKind::decide,
+                                    StepKind::along,  StepKind::depth};
+    constexpr std::size_t most = 200;
+    const StepIndex index(trace);
+    const Numbers numbers(index);
+    std::map<std::string_view, std::string> answers;
+    std::size_t count = 0;
+    for (std::size_t n = 1; n <= trace.size() && count < most; ++n) {
+        const auto kind = trace.kind_of(n);
+        if (!kind || std::ranges::find(worked_out, *kind) == worked_out.end())
+            continue;
+        ++count;
+        for (const StepField& field : fields_of(*kind)) {
+            const auto formulas = formulas_of(numbers, n, field.name);
+            if (formulas.empty())
+                continue;
+            for (const Slip& slip : slips())
+                for (const SlipResult& result : slip.redo(formulas.front())) {
+                    std::string& answer = answers[slip.name];
+                    answer += fmt::format("{}.{}=", n, field.name);
+                    for (const Rational& value : result.values)
+                        answer += value.get_str() + ",";
+                }
+        }
+    }
+    return answers;
+}
+
+class Redrawing {
+public:
+    Redrawing(const Source& scene, std::string_view id) : source_(scene), random_(id) {
+        auto read = read_scene(scene, {{"scalar", "exact"}});
+        if (!read)
+            throw read.problem();
+        const auto asked = drawn(scene);
+        canvas_ = asked->scene.canvas;
+        is_projected_ = asked->scene.projection.type != ProjectionType::none ||
+                        asked->scene.camera || !asked->scene.objects.empty() ||
+                        asked->scene.viewport.type != ViewportType::none;
+        facts_ = facts_of(asked->trace);
+        answers_.push_back(answers_in(asked->trace));
+        find_places();
+    }
+
+    Exercise found(std::string_view id) {
+        constexpr int most_tries = 4'000;
+        constexpr std::size_t most_alike =
+            24; ///< scenes with the same facts, to find slips that are the same
+        std::vector<std::pair<Source, std::map<std::string_view, std::string>>> alike;
+        std::optional<std::vector<std::vector<std::string_view>>> groups;
+        const auto first_apart = [&]() -> std::optional<Exercise> {
+            for (const auto& [one, its_answers] : alike)
+                if (tells_apart(its_answers, *groups))
+                    return Exercise{std::string(id), one, *groups};
+            return std::nullopt;
+        };
+        for (int i = 0; i < most_tries; ++i) {
+            Source scene = redrawn();
+            const auto tried = drawn(scene);
+            if (!tried || scene.text == source_.text || has_other_facts(facts_of(tried->trace)))
+                continue;
+            auto answers = answers_in(tried->trace);
+            if (groups) {
+                if (tells_apart(answers, *groups))
+                    return {std::string(id), std::move(scene), *groups};
+                continue;
+            }
+            answers_.push_back(answers);
+            alike.emplace_back(std::move(scene), std::move(answers));
+            if (alike.size() < most_alike)
+                continue;
+            groups = slips_alike();
+            if (auto exercise = first_apart())
+                return *std::move(exercise);
+        }
+        if (alike.empty())
+            throw problem_of(
+                source_.name,
+                fmt::format("expected a scene whose facts other numbers can have, too; "
+                            "in {} tries, what changed most often is \"{}\"",
+                            most_tries, most_frequent_change()));
+        groups = slips_alike();
+        if (auto exercise = first_apart())
+            return *std::move(exercise);
+        throw problem_of(source_.name,
+                         "expected a scene in which each slip can give an answer of its own, found "
+                         "none in which they do",
+                         "larger triangles and longer lines tell more apart");
+    }
+
+private:
+    void find_places() {
+        const auto document = parse_json(source_);
+        const auto vertices =
+            document ? document.value().root().find("vertices") : std::optional<JsonValue>();
+        if (!vertices || vertices->members().empty())
+            throw problem_of(source_.name, "expected a scene with vertices of its own, found none");
+        for (const auto& [name, at] : vertices->members()) {
+            std::size_t axis = 0;
+            for (const JsonValue& coordinate : at.elements()) {
+                if (axis < 3)
+                    if (const auto number = number_in_text(coordinate.text))
+                        places_.push_back({coordinate.begin, coordinate.end(), axis, *number});
+                ++axis;
+            }
+        }
+        for (const Place& place : places_)
+            values_[place.axis].insert(place.value);
+    }
+
+    static std::optional<Rational> number_in_text(const std::string& text) {
+        const auto number = parse_number(text);
+        const Number* const found = std::get_if<Number>(&number);
+        return found ? std::optional(found->exact()) : std::nullopt;
+    }
+
+    /// The least and the largest value that a coordinate may have.
+    std::pair<Rational, Rational> range_of(std::size_t axis) const {
+        const auto& values = values_[axis];
+        if (is_projected_ || axis == 2)
+            return {*values.begin(), *values.rbegin()};
+        if (axis == 0)
+            return {canvas_.left(), canvas_.right()};
+        return std::minmax({Rational(canvas_.top()), Rational(canvas_.bottom())});
+    }
+
+    /// As many values as there were, in the same order, each with the denominator that it had, or 8.
+    std::map<Rational, Rational> new_values(std::size_t axis) {
+        constexpr long largest_denominator = 8;
+        const auto [low, high] = range_of(axis);
+        for (;;) {
+            std::vector<Rational> drawn_values;
+            for (const Rational& value : values_[axis]) {
+                const Rational unit = value.get_den() > largest_denominator
+                                          ? Rational(1, largest_denominator)
+                                          : Rational(1, value.get_den());
+                const Rational first = ceil_index(Rational(low / unit));
+                const Rational count = floor_index(Rational(high / unit)) - first + 1;
+                drawn_values.emplace_back(
+                    (first +
+                     static_cast<long>(random_.below(static_cast<std::uint64_t>(count.get_d())))) *
+                    unit);
+            }
+            std::vector<Rational> sorted = drawn_values;
+            std::ranges::sort(sorted);
+            if (std::ranges::adjacent_find(sorted) != sorted.end())
+                continue;
+            std::map<Rational, Rational> renewed;
+            auto next = sorted.begin();
+            for (const Rational& value : values_[axis])
+                renewed.emplace(value, *next++);
+            return renewed;
+        }
+    }
+
+    Source redrawn() {
+        std::array<std::map<Rational, Rational>, 3> renewed;
+        for (std::size_t axis = 0; axis < 3; ++axis)
+            if (!values_[axis].empty())
+                renewed[axis] = new_values(axis);
+        Source scene = source_;
+        for (auto place = places_.rbegin(); place != places_.rend(); ++place) {
+            const Rational& value = renewed[place->axis].at(place->value);
+            const std::string text =
+                value.get_den() == 1 ? value.get_str() : fmt::format("\"{}\"", value.get_str());
+            scene.text.replace(place->begin, place->end - place->begin, text);
+        }
+        return scene;
+    }
+
+    bool has_other_facts(const std::vector<std::string>& facts) {
+        if (facts == facts_)
+            return false;
+        std::vector<std::string> changed;
+        std::ranges::set_difference(facts_, facts, std::back_inserter(changed));
+        if (changed.empty())
+            std::ranges::set_difference(facts, facts_, std::back_inserter(changed));
+        for (const std::string& fact : changed)
+            ++changes_[fact];
+        return true;
+    }
+
+    std::string most_frequent_change() const {
+        const auto found = std::ranges::max_element(
+            changes_, {}, [](const auto& change) { return change.second; });
+        return found == changes_.end() ? "nothing" : found->first;
+    }
+
+    /// The slips that can be made, in groups of those that give the same answers in all scenes.
+    std::vector<std::vector<std::string_view>> slips_alike() const {
+        std::map<std::vector<std::string>, std::vector<std::string_view>> groups;
+        for (const Slip& slip : slips()) {
+            std::vector<std::string> all;
+            bool is_made = false;
+            for (const auto& answers : answers_) {
+                const auto found = answers.find(slip.name);
+                all.push_back(found == answers.end() ? "" : found->second);
+                is_made = is_made || !all.back().empty();
+            }
+            if (is_made)
+                groups[std::move(all)].push_back(slip.name);
+        }
+        std::vector<std::vector<std::string_view>> found;
+        for (auto& [answers, names] : groups)
+            found.push_back(std::move(names));
+        std::ranges::sort(found);
+        return found;
+    }
+
+    /// True if every group can be made, and each gives an answer of its own.
+    static bool tells_apart(const std::map<std::string_view, std::string>& answers,
+                            const std::vector<std::vector<std::string_view>>& groups) {
+        std::set<std::string_view> known;
+        return std::ranges::all_of(groups, [&](const auto& group) {
+            const auto found = answers.find(group.front());
+            return found != answers.end() && known.insert(found->second).second;
+        });
+    }
+
+    const Source& source_;
+    RandomNumbers random_;
+    Canvas canvas_;
+    bool is_projected_ = false;
+    std::vector<Place> places_;                ///< in the order of the text
+    std::array<std::set<Rational>, 3> values_; ///< of x, y and z
+    std::vector<std::string> facts_;
+    std::map<std::string, int> changes_; ///< how often a fact was another one
+    std::vector<std::map<std::string_view, std::string>>
+        answers_; ///< of the scene itself, and of those with its facts
+};
+
+} // namespace
+
+Result<std::string> exercise_id(std::string_view typed) {
+    constexpr std::size_t most = 100;
+    const auto refuse = [&](std::string message) { return problem_of("", std::move(message)); };
+    if (typed.size() > most)
+        return refuse(
+            fmt::format("expected an ID of at most {} letters, found {}", most, typed.size()));
+    std::string_view seed = typed;
+    if (const std::size_t colon = typed.find(':'); colon != std::string_view::npos) {
+        if (typed.substr(0, colon) != std::to_string(exercise_version))
+            return refuse(fmt::format("expected an ID of version {}, found one of version \"{}\"",
+                                      exercise_version, typed.substr(0, colon)));
+        seed = typed.substr(colon + 1);
+    }
+    const bool has_control = std::ranges::any_of(
+        seed, [](char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7F; });
+    if (seed.empty() || has_control)
+        return refuse("expected an ID of letters, found none, or control characters");
+    return fmt::format("{}:{}", exercise_version, seed);
+}
+
+Exercise exercise_like(const Source& scene, std::string_view id) {
+    return Redrawing(scene, id).found(id);
+}
+
+} // namespace rastertrace

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// Exercises: a scene with its vertices drawn anew, as much work as it was, in which every slip that can be made gives an
+// answer of its own. The same ID gives the same exercise everywhere.
+//
+//     const Exercise exercise = exercise_like(scene, "1:anna");
+//     exercise.scene.text;  // {"canvas": ..., "vertices": {"A": [1, 6], ...
+
+#include <rastertrace/trace/text/problem.h>
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace rastertrace {
+
+/// The generator's version. An ID begins with it, so that exercises of earlier versions can be made again.
+inline constexpr int exercise_version = 1;
+
+/// The ID of what was typed: `anna` is `1:anna`. A Problem for one without letters, of more than 100, with control
+/// characters, or of a version that there is not.
+Result<std::string> exercise_id(std::string_view typed);
+
+struct Exercise {
+    std::string id{};
+    Source scene{};
+    std::vector<std::vector<std::string_view>>
+        slips{}; ///< that can be made in it; those in one group give the same answers with any numbers
+};
+
+/// Draws the numbers of a scene's vertices anew. Numbers of one axis that were equal stay equal, and smaller ones stay
+/// smaller; denominators are at most 8; vertices lie on the canvas, or, of a projected scene, within the box of the old
+/// ones; the facts (facts.h) stay. Throws a Problem if the scene cannot be drawn, if it has no vertices of its own, or if
+/// no such numbers are found, and says then which fact changed most often.
+Exercise exercise_like(const Source& scene, std::string_view id);
+
+} // namespace rastertrace

@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: MIT
+// `rastertrace exercise`: scenes like one of a course, with other numbers.
+
+#include "command.h"
+#include "figure_file.h"
+#include "load.h"
+#include "option_values.h"
+#include "sheet_page.h"
+
+#include <rastertrace/trace/check/claims_template.h>
+#include <rastertrace/trace/exercise/exercise.h>
+#include <rastertrace/trace/text/output.h>
+#include <rastertrace/trace/text/text.h>
+
+#include <fmt/core.h>
+
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace rastertrace {
+
+namespace {
+
+/// Slips that no numbers tell apart: `a = b; c = d`.
+std::string slips_in_words(const Exercise& exercise) {
+    std::vector<std::string> alike;
+    for (const auto& group : exercise.slips)
+        if (group.size() > 1)
+            alike.push_back(joined({group.begin(), group.end()}, " = "));
+    return fmt::format("{} slips have answers of their own{}\n", exercise.slips.size(),
+                       alike.empty() ? "" : "; the same with any numbers: " + joined(alike, "; "));
+}
+
+class ExerciseCommandLine final : public Command {
+public:
+    CommandAbout about() const override {
+        return {"exercise", "Make an exercise of a scene: as much work, with other numbers",
+                "rastertrace exercise --like examples/t0-fill/first-triangle.json --seed anna\n\n"
+                "The same seed makes the same exercise everywhere: who marks it needs only the "
+                "seed, as in\n"
+                "rastertrace exercise --like scene.json --seed anna | rastertrace check - "
+                "sheet.txt"};
+    }
+
+    void add_to(OptionList& options) override {
+        options.option("--like", like_, "The scene that it is to be like", "SCENE").required();
+        options
+            .option("--seed", seed_, "A word that stands for it, such as a student's number", "ID")
+            .required();
+        options.option("--count", count_, "So many, with the seeds ID-1, ID-2, ...", "N");
+        options.option("-o", folder_,
+                       "Where scene.json, sheet.txt and picture.svg go, of several in a folder for "
+                       "each; none: the scene to standard output",
+                       "FOLDER");
+    }
+
+    void read() override {
+        number_ = number_in_option<std::size_t>("--count", count_, 1, 10'000);
+        if (number_ && folder_.empty())
+            throw problem_of("", "--count: expected -o FOLDER as well, found none");
+        id_ = value_or_throw(exercise_id(seed_));
+    }
+
+    int run() override {
+        const Source scene = load_scene_source(like_);
+        if (folder_.empty()) {
+            print(exercise_like(scene, id_).scene.text);
+            return exit_fine;
+        }
+        Exercise last;
+        for (std::size_t i = 1; i <= number_.value_or(1); ++i) {
+            const std::string ending = number_ ? fmt::format("-{}", i) : "";
+            last = exercise_like(scene, id_ + ending);
+            write(last,
+                  number_ ? (std::filesystem::path(folder_) / (seed_ + ending)).string() : folder_);
+        }
+        print(slips_in_words(last));
+        return exit_fine;
+    }
+
+private:
+    static void write(const Exercise& exercise, const std::string& folder) {
+        make_folder(folder);
+        const auto path = [&folder](const char* name) {
+            return (std::filesystem::path(folder) / name).string();
+        };
+        write_file(path("scene.json"), exercise.scene.text);
+        const Trace trace = load_trace(path("scene.json"));
+        write_file(path("sheet.txt"),
+                   fmt::format("# exercise {}\n{}\n{}", exercise.id, scene_line("scene.json"),
+                               claims_template(trace)));
+        write_file(path("picture.svg"), figure_in(FigureFormat::svg, sheet_page(trace), {}));
+        print(fmt::format("written: {}\n", printable(folder)));
+    }
+
+    std::string like_;
+    std::string seed_;
+    std::string count_;
+    std::string folder_;
+    std::string id_;
+    std::optional<std::size_t> number_;
+};
+
+} // namespace
+
+std::unique_ptr<Command> exercise_command() {
+    return std::make_unique<ExerciseCommandLine>();
+}
+
+} // namespace rastertrace
