@@ -2,6 +2,7 @@
 // Exercises are as much work as the scene that they are like, and tell slips apart.
 
 #include <rastertrace/trace/exercise/exercise.h>
+#include <rastertrace/trace/exercise/exercise_kinds.h>
 #include <rastertrace/trace/exercise/facts.h>
 #include <rastertrace/trace/scene/scene_file.h>
 #include <rastertrace/trace/text/input.h>
@@ -60,10 +61,11 @@ TEST(Exercise, HasTheFactsOfTheSceneThatItIsLike) {
         const Source like = example(name);
         const Scene scene_like = exact_scene(like);
         const auto facts = facts_of(trace_of(scene_like));
+        ExerciseMaker maker(like);
         std::set<std::string> texts;
         const int seeds = random_cases(20);
         for (int seed = 0; seed < seeds; ++seed) {
-            const Exercise made = exercise_like(like, "1:" + std::to_string(seed));
+            const Exercise made = maker.exercise("1:" + std::to_string(seed));
             SCOPED_TRACE(made.scene.text);
             const Scene scene = exact_scene(made.scene);
             EXPECT_EQ(facts_of(trace_of(scene)), facts);
@@ -75,10 +77,25 @@ TEST(Exercise, HasTheFactsOfTheSceneThatItIsLike) {
     }
 }
 
+TEST(Exercise, ThereIsOneOfEachKindForEverySeed) {
+    for (const ExerciseKind& kind : exercise_kinds) {
+        const Source like{std::string(kind.name) + ".json", std::string(kind.scene)};
+        const auto facts = facts_of(trace_of(exact_scene(like)));
+        ExerciseMaker maker(like);
+        for (int seed = 0; seed < random_cases(10); ++seed) {
+            const Exercise made = maker.exercise("1:" + std::to_string(seed));
+            EXPECT_EQ(facts_of(trace_of(exact_scene(made.scene))), facts) << made.scene.text;
+            EXPECT_GT(made.slips.size(), 5U) << kind.name;
+        }
+    }
+}
+
 TEST(Exercise, IsTheSameForTheSameSeed) {
     const Source like = example(templates[0]);
-    EXPECT_EQ(exercise_like(like, "1:anna").scene.text, exercise_like(like, "1:anna").scene.text);
-    EXPECT_NE(exercise_like(like, "1:anna").scene.text, exercise_like(like, "1:ben").scene.text);
+    const std::string anna = ExerciseMaker(like).exercise("1:anna").scene.text;
+    ExerciseMaker maker(like);
+    EXPECT_NE(maker.exercise("1:ben").scene.text, anna);
+    EXPECT_EQ(maker.exercise("1:anna").scene.text, anna); // whatever was made before
 }
 
 TEST(Exercise, AnIdIsAWordOfAKnownVersion) {
@@ -95,7 +112,7 @@ TEST(Exercise, ASceneWhoseFactsNoOtherNumbersHaveIsRefused) {
     const Source scene{"tie.json", R"({"canvas": {"width": 3, "height": 2, "origin": "bottom-left"},
         "vertices": {"A": [0, 0], "B": [2, 1]}, "lines": ["AB"]})"};
     try {
-        exercise_like(scene, "1:anna");
+        ExerciseMaker maker(scene);
         ADD_FAILURE() << "no Problem";
     } catch (const Problem& problem) {
         EXPECT_THAT(problem.message,

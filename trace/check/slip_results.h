@@ -42,7 +42,7 @@ private:
 };
 
 /// Words of a slip that is a known mistake of programs, too (mistakes.h): they are that one's.
-inline constexpr std::string_view known = {};
+inline constexpr std::string_view as_mistake = {};
 
 /// The formula, if it is of this form.
 template <typename Form> const Form* as_form(const Formula& formula) {

@@ -153,19 +153,19 @@ std::vector<SlipResult> middle_row_twice(const Formula& formula) {
 }
 
 constexpr Slip line_slips[] = {
-    {"steps-exchanged", known, known, known, 20, steps_exchanged},
-    {"diagonal-of-one-axis", known, known, known, 15, diagonal_of_one_axis},
-    {"start-of-other-axis", known, known, known, 15, start_of_other_axis},
-    {"factor-2-dropped", known, known, known, 20, factor_2_dropped},
-    {"dx-and-dy-exchanged", known, known, known, 20, dx_and_dy_exchanged},
-    {"octant-ignored", known, known, known, 20, octant_ignored},
+    {"steps-exchanged", as_mistake, as_mistake, as_mistake, 20, steps_exchanged},
+    {"diagonal-of-one-axis", as_mistake, as_mistake, as_mistake, 15, diagonal_of_one_axis},
+    {"start-of-other-axis", as_mistake, as_mistake, as_mistake, 15, start_of_other_axis},
+    {"factor-2-dropped", as_mistake, as_mistake, as_mistake, 20, factor_2_dropped},
+    {"dx-and-dy-exchanged", as_mistake, as_mistake, as_mistake, 20, dx_and_dy_exchanged},
+    {"octant-ignored", as_mistake, as_mistake, as_mistake, 20, octant_ignored},
     {"shifted-list", "a list that begins one step too early or too late", "d before each step",
      "each number stands beside the wrong step", 20, shifted_list},
-    {"tie-the-other-way", "d = 0 decided the other way", "the scene's own rule for d = 0", known,
-     30, tie_the_other_way},
+    {"tie-the-other-way", "d = 0 decided the other way", "the scene's own rule for d = 0",
+     as_mistake, 30, tie_the_other_way},
     {"last-pixel", "the last minus the first", "one more: the first counts, too",
      "a gap at the end of each line", 300, last_pixel_left_out},
-    {"middle-row-twice", known, known, known, 100, middle_row_twice},
+    {"middle-row-twice", as_mistake, as_mistake, as_mistake, 100, middle_row_twice},
 };
 
 } // namespace

@@ -127,11 +127,11 @@ std::vector<SlipResult> size_for_last_pixel(const Formula& formula) {
 }
 
 constexpr Slip matrix_slips[] = {
-    {"turned-the-other-way", known, known, known, 30, turned_the_other_way},
+    {"turned-the-other-way", as_mistake, as_mistake, as_mistake, 30, turned_the_other_way},
     {"degrees-for-radians", "the number of degrees taken for radians", "degrees",
      "the angle seems to be any", 30, degrees_for_radians},
-    {"factors-exchanged", known, known, known, 30, factors_exchanged},
-    {"size-for-last-pixel", known, known, known, 30, size_for_last_pixel},
+    {"factors-exchanged", as_mistake, as_mistake, as_mistake, 30, factors_exchanged},
+    {"size-for-last-pixel", as_mistake, as_mistake, as_mistake, 30, size_for_last_pixel},
     {"rows-for-columns", "the columns of the matrix taken for rows", "its rows",
      "turned the other way, and moved nowhere", 20, rows_for_columns},
 };

@@ -17,6 +17,7 @@
 #include <array>
 #include <cstdint>
 #include <map>
+#include <memory>
 #include <optional>
 #include <set>
 #include <utility>
@@ -68,15 +69,18 @@ std::optional<Drawn> drawn(const Source& source) {
     return Drawn{std::move(read.value().scene), std::move(trace)};
 }
 
+/// Of each slip, in words that are the same where it makes the same of all numbers.
+using Answers = std::map<std::string_view, std::string>;
+
 /// What every slip makes of all that can be worked out in a trace; a slip that cannot be made has no answer.
-std::map<std::string_view, std::string> answers_in(const Trace& trace) {
+Answers answers_in(const Trace& trace) {
     constexpr std::array worked_out{StepKind::vertex, StepKind::face,     StepKind::light,
                                     StepKind::edge,   StepKind::scanline, StepKind::decide,
                                     StepKind::along,  StepKind::depth};
     constexpr std::size_t most = 200;
     const StepIndex index(trace);
     const Numbers numbers(index);
-    std::map<std::string_view, std::string> answers;
+    Answers answers;
     std::size_t count = 0;
     for (std::size_t n = 1; n <= trace.size() && count < most; ++n) {
         const auto kind = trace.kind_of(n);
@@ -99,9 +103,12 @@ std::map<std::string_view, std::string> answers_in(const Trace& trace) {
     return answers;
 }
 
-class Redrawing {
+} // namespace
+
+/// A scene whose numbers can be drawn anew.
+class ExerciseMaker::Redrawing {
 public:
-    Redrawing(const Source& scene, std::string_view id) : source_(scene), random_(id) {
+    explicit Redrawing(const Source& scene) : source_(scene) {
         auto read = read_scene(scene, {{"scalar", "exact"}});
         if (!read)
             throw read.problem();
@@ -111,50 +118,29 @@ public:
                         asked->scene.camera || !asked->scene.objects.empty() ||
                         asked->scene.viewport.type != ViewportType::none;
         facts_ = facts_of(asked->trace);
-        answers_.push_back(answers_in(asked->trace));
         find_places();
-    }
 
-    Exercise found(std::string_view id) {
-        constexpr int most_tries = 4'000;
-        constexpr std::size_t most_alike =
-            24; ///< scenes with the same facts, to find slips that are the same
-        std::vector<std::pair<Source, std::map<std::string_view, std::string>>> alike;
-        std::optional<std::vector<std::vector<std::string_view>>> groups;
-        const auto first_apart = [&]() -> std::optional<Exercise> {
-            for (const auto& [one, its_answers] : alike)
-                if (tells_apart(its_answers, *groups))
-                    return Exercise{std::string(id), one, *groups};
-            return std::nullopt;
-        };
-        for (int i = 0; i < most_tries; ++i) {
-            Source scene = redrawn();
-            const auto tried = drawn(scene);
-            if (!tried || scene.text == source_.text || has_other_facts(facts_of(tried->trace)))
-                continue;
-            auto answers = answers_in(tried->trace);
-            if (groups) {
-                if (tells_apart(answers, *groups))
-                    return {std::string(id), std::move(scene), *groups};
-                continue;
-            }
-            answers_.push_back(answers);
-            alike.emplace_back(std::move(scene), std::move(answers));
-            if (alike.size() < most_alike)
-                continue;
-            groups = slips_alike();
-            if (auto exercise = first_apart())
-                return *std::move(exercise);
-        }
-        if (alike.empty())
+        // Slips that give the same answers in all of some scenes are the same.
+        constexpr std::size_t enough = 12;
+        std::vector<Answers> all{answers_in(asked->trace)};
+        RandomNumbers random("slips");
+        for (int tries = most_tries; tries > 0 && all.size() <= enough;)
+            if (auto alike = next_alike(random, tries))
+                all.push_back(std::move(alike->second));
+        if (all.size() == 1)
             throw problem_of(
                 source_.name,
                 fmt::format("expected a scene whose facts other numbers can have, too; "
                             "in {} tries, what changed most often is \"{}\"",
                             most_tries, most_frequent_change()));
-        groups = slips_alike();
-        if (auto exercise = first_apart())
-            return *std::move(exercise);
+        slips_ = slips_alike(all);
+    }
+
+    Exercise made(std::string_view id) {
+        RandomNumbers random(id);
+        for (int tries = most_tries; tries > 0;)
+            if (auto alike = next_alike(random, tries); alike && tells_apart(alike->second))
+                return {std::string(id), std::move(alike->first), slips_};
         throw problem_of(source_.name,
                          "expected a scene in which each slip can give an answer of its own, found "
                          "none in which they do",
@@ -162,6 +148,19 @@ public:
     }
 
 private:
+    static constexpr int most_tries = 4'000;
+
+    /// The next scene with the facts of this one, and what slips make of it; `nullopt` when there are no tries left.
+    std::optional<std::pair<Source, Answers>> next_alike(RandomNumbers& random, int& tries) {
+        while (tries-- > 0) {
+            Source scene = redrawn(random);
+            const auto tried = drawn(scene);
+            if (tried && scene.text != source_.text && !has_other_facts(facts_of(tried->trace)))
+                return std::pair(std::move(scene), answers_in(tried->trace));
+        }
+        return std::nullopt;
+    }
+
     void find_places() {
         const auto document = parse_json(source_);
         const auto vertices =
@@ -197,22 +196,29 @@ private:
         return std::minmax({Rational(canvas_.top()), Rational(canvas_.bottom())});
     }
 
-    /// As many values as there were, in the same order, each with the denominator that it had, or 8.
-    std::map<Rational, Rational> new_values(std::size_t axis) {
+    /// The step between the values that a coordinate may have: 1 over the denominator that it has, at most 8; halved as
+    /// long as there are few of them.
+    Rational unit_for(const Rational& value, const Rational& width, std::size_t count) const {
         constexpr long largest_denominator = 8;
+        const bool is_fine = value.get_den() > largest_denominator;
+        Rational unit(1, is_fine ? mpz_class(largest_denominator) : value.get_den());
+        while (width / unit < 3 * static_cast<long>(count) &&
+               unit.get_den() * 2 <= largest_denominator)
+            unit /= 2;
+        return unit;
+    }
+
+    /// As many values as there were, in the same order.
+    std::map<Rational, Rational> new_values(std::size_t axis, RandomNumbers& random) const {
         const auto [low, high] = range_of(axis);
         for (;;) {
             std::vector<Rational> drawn_values;
             for (const Rational& value : values_[axis]) {
-                const Rational unit = value.get_den() > largest_denominator
-                                          ? Rational(1, largest_denominator)
-                                          : Rational(1, value.get_den());
-                const Rational first = ceil_index(Rational(low / unit));
-                const Rational count = floor_index(Rational(high / unit)) - first + 1;
-                drawn_values.emplace_back(
-                    (first +
-                     static_cast<long>(random_.below(static_cast<std::uint64_t>(count.get_d())))) *
-                    unit);
+                const Rational unit = unit_for(value, high - low, values_[axis].size());
+                const Index first = ceil_index(Rational(low / unit));
+                const Index last = floor_index(Rational(high / unit));
+                const auto chosen = random.below(static_cast<std::uint64_t>(last - first + 1));
+                drawn_values.emplace_back((first + static_cast<Index>(chosen)) * unit);
             }
             std::vector<Rational> sorted = drawn_values;
             std::ranges::sort(sorted);
@@ -226,11 +232,11 @@ private:
         }
     }
 
-    Source redrawn() {
+    Source redrawn(RandomNumbers& random) const {
         std::array<std::map<Rational, Rational>, 3> renewed;
         for (std::size_t axis = 0; axis < 3; ++axis)
             if (!values_[axis].empty())
-                renewed[axis] = new_values(axis);
+                renewed[axis] = new_values(axis, random);
         Source scene = source_;
         for (auto place = places_.rbegin(); place != places_.rend(); ++place) {
             const Rational& value = renewed[place->axis].at(place->value);
@@ -256,16 +262,17 @@ private:
     std::string most_frequent_change() const {
         const auto found = std::ranges::max_element(
             changes_, {}, [](const auto& change) { return change.second; });
-        return found == changes_.end() ? "nothing" : found->first;
+        return found == changes_.end() ? "that it can be drawn" : found->first;
     }
 
     /// The slips that can be made, in groups of those that give the same answers in all scenes.
-    std::vector<std::vector<std::string_view>> slips_alike() const {
+    static std::vector<std::vector<std::string_view>>
+    slips_alike(const std::vector<Answers>& all_answers) {
         std::map<std::vector<std::string>, std::vector<std::string_view>> groups;
         for (const Slip& slip : slips()) {
             std::vector<std::string> all;
             bool is_made = false;
-            for (const auto& answers : answers_) {
+            for (const Answers& answers : all_answers) {
                 const auto found = answers.find(slip.name);
                 all.push_back(found == answers.end() ? "" : found->second);
                 is_made = is_made || !all.back().empty();
@@ -281,28 +288,23 @@ private:
     }
 
     /// True if every group can be made, and each gives an answer of its own.
-    static bool tells_apart(const std::map<std::string_view, std::string>& answers,
-                            const std::vector<std::vector<std::string_view>>& groups) {
+    bool tells_apart(const Answers& answers) const {
         std::set<std::string_view> known;
-        return std::ranges::all_of(groups, [&](const auto& group) {
+        return std::ranges::all_of(slips_, [&](const auto& group) {
             const auto found = answers.find(group.front());
             return found != answers.end() && known.insert(found->second).second;
         });
     }
 
-    const Source& source_;
-    RandomNumbers random_;
+    Source source_;
     Canvas canvas_;
     bool is_projected_ = false;
     std::vector<Place> places_;                ///< in the order of the text
     std::array<std::set<Rational>, 3> values_; ///< of x, y and z
     std::vector<std::string> facts_;
     std::map<std::string, int> changes_; ///< how often a fact was another one
-    std::vector<std::map<std::string_view, std::string>>
-        answers_; ///< of the scene itself, and of those with its facts
+    std::vector<std::vector<std::string_view>> slips_;
 };
-
-} // namespace
 
 Result<std::string> exercise_id(std::string_view typed) {
     constexpr std::size_t most = 100;
@@ -324,8 +326,11 @@ Result<std::string> exercise_id(std::string_view typed) {
     return fmt::format("{}:{}", exercise_version, seed);
 }
 
-Exercise exercise_like(const Source& scene, std::string_view id) {
-    return Redrawing(scene, id).found(id);
+ExerciseMaker::ExerciseMaker(const Source& scene) : like_(std::make_unique<Redrawing>(scene)) {}
+ExerciseMaker::~ExerciseMaker() = default;
+
+Exercise ExerciseMaker::exercise(std::string_view id) {
+    return like_->made(id);
 }
 
 } // namespace rastertrace

@@ -9,11 +9,13 @@
 
 #include <rastertrace/trace/check/claims_template.h>
 #include <rastertrace/trace/exercise/exercise.h>
+#include <rastertrace/trace/exercise/exercise_kinds.h>
 #include <rastertrace/trace/text/output.h>
 #include <rastertrace/trace/text/text.h>
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <memory>
 #include <optional>
@@ -46,7 +48,9 @@ public:
     }
 
     void add_to(OptionList& options) override {
-        options.option("--like", like_, "The scene that it is to be like", "SCENE").required();
+        OptionList model = options.one_of("What it is to be like", "One of these", true);
+        model.option("--like", like_, "A scene", "SCENE");
+        model.option("--kind", kind_, "A scene of ours, out of " + kinds_in_words(), "NAME");
         options
             .option("--seed", seed_, "A word that stands for it, such as a student's number", "ID")
             .required();
@@ -62,18 +66,23 @@ public:
         if (number_ && folder_.empty())
             throw problem_of("", "--count: expected -o FOLDER as well, found none");
         id_ = value_or_throw(exercise_id(seed_));
+        if (!kind_.empty() && find_kind() == exercise_kinds.end())
+            refuse_value("--kind", "one out of " + kinds_in_words(), kind_);
     }
 
     int run() override {
-        const Source scene = load_scene_source(like_);
+        const Source scene = kind_.empty()
+                                 ? load_scene_source(like_)
+                                 : Source{kind_ + ".json", std::string(find_kind()->scene)};
+        ExerciseMaker like(scene);
         if (folder_.empty()) {
-            print(exercise_like(scene, id_).scene.text);
+            print(like.exercise(id_).scene.text);
             return exit_fine;
         }
         Exercise last;
         for (std::size_t i = 1; i <= number_.value_or(1); ++i) {
             const std::string ending = number_ ? fmt::format("-{}", i) : "";
-            last = exercise_like(scene, id_ + ending);
+            last = like.exercise(id_ + ending);
             write(last,
                   number_ ? (std::filesystem::path(folder_) / (seed_ + ending)).string() : folder_);
         }
@@ -82,6 +91,17 @@ public:
     }
 
 private:
+    static std::string kinds_in_words() {
+        std::vector<std::string> names;
+        for (const ExerciseKind& kind : exercise_kinds)
+            names.emplace_back(kind.name);
+        return joined(names, ", ");
+    }
+
+    decltype(exercise_kinds)::const_iterator find_kind() const {
+        return std::ranges::find(exercise_kinds, kind_, &ExerciseKind::name);
+    }
+
     static void write(const Exercise& exercise, const std::string& folder) {
         make_folder(folder);
         const auto path = [&folder](const char* name) {
@@ -97,6 +117,7 @@ private:
     }
 
     std::string like_;
+    std::string kind_;
     std::string seed_;
     std::string count_;
     std::string folder_;
