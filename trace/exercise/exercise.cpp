@@ -46,14 +46,6 @@ private:
     std::uint64_t state_ = 0xCBF29CE484222325;
 };
 
-/// Where a coordinate of a vertex stands in the scene's text.
-struct Place {
-    std::size_t begin;
-    std::size_t end;
-    std::size_t axis;
-    Rational value;
-};
-
 /// A scene drawn in exact numbers.
 struct Drawn {
     Scene scene;
@@ -149,6 +141,14 @@ public:
 
 private:
     static constexpr int most_tries = 4'000;
+
+    /// Where a coordinate of a vertex stands in the scene's text.
+    struct Place {
+        std::size_t begin;
+        std::size_t end;
+        std::size_t axis;
+        Rational value;
+    };
 
     /// The next scene with the facts of this one, and what slips make of it; `nullopt` when there are no tries left.
     std::optional<std::pair<Source, Answers>> next_alike(RandomNumbers& random, int& tries) {
