@@ -108,9 +108,8 @@ TEST(Exercise, AnIdIsAWordOfAKnownVersion) {
 }
 
 TEST(Exercise, ASceneWhoseFactsNoOtherNumbersHaveIsRefused) {
-    // One tie in (0,0)-(2,1) on a canvas that has no room for another line of its kind.
-    const Source scene{"tie.json", R"({"canvas": {"width": 3, "height": 2, "origin": "bottom-left"},
-        "vertices": {"A": [0, 0], "B": [2, 1]}, "lines": ["AB"]})"};
+    const Source scene{"point.json", R"({"canvas": {"width": 1, "height": 1},
+        "vertices": {"A": [0, 0]}, "points": ["A"]})"};
     try {
         ExerciseMaker maker(scene);
         ADD_FAILURE() << "no Problem";

@@ -16,6 +16,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <iterator>
 #include <map>
 #include <memory>
 #include <optional>
@@ -116,8 +117,9 @@ public:
         constexpr std::size_t enough = 12;
         std::vector<Answers> all{answers_in(asked->trace)};
         RandomNumbers random("slips");
+        Axes axes = typed_values();
         for (int tries = most_tries; tries > 0 && all.size() <= enough;)
-            if (auto alike = next_alike(random, tries))
+            if (auto alike = next_alike(random, tries, axes))
                 all.push_back(std::move(alike->second));
         if (all.size() == 1)
             throw problem_of(
@@ -130,8 +132,9 @@ public:
 
     Exercise made(std::string_view id) {
         RandomNumbers random(id);
-        for (int tries = most_tries; tries > 0;)
-            if (auto alike = next_alike(random, tries); alike && tells_apart(alike->second))
+        Axes axes = typed_values();
+        for (int tries = 10 * most_tries; tries > 0;)
+            if (auto alike = next_alike(random, tries, axes); alike && tells_apart(alike->second))
                 return {std::string(id), std::move(alike->first), slips_};
         throw problem_of(source_.name,
                          "expected a scene in which each slip can give an answer of its own, found "
@@ -150,15 +153,75 @@ private:
         Rational value;
     };
 
-    /// The next scene with the facts of this one, and what slips make of it; `nullopt` when there are no tries left.
-    std::optional<std::pair<Source, Answers>> next_alike(RandomNumbers& random, int& tries) {
-        while (tries-- > 0) {
-            Source scene = redrawn(random);
-            const auto tried = drawn(scene);
-            if (tried && scene.text != source_.text && !has_other_facts(facts_of(tried->trace)))
-                return std::pair(std::move(scene), answers_in(tried->trace));
+    /// A scene as it stands while numbers are changed: the values of each axis, ascending.
+    using Axes = std::array<std::vector<Rational>, 3>;
+
+    /// The next scene with the facts of this one, and what slips make of it: after twice as many changes as there are
+    /// values, each of which keeps the facts. `nullopt` when there are no tries left.
+    std::optional<std::pair<Source, Answers>> next_alike(RandomNumbers& random, int& tries,
+                                                         Axes& axes) {
+        std::size_t changes = 2 * (values_[0].size() + values_[1].size() + values_[2].size());
+        std::optional<Drawn> last;
+        Source scene;
+        while (tries-- > 0 && changes > 0) {
+            Axes changed = axes;
+            if (!change(changed, random))
+                continue;
+            Source one = with(changed);
+            auto tried = drawn(one);
+            if (!tried || has_other_facts(facts_of(tried->trace)))
+                continue;
+            axes = std::move(changed);
+            scene = std::move(one);
+            last = std::move(tried);
+            --changes;
         }
-        return std::nullopt;
+        if (!last || scene.text == source_.text)
+            return std::nullopt;
+        return std::pair(std::move(scene), answers_in(last->trace));
+    }
+
+    Axes typed_values() const {
+        Axes axes;
+        for (std::size_t axis = 0; axis < 3; ++axis)
+            axes[axis].assign(values_[axis].begin(), values_[axis].end());
+        return axes;
+    }
+
+    /// Changes one value of an axis between its neighbors, or all of them by the same. False if there is no other place.
+    bool change(Axes& axes, RandomNumbers& random) const {
+        const auto axis = static_cast<std::size_t>(random.below(3));
+        auto& values = axes[axis];
+        if (values.empty())
+            return false;
+        const auto [low, high] = range_of(axis);
+        std::vector<Rational> units; // of each value
+        for (const Rational& typed : values_[axis])
+            units.push_back(unit_for(typed, high - low, values.size()));
+        if (random.below(4) == 0) {
+            const Rational unit = *std::ranges::max_element(units);
+            const Index down = ceil_index(Rational((low - values.front()) / unit));
+            const Index up = floor_index(Rational((high - values.back()) / unit));
+            const Rational by = (down + static_cast<Index>(random.below(static_cast<std::uint64_t>(
+                                            std::max<Index>(up - down, 0) + 1)))) *
+                                unit;
+            for (Rational& value : values)
+                value += by;
+            return by != 0 && up >= down;
+        }
+        const auto i = static_cast<std::size_t>(random.below(values.size()));
+        const Rational& unit = units[i];
+        const Rational from = i == 0 ? low : Rational(values[i - 1] + unit);
+        const Rational to = i + 1 == values.size() ? high : Rational(values[i + 1] - unit);
+        const Index first = ceil_index(Rational(from / unit));
+        const Index last = floor_index(Rational(to / unit));
+        if (last < first)
+            return false;
+        const Rational before = values[i];
+        values[i] = (first + static_cast<Index>(
+                                 random.below(static_cast<std::uint64_t>(last - first + 1)))) *
+                    unit;
+        return values[i] != before;
     }
 
     void find_places() {
@@ -208,41 +271,17 @@ private:
         return unit;
     }
 
-    /// As many values as there were, in the same order.
-    std::map<Rational, Rational> new_values(std::size_t axis, RandomNumbers& random) const {
-        const auto [low, high] = range_of(axis);
-        for (;;) {
-            std::vector<Rational> drawn_values;
-            for (const Rational& value : values_[axis]) {
-                const Rational unit = unit_for(value, high - low, values_[axis].size());
-                const Index first = ceil_index(Rational(low / unit));
-                const Index last = floor_index(Rational(high / unit));
-                const auto chosen = random.below(static_cast<std::uint64_t>(last - first + 1));
-                drawn_values.emplace_back((first + static_cast<Index>(chosen)) * unit);
-            }
-            std::vector<Rational> sorted = drawn_values;
-            std::ranges::sort(sorted);
-            if (std::ranges::adjacent_find(sorted) != sorted.end())
-                continue;
-            std::map<Rational, Rational> renewed;
-            auto next = sorted.begin();
-            for (const Rational& value : values_[axis])
-                renewed.emplace(value, *next++);
-            return renewed;
-        }
-    }
-
-    Source redrawn(RandomNumbers& random) const {
-        std::array<std::map<Rational, Rational>, 3> renewed;
-        for (std::size_t axis = 0; axis < 3; ++axis)
-            if (!values_[axis].empty())
-                renewed[axis] = new_values(axis, random);
+    /// The scene with other values in the place of its own.
+    Source with(const Axes& axes) const {
         Source scene = source_;
         for (auto place = places_.rbegin(); place != places_.rend(); ++place) {
-            const Rational& value = renewed[place->axis].at(place->value);
-            const std::string text =
-                value.get_den() == 1 ? value.get_str() : fmt::format("\"{}\"", value.get_str());
-            scene.text.replace(place->begin, place->end - place->begin, text);
+            const auto& typed = values_[place->axis];
+            const auto i =
+                static_cast<std::size_t>(std::distance(typed.begin(), typed.find(place->value)));
+            const std::string value = axes[place->axis][i].get_str();
+            scene.text.replace(place->begin, place->end - place->begin,
+                               value.find('/') == std::string::npos ? value
+                                                                    : fmt::format("\"{}\"", value));
         }
         return scene;
     }
