@@ -56,8 +56,8 @@ public:
 
     Diagnosis found() {
         Diagnosis diagnosis;
-        const Tried as_asked = try_one({}, all_, DrawnIn::fractions);
-        diagnosis.differing = as_asked.unexplained;
+        for (const HeldAgainst& held : asked_)
+            diagnosis.differing += static_cast<std::uint64_t>(std::ranges::count(held.wrong, true));
         for (const DrawnPair& pair : pairs_)
             diagnosis.between += pair.seen.between;
         if (diagnosis.is_as_asked()) {

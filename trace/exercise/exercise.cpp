@@ -53,11 +53,11 @@ struct Drawn {
     Trace trace;
 };
 
-std::optional<Drawn> drawn(const Source& source) {
+Result<Drawn> drawn(const Source& source) {
     constexpr std::size_t most_steps = 20'000;
     auto read = read_scene(source, {{"scalar", "exact"}});
     if (!read)
-        return std::nullopt;
+        return read.problem();
     Trace trace = drawn_trace(read.value().scene, read.value().plan, source.name, most_steps);
     return Drawn{std::move(read.value().scene), std::move(trace)};
 }
@@ -102,20 +102,19 @@ Answers answers_in(const Trace& trace) {
 class ExerciseMaker::Redrawing {
 public:
     explicit Redrawing(const Source& scene) : source_(scene) {
-        auto read = read_scene(scene, {{"scalar", "exact"}});
-        if (!read)
-            throw read.problem();
         const auto asked = drawn(scene);
-        canvas_ = asked->scene.canvas;
-        is_projected_ = asked->scene.projection.type != ProjectionType::none ||
-                        asked->scene.camera || !asked->scene.objects.empty() ||
-                        asked->scene.viewport.type != ViewportType::none;
-        facts_ = facts_of(asked->trace);
+        if (!asked)
+            throw asked.problem();
+        const auto& [as_typed, trace] = asked.value();
+        canvas_ = as_typed.canvas;
+        is_projected_ = as_typed.projection.type != ProjectionType::none || as_typed.camera ||
+                        !as_typed.objects.empty() || as_typed.viewport.type != ViewportType::none;
+        facts_ = facts_of(trace);
         find_places();
 
         // Slips that give the same answers in all of some scenes are the same.
         constexpr std::size_t enough = 12;
-        std::vector<Answers> all{answers_in(asked->trace)};
+        std::vector<Answers> all{answers_in(trace)};
         RandomNumbers random("slips");
         Axes axes = typed_values();
         for (int tries = most_tries; tries > 0 && all.size() <= enough;)
@@ -161,7 +160,7 @@ private:
     std::optional<std::pair<Source, Answers>> next_alike(RandomNumbers& random, int& tries,
                                                          Axes& axes) {
         std::size_t changes = 2 * (values_[0].size() + values_[1].size() + values_[2].size());
-        std::optional<Drawn> last;
+        std::optional<Trace> last;
         Source scene;
         while (tries-- > 0 && changes > 0) {
             Axes changed = axes;
@@ -169,16 +168,16 @@ private:
                 continue;
             Source one = with(changed);
             auto tried = drawn(one);
-            if (!tried || has_other_facts(facts_of(tried->trace)))
+            if (!tried || has_other_facts(facts_of(tried.value().trace)))
                 continue;
             axes = std::move(changed);
             scene = std::move(one);
-            last = std::move(tried);
+            last = std::move(tried.value().trace);
             --changes;
         }
         if (!last || scene.text == source_.text)
             return std::nullopt;
-        return std::pair(std::move(scene), answers_in(last->trace));
+        return std::pair(std::move(scene), answers_in(*last));
     }
 
     Axes typed_values() const {
