@@ -18,7 +18,7 @@ namespace rastertrace {
 
 namespace {
 
-constexpr std::array<std::string_view, 4> names{"table", "markdown", "csv", "json"};
+constexpr std::array<std::string_view, 4> table_formats{"table", "markdown", "csv", "json"};
 
 /// A value as a text; a list as (1, 2), one of lists as ((1, 2), (3, 4)).
 std::string text_of(std::string_view json) {
@@ -47,11 +47,11 @@ std::string in_markdown(const std::string& text) {
 } // namespace
 
 std::vector<std::string_view> table_format_names() {
-    return {names.begin(), names.end()};
+    return {table_formats.begin(), table_formats.end()};
 }
 
 std::optional<TableFormat> table_format_named(std::string_view name) {
-    return value_named<TableFormat>(names, name);
+    return value_named<TableFormat>(table_formats, name);
 }
 
 bool is_told_as_table(StepKind kind) {
