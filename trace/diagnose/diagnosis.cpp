@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "diagnosis.h"
 
-#include "in_threads.h"
 #include "tell_apart.h"
 
 #include <rastertrace/trace/scene/scene_file.h>
+#include <rastertrace/trace/text/in_threads.h>
 
 #include <algorithm>
 #include <limits>

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "tell_apart.h"
 
-#include "in_threads.h"
-
 #include <rastertrace/trace/fuzz/shrink.h>
 #include <rastertrace/trace/scene/scene_file.h>
+#include <rastertrace/trace/text/in_threads.h>
 
 #include <algorithm>
 #include <array>

@@ -10,6 +10,7 @@
 #include <rastertrace/trace/record/trace.h>
 #include <rastertrace/trace/scene/scene_file.h>
 #include <rastertrace/trace/text/json_document.h>
+#include <rastertrace/trace/text/text.h>
 
 #include <fmt/core.h>
 
@@ -27,6 +28,8 @@ namespace rastertrace {
 
 namespace {
 
+constexpr std::string_view exercise_line_begin = "# exercise ";
+
 /// Random numbers that are the same everywhere: SplitMix64 (Steele, Lea and Flood 2014), from the FNV-1a hash of an ID.
 class RandomNumbers {
 public:
@@ -41,6 +44,11 @@ public:
         z = (z ^ (z >> 30U)) * 0xBF58476D1CE4E5B9;
         z = (z ^ (z >> 27U)) * 0x94D049BB133111EB;
         return (z ^ (z >> 31U)) % count;
+    }
+
+    /// Both included.
+    Index between(Index first, Index last) {
+        return first + static_cast<Index>(below(static_cast<std::uint64_t>(last - first) + 1));
     }
 
 private:
@@ -113,7 +121,7 @@ public:
         find_places();
 
         // Slips that give the same answers in all of some scenes are the same.
-        constexpr std::size_t enough = 12;
+        constexpr std::size_t enough = 6;
         std::vector<Answers> all{answers_in(trace)};
         RandomNumbers random("slips");
         Axes axes = typed_values();
@@ -155,11 +163,11 @@ private:
     /// A scene as it stands while numbers are changed: the values of each axis, ascending.
     using Axes = std::array<std::vector<Rational>, 3>;
 
-    /// The next scene with the facts of this one, and what slips make of it: after twice as many changes as there are
-    /// values, each of which keeps the facts. `nullopt` when there are no tries left.
+    /// The next scene with the facts of this one, and what slips make of it: after as many changes as there are values,
+    /// each of which keeps the facts. `nullopt` when there are no tries left.
     std::optional<std::pair<Source, Answers>> next_alike(RandomNumbers& random, int& tries,
                                                          Axes& axes) {
-        std::size_t changes = 2 * (values_[0].size() + values_[1].size() + values_[2].size());
+        std::size_t changes = values_[0].size() + values_[1].size() + values_[2].size();
         std::optional<Trace> last;
         Source scene;
         while (tries-- > 0 && changes > 0) {
@@ -201,12 +209,12 @@ private:
             const Rational unit = *std::ranges::max_element(units);
             const Index down = ceil_index(Rational((low - values.front()) / unit));
             const Index up = floor_index(Rational((high - values.back()) / unit));
-            const Rational by = (down + static_cast<Index>(random.below(static_cast<std::uint64_t>(
-                                            std::max<Index>(up - down, 0) + 1)))) *
-                                unit;
+            if (up < down)
+                return false;
+            const Rational by = random.between(down, up) * unit;
             for (Rational& value : values)
                 value += by;
-            return by != 0 && up >= down;
+            return by != 0;
         }
         const auto i = static_cast<std::size_t>(random.below(values.size()));
         const Rational& unit = units[i];
@@ -217,9 +225,7 @@ private:
         if (last < first)
             return false;
         const Rational before = values[i];
-        values[i] = (first + static_cast<Index>(
-                                 random.below(static_cast<std::uint64_t>(last - first + 1)))) *
-                    unit;
+        values[i] = random.between(first, last) * unit;
         return values[i] != before;
     }
 
@@ -364,7 +370,28 @@ Result<std::string> exercise_id(std::string_view typed) {
     return fmt::format("{}:{}", exercise_version, seed);
 }
 
+std::string exercise_line(std::string_view id) {
+    return fmt::format("{}{}\n", exercise_line_begin, id);
+}
+
+Result<std::string> exercise_of_sheet(const Source& sheet) {
+    for (const std::string& line : split_at(sheet.view(), '\n'))
+        if (line.starts_with(exercise_line_begin)) {
+            std::string_view typed = line;
+            typed.remove_prefix(exercise_line_begin.size());
+            while (!typed.empty() && (typed.back() == '\r' || typed.back() == ' '))
+                typed.remove_suffix(1);
+            auto id = exercise_id(typed);
+            if (!id)
+                return problem_of(sheet.name, id.problem().message);
+            return id;
+        }
+    return problem_of(
+        sheet.name, "expected a line that names the exercise, as `# exercise 1:anna`, found none");
+}
+
 ExerciseMaker::ExerciseMaker(const Source& scene) : like_(std::make_unique<Redrawing>(scene)) {}
+ExerciseMaker::ExerciseMaker(ExerciseMaker&&) noexcept = default;
 ExerciseMaker::~ExerciseMaker() = default;
 
 Exercise ExerciseMaker::exercise(std::string_view id) {

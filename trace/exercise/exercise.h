@@ -23,6 +23,12 @@ inline constexpr int exercise_version = 1;
 /// characters, or of a version that there is not.
 Result<std::string> exercise_id(std::string_view typed);
 
+/// The line of a sheet that names its exercise: "# exercise 1:anna\n".
+std::string exercise_line(std::string_view id);
+
+/// The ID that such a line of a sheet has.
+Result<std::string> exercise_of_sheet(const Source& sheet);
+
 struct Exercise {
     std::string id{};
     Source scene{};
@@ -38,6 +44,7 @@ public:
     /// Throws a Problem if the scene cannot be drawn, if it has no vertices of its own, or if no other numbers have its
     /// facts, and says then which fact changed most often.
     explicit ExerciseMaker(const Source& scene);
+    ExerciseMaker(ExerciseMaker&&) noexcept;
     ~ExerciseMaker();
 
     /// Throws a Problem if no numbers are found with which each slip gives an answer of its own.

@@ -1,17 +1,24 @@
 // SPDX-License-Identifier: MIT
 // `rastertrace check`: claims held against a scene or a trace.
 
+#include "check_class.h"
 #include "check_report.h"
+#include "claims_checker.h"
 #include "command.h"
 #include "commands.h"
+#include "exercise_options.h"
+#include "figure_file.h"
 #include "load.h"
 #include "option_values.h"
 #include "shared_options.h"
 
+#include <rastertrace/trace/text/output.h>
+#include <rastertrace/trace/text/text.h>
+
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <map>
+#include <array>
 #include <memory>
 #include <optional>
 #include <string>
@@ -23,51 +30,21 @@ namespace rastertrace {
 
 namespace {
 
-/// Checks files of claims, one after the other.
-class ClaimsChecker {
-public:
-    explicit ClaimsChecker(const CheckCommand& command)
-        : options_{.method = command.method, .limits = command.input, .frames = command.frames} {}
+SceneOptions options_of(const CheckCommand& command) {
+    return {.method = command.method, .limits = command.input, .frames = command.frames};
+}
 
-    /// All claims are about this scene or trace, whatever scene they name.
-    void hold_against(Source source) { given_.emplace(truth_in(std::move(source), options_)); }
+/// Pictures of a class's slips.
+constexpr std::array<Ending<FigureFormat>, 2> chart_endings{
+    {{".svg", FigureFormat::svg}, {".png", FigureFormat::png}}};
 
-    /// What the claims were held against is damaged, or sound.
-    ExitStatus report() const { return given_ ? report_damage(given_->decided()) : exit_fine; }
-
-    /// Throws a Problem if the file is none of claims, or its scene cannot be drawn.
-    CheckedFile check(const std::string& path) {
-        return check(load_scene_trace_or_claims(path, options_.limits));
-    }
-    CheckedFile check(Source source) {
-        CheckedFile file{.name = source.name};
-        file.claims = value_or_throw(read_claims(std::move(source)));
-        if (file.claims.claims.empty())
-            throw problem_of(file.name, "expected claims, found none",
-                             "rastertrace sheet SCENE writes a sheet to fill in");
-        file.checked = rastertrace::check(truth_for(file.claims), file.claims);
-        return file;
-    }
-
-private:
-    const Truth& truth_for(const Claims& claims) {
-        if (given_)
-            return *given_;
-        const std::string path = path_of_scene(claims);
-        const auto known = by_path_.find(path);
-        if (known != by_path_.end())
-            return known->second;
-        Source scene = load_scene_of_claims(path, options_.limits);
-        return by_path_.emplace(path, truth_in(std::move(scene), options_)).first->second;
-    }
-
-    SceneOptions options_;
-    std::optional<Truth> given_;
-    std::map<std::string, Truth> by_path_; ///< of the scenes that claims have named
-};
+FigureFormat chart_format(const std::string& path) {
+    return format_by_ending<FigureFormat>(path, chart_endings).value_or(FigureFormat::svg);
+}
 
 /// Checks each file of a pile. One that cannot be read is told, and the others go on.
-std::vector<CheckedFile> check_pile(ClaimsChecker& checker, std::optional<Source> first,
+std::vector<CheckedFile> check_pile(const CheckCommand& command, ClaimsChecker& checker,
+                                    std::optional<Source> first,
                                     const std::vector<std::string>& paths) {
     std::vector<CheckedFile> files;
     const auto add = [&files](const std::string& name, auto&& check_file) {
@@ -85,7 +62,7 @@ std::vector<CheckedFile> check_pile(ClaimsChecker& checker, std::optional<Source
         add(name, [&] { return checker.check(std::move(*first)); });
     }
     for (const std::string& path : paths)
-        add(path, [&] { return checker.check(path); });
+        add(path, [&] { return checker.check(load_scene_trace_or_claims(path, command.input)); });
     return files;
 }
 
@@ -95,32 +72,103 @@ std::string report_of(const CheckCommand& command, const std::vector<CheckedFile
         return check_json(files, command.told);
     case CheckFormat::junit:
         return check_junit(files, command.told);
-    case CheckFormat::csv:
-        return check_csv(files, command.told);
+    case CheckFormat::csv: {
+        std::vector<SheetMark> marks;
+        for (const CheckedFile& file : files)
+            marks.push_back(mark_of(file));
+        return check_csv(marks, command.told);
+    }
+    case CheckFormat::markdown:
+        return check_markdown(files, command.told);
+    case CheckFormat::gradescope:
+        return check_gradescope(files, command.told, command.visibility);
+    case CheckFormat::prairielearn:
+        return check_prairielearn(files, command.told);
     case CheckFormat::text:
         break;
     }
     return check_text(files, command.told);
 }
 
+/// A system that takes marks gets them even where a sheet cannot be checked.
+bool has_marks(CheckFormat format) {
+    return format == CheckFormat::gradescope || format == CheckFormat::prairielearn;
+}
+
+ExitStatus status_of(std::size_t problems, std::size_t wrong) {
+    return problems > 0 ? exit_bad_input : wrong > 0 ? exit_difference : exit_fine;
+}
+
 ExitStatus status_of(const std::vector<CheckedFile>& files) {
-    if (std::any_of(files.begin(), files.end(),
-                    [](const CheckedFile& file) { return file.problem.has_value(); }))
-        return exit_bad_input;
-    return std::any_of(
-               files.begin(), files.end(),
-               [](const CheckedFile& file) { return file.checked.wrong + file.checked.follow > 0; })
-               ? exit_difference
-               : exit_fine;
+    std::size_t problems = 0;
+    std::size_t wrong = 0;
+    for (const CheckedFile& file : files) {
+        problems += file.problem ? 1 : 0;
+        wrong += file.checked.wrong + file.checked.follow;
+    }
+    return status_of(problems, wrong);
+}
+
+ExitStatus run_class(const CheckCommand& command) {
+    const std::optional<Source> scene =
+        command.files.empty()
+            ? std::nullopt
+            : std::optional(load_scene_trace_or_claims(command.files.front(), command.input));
+    const ClassMarks marks = mark_class(command.class_folder, [&] {
+        ClaimsChecker checker(options_of(command));
+        if (scene)
+            checker.hold_against(*scene);
+        if (command.exercises_like)
+            checker.hold_against_exercises_like(*command.exercises_like);
+        return checker;
+    });
+    std::size_t problems = marks.duplicates.size();
+    std::size_t wrong = 0;
+    for (const SheetMark& sheet : marks.sheets) {
+        wrong += sheet.counts.wrong + sheet.counts.follow;
+        if (!sheet.problem)
+            continue;
+        ++problems;
+        print_error(fmt::format("rastertrace: {}\n", to_text(*sheet.problem)));
+    }
+    for (const std::string& duplicate : marks.duplicates)
+        print_error(fmt::format("rastertrace: {}: expected one sheet of a student, found {}\n",
+                                printable(command.class_folder), duplicate));
+    print(command.format == CheckFormat::csv ? check_csv(marks.sheets, command.told)
+                                             : class_text(marks));
+    if (!command.chart.empty())
+        write_file(command.chart,
+                   figure_in(chart_format(command.chart), slip_chart(marks.sheets), {}));
+    return status_of(problems, wrong);
+}
+
+/// Checks the claims in `first`, if there are any, and in the files; prints what is found.
+ExitStatus tell(const CheckCommand& command, ClaimsChecker& checker, std::optional<Source> first,
+                const std::vector<std::string>& paths) {
+    std::vector<CheckedFile> files;
+    if (!has_marks(command.format) && paths.size() + (first ? 1U : 0U) == 1)
+        files.push_back(checker.check(
+            first ? *std::move(first) : load_scene_trace_or_claims(paths.front(), command.input)));
+    else
+        files = check_pile(command, checker, std::move(first), paths);
+    print(report_of(command, files));
+    const ExitStatus damage = checker.report();
+    return damage == exit_fine ? status_of(files) : damage;
 }
 
 } // namespace
 
 int run(const CheckCommand& command) {
+    if (!command.class_folder.empty())
+        return run_class(command);
+    ClaimsChecker checker(options_of(command));
+    if (command.exercises_like) {
+        checker.hold_against_exercises_like(*command.exercises_like);
+        return tell(command, checker, std::nullopt, command.files);
+    }
     Source first = load_scene_trace_or_claims(command.files.front(), command.input);
 
     // The scene comes first, or the claims say which one it is.
-    ClaimsChecker checker(command);
     std::vector<std::string> rest(command.files.begin() + 1, command.files.end());
     const bool is_scene_named = is_claims(first);
     const std::string first_name = first.name;
@@ -133,14 +181,7 @@ int run(const CheckCommand& command) {
         throw problem_of(first_name, "expected claims behind the scene, found none",
                          "rastertrace sheet SCENE writes a sheet to fill in");
 
-    std::vector<CheckedFile> files;
-    if (command.files.size() == (is_scene_named ? 1U : 2U))
-        files.push_back(claims ? checker.check(std::move(*claims)) : checker.check(rest.front()));
-    else
-        files = check_pile(checker, std::move(claims), rest);
-    print(report_of(command, files));
-    const ExitStatus damage = checker.report();
-    return damage == exit_fine ? status_of(files) : damage;
+    return tell(command, checker, std::move(claims), rest);
 }
 
 namespace {
@@ -157,13 +198,23 @@ public:
     }
 
     void add_to(OptionList& options) override {
-        options
-            .option("file", command_.files,
-                    "A scene or a trace, then files of claims; or only claims that name their "
-                    "scenes; - for standard input",
-                    "[SCENE] CLAIMS")
-            .required();
-        options.option("--format", format_, "text, json, junit, or csv: one line for each file",
+        options.option("file", command_.files,
+                       "A scene or a trace, then files of claims; or only claims that name their "
+                       "scenes; - for standard input",
+                       "[SCENE] CLAIMS");
+        options.option("--class", command_.class_folder,
+                       "The sheets of a class: a file, or a folder with one, for each student",
+                       "FOLDER");
+        options.option("-o", command_.chart,
+                       "With --class: the most likely slips as bars, in an .svg or .png", "FILE");
+        exercises_.add_to(options, false);
+        options.option("--format", format_,
+                       "text, json, junit, markdown, gradescope, prairielearn, or csv: one line "
+                       "for each file",
+                       "NAME");
+        options.option("--visibility", visibility_,
+                       "With --format gradescope: visible, after_due_date, after_published or "
+                       "hidden; visible if not given",
                        "NAME");
         options.flag("--json", is_json_, "Short for --format json");
         OptionList told = options.one_of("Answers", "How much is given away");
@@ -195,6 +246,13 @@ public:
             command_.told =
                 value_of<int>("--hint", *hint_, levels) == 1 ? CheckTold::formula : CheckTold::rule;
         drawing_.read_into(command_);
+        exercises_.read();
+        if (exercises_.are_given())
+            command_.exercises_like = exercises_.scene();
+        if (command_.class_folder.empty())
+            read_without_class();
+        else
+            read_class();
     }
 
     int run() override { return rastertrace::run(command_); }
@@ -205,13 +263,42 @@ private:
             refuse_value("--json", "no --format beside it", format_);
         if (is_json_)
             format_ = "json";
-        const std::vector<std::string_view> names{"text", "json", "junit", "csv"};
+        const std::vector<std::string_view> names{"text",     "json",       "junit",       "csv",
+                                                  "markdown", "gradescope", "prairielearn"};
         command_.format =
             value_of<CheckFormat>("--format", format_, names).value_or(CheckFormat::text);
+        if (!visibility_.empty() && command_.format != CheckFormat::gradescope)
+            refuse_value("--visibility", "--format gradescope beside it", format_);
+        const std::vector<std::string_view> visibilities{"visible", "after_due_date",
+                                                         "after_published", "hidden"};
+        command_.visibility =
+            visibilities[value_of<std::size_t>("--visibility", visibility_, visibilities)
+                             .value_or(0)];
+    }
+
+    void read_without_class() const {
+        if (command_.files.empty())
+            throw problem_of("", "check: expected a file of claims, or --class FOLDER, found none");
+        if (!command_.chart.empty())
+            throw problem_of("", "-o: expected --class FOLDER as well, found none");
+    }
+
+    void read_class() const {
+        if (command_.format != CheckFormat::text && command_.format != CheckFormat::csv)
+            refuse_value("--format", "text or csv beside --class", format_);
+        if (command_.told != CheckTold::answers)
+            throw problem_of("", "--class: expected neither --hint nor --no-answers beside it");
+        if (command_.files.size() > (exercises_.are_given() ? 0U : 1U))
+            refuse_value("--class", "at most a scene beside it, of no exercises",
+                         command_.files.back());
+        if (!command_.chart.empty())
+            chart_format(command_.chart);
     }
 
     CheckCommand command_;
+    ExerciseOptions exercises_;
     std::string format_;
+    std::string visibility_;
     bool is_json_ = false;
     bool has_answers_ = false;
     bool has_no_answers_ = false;

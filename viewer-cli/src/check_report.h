@@ -43,14 +43,37 @@ struct CheckedFile {
 /// right, wrong, follows, open
 std::string_view name_of(ClaimVerdict verdict);
 
+/// The same, with less than the answers only `wrong` for what follows from a wrong number.
+std::string_view verdict_of(const CheckedClaim& claim, CheckTold told);
+
+/// Of 1: what goes on rightly from a wrong number loses nothing more.
+int points_of(ClaimVerdict verdict);
+
 /// True of the fields, and of the claims, that are not as claimed.
 bool is_wrong(ClaimVerdict verdict);
 
 /// "12 right, 3 wrong, 2 that follow, 4 open"
 std::string counts_text(const Checked& checked);
 
-/// The slip that explains most of the wrong fields of a file, or "".
-std::string most_likely_slip(const Checked& checked);
+/// What is left of a sheet when it is marked: a class of them takes little memory.
+struct SheetMark {
+    std::string name;
+    std::string exercise = {};        ///< its ID; empty: the sheet is about no exercise
+    Checked counts = {};              ///< without claims
+    std::vector<std::string> slips{}; ///< the one that explains most of the wrong fields first
+    std::optional<Problem> problem = {};
+};
+
+SheetMark mark_of(const CheckedFile& file);
+
+/// "anna.txt: 12 right, 3 wrong; most likely truncate-for-floor\n"
+std::string mark_in_words(const SheetMark& mark, CheckTold told);
+
+/// "anna.txt:3: y=2: 0, 25/8"
+std::string place_of(const CheckedFile& file, const CheckedClaim& claim);
+
+/// What there is to be said of a claim besides its verdict, as much as is to be told: lines, or "".
+std::string about_claim(const CheckedFile& file, const CheckedClaim& claim, CheckTold told);
 
 /// The wrong claims of one file with everything about them; of several files one line each. With less than the
 /// answers: which claims are right. The same choice in all formats; the rule and the formula are told in text and JSON.
@@ -62,7 +85,17 @@ std::string check_json(const std::vector<CheckedFile>& files, CheckTold told);
 /// JUnit's XML, as programs that run tests show it.
 std::string check_junit(const std::vector<CheckedFile>& files, CheckTold told);
 
-/// A line for each file: RFC 4180.
-std::string check_csv(const std::vector<CheckedFile>& files, CheckTold told);
+/// A line for each file: RFC 4180. With a column for exercises, if any has one.
+std::string check_csv(const std::vector<SheetMark>& marks, CheckTold told);
+
+/// A table for each file, and what is wrong behind it.
+std::string check_markdown(const std::vector<CheckedFile>& files, CheckTold told);
+
+/// results.json of Gradescope; `visibility` is one of its own: visible, after_due_date, after_published, hidden.
+std::string check_gradescope(const std::vector<CheckedFile>& files, CheckTold told,
+                             std::string_view visibility);
+
+/// results.json of PrairieLearn.
+std::string check_prairielearn(const std::vector<CheckedFile>& files, CheckTold told);
 
 } // namespace rastertrace

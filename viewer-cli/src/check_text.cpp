@@ -74,19 +74,20 @@ std::string indented(const std::vector<std::string>& lines, std::string_view ind
     return text;
 }
 
-std::string place_of(const CheckedFile& file, const CheckedClaim& claim) {
-    return fmt::format("{}:{}: {}", printable(file.name), file.claim_of(claim).line,
-                       shown(file.claim_of(claim).text));
+/// What of a claim is wrong, and which slips are likely.
+std::string differences(const CheckedFile& file, const CheckedClaim& claim) {
+    std::string text;
+    for (const CheckedField& field : claim.fields)
+        if (is_wrong(field.verdict))
+            text += field_line(file, field, file.claim_of(claim).line);
+    return text + slip_lines(claim) + indented(claim.remarks, "    ") +
+           indented(claim.picture, "    ");
 }
 
 /// A claim that is wrong, and why. What has been worked out for another claim is not written out again.
 std::string wrong_claim(const CheckedFile& file, const CheckedClaim& claim,
                         std::map<std::vector<std::string>, std::size_t>& line_of_working) {
-    std::string text = place_of(file, claim) + "\n";
-    for (const CheckedField& field : claim.fields)
-        if (is_wrong(field.verdict))
-            text += field_line(file, field, file.claim_of(claim).line);
-    text += slip_lines(claim) + indented(claim.remarks, "    ") + indented(claim.picture, "    ");
+    const std::string text = place_of(file, claim) + "\n" + differences(file, claim);
     const auto [known, is_new] =
         line_of_working.try_emplace(claim.working, file.claim_of(claim).line);
     if (!is_new && !claim.working.empty())
@@ -95,14 +96,13 @@ std::string wrong_claim(const CheckedFile& file, const CheckedClaim& claim,
 }
 
 /// What there is to be said of a claim that is right or open; most have nothing.
-std::string remarks_on(const CheckedFile& file, const CheckedClaim& claim) {
+std::string remarks_in(const CheckedFile& file, const CheckedClaim& claim) {
     std::string text;
     for (const CheckedField& field : claim.fields)
         if (!field.remark.empty())
             text += fmt::format("    {}: {}, {}\n", file.in_words(field.name),
                                 name_of(field.verdict), printable(field.remark));
-    text += indented(claim.remarks, "    ");
-    return text.empty() ? "" : place_of(file, claim) + "\n" + text;
+    return text + indented(claim.remarks, "    ");
 }
 
 /// Where a claim is wrong, by which rule, and perhaps by which formula; no number that is right.
@@ -129,13 +129,12 @@ std::string text_of_one(const CheckedFile& file, CheckTold told) {
     std::map<std::vector<std::string>, std::size_t> line_of_working;
     for (const CheckedClaim& claim : file.checked.claims) {
         if (told != CheckTold::answers)
-            text += fmt::format("{}: {}\n", place_of(file, claim),
-                                is_wrong(claim.verdict) ? "wrong" : name_of(claim.verdict)) +
+            text += fmt::format("{}: {}\n", place_of(file, claim), verdict_of(claim, told)) +
                     hints(file, claim, told);
         else if (is_wrong(claim.verdict))
             text += wrong_claim(file, claim, line_of_working);
-        else
-            text += remarks_on(file, claim);
+        else if (const std::string remarks = remarks_in(file, claim); !remarks.empty())
+            text += place_of(file, claim) + "\n" + remarks;
     }
     if (file.claims.not_judged > 0)
         text += fmt::format("{}: lines of pictures and workings, which are not judged: {}\n",
@@ -146,15 +145,31 @@ std::string text_of_one(const CheckedFile& file, CheckTold told) {
     return text + (text.empty() ? "" : "\n") + counts_text(file.checked) + "\n";
 }
 
-std::string line_of_pile(const CheckedFile& file, CheckTold told) {
-    if (file.problem)
-        return fmt::format("{}: could not be checked\n", printable(file.name));
-    const std::string slip = told == CheckTold::answers ? most_likely_slip(file.checked) : "";
-    return fmt::format("{}: {}{}\n", printable(file.name), counts_text(file.checked),
-                       slip.empty() ? "" : "; most likely " + slip);
+} // namespace
+
+std::string place_of(const CheckedFile& file, const CheckedClaim& claim) {
+    return fmt::format("{}:{}: {}", printable(file.name), file.claim_of(claim).line,
+                       shown(file.claim_of(claim).text));
 }
 
-} // namespace
+std::string about_claim(const CheckedFile& file, const CheckedClaim& claim, CheckTold told) {
+    if (told != CheckTold::answers)
+        return hints(file, claim, told);
+    return is_wrong(claim.verdict) ? differences(file, claim) + indented(claim.working, "        ")
+                                   : remarks_in(file, claim);
+}
+
+std::string mark_in_words(const SheetMark& mark, CheckTold told) {
+    std::string text = printable(mark.name);
+    if (!mark.exercise.empty())
+        text += fmt::format(" (exercise {})", printable(mark.exercise));
+    if (mark.problem)
+        return text + ": could not be checked\n";
+    return fmt::format("{}: {}{}\n", text, counts_text(mark.counts),
+                       told == CheckTold::answers && !mark.slips.empty()
+                           ? "; most likely " + mark.slips.front()
+                           : "");
+}
 
 std::string CheckedFile::difference(const CheckedField& field, std::string_view expected,
                                     std::string_view found) const {
@@ -182,6 +197,14 @@ std::string_view name_of(ClaimVerdict verdict) {
     return "open";
 }
 
+std::string_view verdict_of(const CheckedClaim& claim, CheckTold told) {
+    return told != CheckTold::answers && is_wrong(claim.verdict) ? "wrong" : name_of(claim.verdict);
+}
+
+int points_of(ClaimVerdict verdict) {
+    return verdict == ClaimVerdict::right || verdict == ClaimVerdict::follows ? 1 : 0;
+}
+
 bool is_wrong(ClaimVerdict verdict) {
     return verdict == ClaimVerdict::wrong || verdict == ClaimVerdict::follows;
 }
@@ -195,8 +218,16 @@ std::string counts_text(const Checked& checked) {
     return text;
 }
 
-std::string most_likely_slip(const Checked& checked) {
-    // By name, in the order in which the fields rank them: of equals, the first one stays.
+SheetMark mark_of(const CheckedFile& file) {
+    const Checked& checked = file.checked;
+    SheetMark mark{.name = file.name,
+                   .counts = {.right = checked.right,
+                              .wrong = checked.wrong,
+                              .follow = checked.follow,
+                              .open = checked.open,
+                              .claims = {}},
+                   .problem = file.problem};
+    // By name, in the order in which the fields rank them: of equals, the first one stays first.
     std::vector<std::pair<std::string, std::size_t>> explained;
     for (const CheckedClaim& claim : checked.claims)
         for (const CheckedField& field : claim.fields)
@@ -209,10 +240,11 @@ std::string most_likely_slip(const Checked& checked) {
                 else
                     ++known->second;
             }
-    const auto most =
-        std::max_element(explained.begin(), explained.end(),
-                         [](const auto& a, const auto& b) { return a.second < b.second; });
-    return most == explained.end() ? "" : most->first;
+    std::stable_sort(explained.begin(), explained.end(),
+                     [](const auto& a, const auto& b) { return a.second > b.second; });
+    for (auto& [name, count] : explained)
+        mark.slips.push_back(std::move(name));
+    return mark;
 }
 
 std::string check_text(const std::vector<CheckedFile>& files, CheckTold told) {
@@ -220,7 +252,7 @@ std::string check_text(const std::vector<CheckedFile>& files, CheckTold told) {
         return text_of_one(files.front(), told);
     std::string text;
     for (const CheckedFile& file : files)
-        text += line_of_pile(file, told);
+        text += mark_in_words(mark_of(file), told);
     return text;
 }
 

@@ -3,6 +3,7 @@
 
 #include "explain_text.h"
 #include "load.h"
+#include "markdown.h"
 
 #include <rastertrace/figures/png.h>
 #include <rastertrace/figures/svg.h>
@@ -27,17 +28,18 @@ namespace {
 constexpr Color of_a(200, 40, 40);
 constexpr Color of_b(30, 130, 60);
 
-constexpr Color drawn(60, 60, 60);
-constexpr Color empty(255, 255, 255);
+constexpr Color drawn_gray(60, 60, 60);
+constexpr Color not_drawn(255, 255, 255);
 
 /// What the marks of a picture look like (see PictureDifference): in a, in b, and where they are shown together.
 struct MarkRow {
     char mark;
     std::array<Color, 3> colors;
 };
-constexpr std::array marks{MarkRow{'#', {drawn, drawn, Color(150, 150, 150)}},
-                           MarkRow{'!', {drawn, empty, of_a}}, MarkRow{'?', {empty, drawn, of_b}},
-                           MarkRow{'~', {drawn, drawn, Color(200, 120, 0)}}};
+constexpr std::array mark_rows{MarkRow{'#', {drawn_gray, drawn_gray, Color(150, 150, 150)}},
+                               MarkRow{'!', {drawn_gray, not_drawn, of_a}},
+                               MarkRow{'?', {not_drawn, drawn_gray, of_b}},
+                               MarkRow{'~', {drawn_gray, drawn_gray, Color(200, 120, 0)}}};
 
 /// `8 steps differ, 4 pixels differ`
 std::string summary(const TraceDiff& found) {
@@ -60,15 +62,15 @@ Bitmap bitmap_of_part(const PictureDifference& picture, std::size_t shown) {
     const std::size_t columns = picture.rows.front().size();
     Bitmap bitmap{.width = columns * side,
                   .height = rows * side,
-                  .colors = std::vector<Color>(columns * side * rows * side, empty)};
+                  .colors = std::vector<Color>(columns * side * rows * side, not_drawn)};
     for (std::size_t y = 0; y < bitmap.height; ++y)
         for (std::size_t x = 0; x < bitmap.width; ++x) {
             const bool is_line = x % side == 0 || y % side == 0;
             const char mark = picture.rows[y / side][x / side];
-            const auto row = std::ranges::find(marks, mark, &MarkRow::mark);
-            bitmap.colors[y * bitmap.width + x] = is_line              ? Color(225, 225, 225)
-                                                  : row == marks.end() ? empty
-                                                                       : row->colors[shown];
+            const auto row = std::ranges::find(mark_rows, mark, &MarkRow::mark);
+            bitmap.colors[y * bitmap.width + x] = is_line                  ? Color(225, 225, 225)
+                                                  : row == mark_rows.end() ? not_drawn
+                                                                           : row->colors[shown];
         }
     return bitmap;
 }
@@ -86,14 +88,6 @@ std::string pictures_markdown(const PictureDifference& picture,
         "| ![a]({0}/a.png) | ![b]({0}/b.png) | ![difference]({0}/difference.png) |\n\n"
         "Gray: in both; red: only in a; green: only in b; orange: in both, but otherwise.\n",
         path);
-}
-
-/// A fence longer than any run of backticks in the text.
-std::string fenced(const std::string& text) {
-    std::string fence = "```";
-    while (text.find(fence) != std::string::npos)
-        fence += '`';
-    return fence + "\n" + text + fence + "\n";
 }
 
 } // namespace
@@ -156,8 +150,8 @@ std::string diff_in_color(const std::string& text, ColorDepth colors) {
             colored += styled(line, {.foreground = line.front() == 'a' ? of_a : of_b}, colors);
         } else if (is_picture && line.find("x = ") == std::string::npos) {
             for (const char c : line) {
-                const auto row = std::ranges::find(marks, c, &MarkRow::mark);
-                const bool is_marked = row != marks.end() && c != '#';
+                const auto row = std::ranges::find(mark_rows, c, &MarkRow::mark);
+                const bool is_marked = row != mark_rows.end() && c != '#';
                 colored += is_marked ? styled(std::string(1, c), {.foreground = row->colors.back()},
                                               colors)
                                      : std::string(1, c);

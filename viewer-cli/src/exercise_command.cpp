@@ -2,6 +2,7 @@
 // `rastertrace exercise`: scenes like one of a course, with other numbers.
 
 #include "command.h"
+#include "exercise_options.h"
 #include "figure_file.h"
 #include "load.h"
 #include "option_values.h"
@@ -9,7 +10,6 @@
 
 #include <rastertrace/trace/check/claims_template.h>
 #include <rastertrace/trace/exercise/exercise.h>
-#include <rastertrace/trace/exercise/exercise_kinds.h>
 #include <rastertrace/trace/text/output.h>
 #include <rastertrace/trace/text/text.h>
 
@@ -48,9 +48,7 @@ public:
     }
 
     void add_to(OptionList& options) override {
-        OptionList model = options.one_of("What it is to be like", "One of these", true);
-        model.option("--like", like_, "A scene", "SCENE");
-        model.option("--kind", kind_, "A scene of ours, out of " + kinds_in_words(), "NAME");
+        model_.add_to(options, true);
         options
             .option("--seed", seed_, "A word that stands for it, such as a student's number", "ID")
             .required();
@@ -66,15 +64,11 @@ public:
         if (number_ && folder_.empty())
             throw problem_of("", "--count: expected -o FOLDER as well, found none");
         id_ = value_or_throw(exercise_id(seed_));
-        if (!kind_.empty() && find_kind() == exercise_kinds.end())
-            refuse_value("--kind", "one out of " + kinds_in_words(), kind_);
+        model_.read();
     }
 
     int run() override {
-        const Source scene = kind_.empty()
-                                 ? load_scene_source(like_)
-                                 : Source{kind_ + ".json", std::string(find_kind()->scene)};
-        ExerciseMaker like(scene);
+        ExerciseMaker like(model_.scene());
         if (folder_.empty()) {
             print(like.exercise(id_).scene.text);
             return exit_fine;
@@ -91,17 +85,6 @@ public:
     }
 
 private:
-    static std::string kinds_in_words() {
-        std::vector<std::string> names;
-        for (const ExerciseKind& kind : exercise_kinds)
-            names.emplace_back(kind.name);
-        return joined(names, ", ");
-    }
-
-    decltype(exercise_kinds)::const_iterator find_kind() const {
-        return std::ranges::find(exercise_kinds, kind_, &ExerciseKind::name);
-    }
-
     static void write(const Exercise& exercise, const std::string& folder) {
         make_folder(folder);
         const auto path = [&folder](const char* name) {
@@ -110,14 +93,13 @@ private:
         write_file(path("scene.json"), exercise.scene.text);
         const Trace trace = load_trace(path("scene.json"));
         write_file(path("sheet.txt"),
-                   fmt::format("# exercise {}\n{}\n{}", exercise.id, scene_line("scene.json"),
+                   fmt::format("{}{}\n{}", exercise_line(exercise.id), scene_line("scene.json"),
                                claims_template(trace)));
         write_file(path("picture.svg"), figure_in(FigureFormat::svg, sheet_page(trace), {}));
         print(fmt::format("written: {}\n", printable(folder)));
     }
 
-    std::string like_;
-    std::string kind_;
+    ExerciseOptions model_;
     std::string seed_;
     std::string count_;
     std::string folder_;

@@ -2,6 +2,7 @@
 #include "step_table.h"
 
 #include "csv.h"
+#include "markdown.h"
 
 #include <rastertrace/trace/record/traced_steps.h>
 #include <rastertrace/trace/tell/describe.h>
@@ -34,14 +35,6 @@ std::string csv_line(const std::vector<std::string>& cells) {
     std::string line;
     put_csv_line(line, cells);
     return line;
-}
-
-/// A bar would end the cell.
-std::string in_markdown(const std::string& text) {
-    std::string escaped;
-    for (const char c : printable(text))
-        escaped += c == '|' ? "\\|" : std::string(1, c);
-    return escaped;
 }
 
 } // namespace

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: MIT
+#include "markdown.h"
+
+#include <rastertrace/trace/text/text.h>
+
+namespace rastertrace {
+
+std::string in_markdown(const std::string& text) {
+    std::string escaped;
+    for (const char c : printable(text))
+        escaped += c == '|' ? "\\|" : std::string(1, c);
+    return escaped;
+}
+
+std::string fenced(const std::string& lines) {
+    std::string fence = "```";
+    while (lines.find(fence) != std::string::npos)
+        fence += '`';
+    return fence + "\n" + lines + fence + "\n";
+}
+
+} // namespace rastertrace

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// Text put into Markdown as it stands.
+
+#include <string>
+
+namespace rastertrace {
+
+/// The text of a cell: printable, on one line; a bar would end the cell.
+std::string in_markdown(const std::string& text);
+
+/// Lines between fences that are longer than any run of backticks in them.
+std::string fenced(const std::string& lines);
+
+} // namespace rastertrace
