@@ -85,7 +85,7 @@ std::vector<std::string> duplicates_in(const std::vector<SheetMark>& sheets) {
 
 /// "truncate-for-floor", or what stands for none.
 std::string_view shown_name(const SlipCount& slip) {
-    return slip.name.empty() ? "(no slip that is known)" : slip.name;
+    return slip.name.empty() ? std::string_view("(no slip that is known)") : slip.name;
 }
 
 } // namespace
