@@ -65,8 +65,7 @@ std::string sheet_with(const Slip& slip, const Source& scene) {
                 claim[std::string(field.name)] = told;
             const bool is_number =
                 field.element == FieldType::quantity || field.element == FieldType::whole;
-            if (!is_number || field.role == FieldRole::key || field.role == FieldRole::told ||
-                field.name == "snapped" || told.is_null())
+            if (!is_number || field.role == FieldRole::key || told.is_null())
                 continue;
             const auto formulas = formulas_of(numbers, n, field.name);
             if (formulas.empty())

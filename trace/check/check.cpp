@@ -71,7 +71,7 @@ public:
         for (std::size_t i = 0; i < claims_.claims.size(); ++i)
             if (subjects_[i])
                 explainer.explain(*subjects_[i], i, checked_.claims[i]);
-        rank_slips(checked_);
+        explainer.rank_slips(subjects_, checked_);
         for (CheckedClaim& claim : checked_.claims)
             settle(claim);
         write_workings();

@@ -138,7 +138,8 @@ struct Checked {
     std::size_t wrong = 0;
     std::size_t follow = 0;
     std::size_t open = 0;
-    std::vector<CheckedClaim> claims; ///< one for each, in their order
+    std::vector<CheckedClaim> claims;    ///< one for each, in their order
+    std::vector<std::string> slips = {}; ///< behind the wrong numbers, the most likely first
 };
 
 /// Checks every claim. Throws a Problem, which points at the claim, if one is about a name that the scene

@@ -80,6 +80,16 @@ double evidence_for(const std::vector<SlipResult>& results, const ClaimedField& 
     return -std::log(static_cast<double>(std::max<std::size_t>(different.size(), 1))) - chance;
 }
 
+double habit_of(const HowOften& often) {
+    constexpr double always = 0.9;
+    constexpr double now_and_then = 0.05;
+    const auto likelihood = [&often](double share) {
+        return std::pow(share, static_cast<double>(often.made)) *
+               std::pow(1 - share, static_cast<double>(often.not_made));
+    };
+    return std::log(likelihood(always) + likelihood(now_and_then));
+}
+
 double prior_of(const Slip& slip) {
     return std::log(slip.in_thousand / 1000.0);
 }

@@ -13,6 +13,7 @@
 
 #include <rastertrace/trace/tell/formula.h>
 
+#include <cstddef>
 #include <vector>
 
 namespace rastertrace {
@@ -20,6 +21,15 @@ namespace rastertrace {
 /// Of one wrong number: how much likelier it is with a slip that has these results than by chance.
 double evidence_for(const std::vector<SlipResult>& results, const ClaimedField& field,
                     const Values& right);
+
+/// How often a slip was made, and how often not where it could have been.
+struct HowOften {
+    std::size_t made = 0;
+    std::size_t not_made = 0;
+};
+
+/// How likely that is of somebody who makes the slip nearly always, or now and then.
+double habit_of(const HowOften& often);
 
 /// The share of wrong numbers that come of a slip, and of those that come of nothing.
 double prior_of(const Slip& slip);

@@ -33,6 +33,26 @@ std::optional<Formula> formula_of(const Subject& subject, const ClaimedField& fi
     return std::move(formulas.front());
 }
 
+/// Counts, of each slip, the right numbers of a claim that would be others with it.
+void count_not_made(const Subject& subject, const CheckedClaim& claim,
+                    std::map<std::string, HowOften>& how_often) {
+    for (std::size_t k = 0; k < claim.fields.size() && k < subject.fields.size(); ++k) {
+        if (claim.fields[k].verdict != ClaimVerdict::right)
+            continue;
+        const ClaimedField& field = *subject.fields[k];
+        const auto formula = formula_of(subject, field);
+        if (!formula)
+            continue;
+        for (auto& [slip, often] : how_often) {
+            const auto results = find_slip(slip)->redo(*formula);
+            if (!results.empty() &&
+                std::none_of(results.begin(), results.end(),
+                             [&](const auto& one) { return gives(one.values, field); }))
+                ++often.not_made;
+        }
+    }
+}
+
 bool share_slip(const std::vector<LikelySlip>& some, const std::vector<LikelySlip>& others) {
     return std::any_of(some.begin(), some.end(), [&others](const LikelySlip& one) {
         return std::any_of(others.begin(), others.end(),
@@ -157,14 +177,25 @@ WrongExplainer::Slips WrongExplainer::slips_that_give(const Formula& formula,
     return found;
 }
 
-void rank_slips(Checked& checked) {
+void WrongExplainer::rank_slips(std::span<const std::optional<Subject>> subjects,
+                                Checked& checked) const {
     // One habit may be behind many wrong numbers.
     std::map<std::string, double> likelihood;
+    std::map<std::string, HowOften> how_often;
     for (const CheckedClaim& claim : checked.claims)
         for (const CheckedField& field : claim.fields)
-            for (const LikelySlip& slip : field.slips)
+            for (const LikelySlip& slip : field.slips) {
                 likelihood.try_emplace(slip.name, prior_of(*find_slip(slip.name))).first->second +=
                     slip.evidence;
+                ++how_often[slip.name].made;
+            }
+    if (how_often.size() > 1)
+        for (std::size_t i = 0; i < checked.claims.size(); ++i)
+            if (subjects[i])
+                count_not_made(*subjects[i], checked.claims[i], how_often);
+    const auto score = [&](const std::string& slip) {
+        return likelihood.at(slip) + habit_of(how_often.at(slip));
+    };
     for (CheckedClaim& claim : checked.claims)
         for (CheckedField& field : claim.fields) {
             std::erase_if(field.slips, [&](const LikelySlip& slip) {
@@ -172,9 +203,15 @@ void rank_slips(Checked& checked) {
             });
             std::stable_sort(field.slips.begin(), field.slips.end(),
                              [&](const LikelySlip& a, const LikelySlip& b) {
-                                 return likelihood.at(a.name) > likelihood.at(b.name);
+                                 return score(a.name) > score(b.name);
                              });
+            for (const LikelySlip& slip : field.slips)
+                if (std::find(checked.slips.begin(), checked.slips.end(), slip.name) ==
+                    checked.slips.end())
+                    checked.slips.push_back(slip.name);
         }
+    std::stable_sort(checked.slips.begin(), checked.slips.end(),
+                     [&](const auto& a, const auto& b) { return score(a) > score(b); });
 }
 
 } // namespace rastertrace

@@ -5,7 +5,7 @@
 //
 //     WrongExplainer explainer(wrong);
 //     explainer.explain(subject, order, claim);  // claim.fields[0].slips: dx-dy-inverted
-//     rank_slips(checked);
+//     explainer.rank_slips(subjects, checked);
 
 #include "check.h"
 #include "claim_subject.h"
@@ -17,6 +17,7 @@
 #include <cstddef>
 #include <map>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -31,6 +32,10 @@ public:
     /// Finds what each wrong field of a claim goes on from, or the slips behind it. `order` is the claim's, as in the
     /// wrong numbers.
     void explain(const Subject& subject, std::size_t order, CheckedClaim& claim);
+
+    /// Sorts each field's slips by how likely they are behind all that they explain, and leaves out what chance
+    /// explains as well; puts all of them into checked.slips. There is a subject for each claim, or nothing.
+    void rank_slips(std::span<const std::optional<Subject>> subjects, Checked& checked) const;
 
 private:
     using Slips = std::vector<LikelySlip>;
@@ -58,9 +63,5 @@ private:
     std::map<std::string, std::vector<std::vector<SlipResult>>>
         redone_; ///< by number, for each slip
 };
-
-/// Sorts each field's slips by how likely they are behind all that they explain, and leaves out what chance explains as
-/// well.
-void rank_slips(Checked& checked);
 
 } // namespace rastertrace

@@ -89,6 +89,8 @@ Answers answers_in(const Trace& trace) {
             continue;
         ++count;
         for (const StepField& field : fields_of(*kind)) {
+            if (!trace.step(n).field(field.name)) // nobody is asked for it
+                continue;
             const auto formulas = formulas_of(numbers, n, field.name);
             if (formulas.empty())
                 continue;

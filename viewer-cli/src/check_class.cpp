@@ -126,7 +126,7 @@ std::vector<SlipCount> slip_counts(const std::vector<SheetMark>& sheets) {
     std::map<std::string, std::size_t> counts;
     for (const SheetMark& sheet : sheets)
         if (!sheet.problem && sheet.counts.wrong + sheet.counts.follow > 0)
-            ++counts[sheet.slips.empty() ? "" : sheet.slips.front()];
+            ++counts[sheet.counts.slips.empty() ? "" : sheet.counts.slips.front()];
     std::vector<SlipCount> slips;
     for (const auto& [name, count] : counts)
         slips.push_back({name, count});

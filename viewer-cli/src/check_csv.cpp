@@ -23,7 +23,7 @@ std::string check_csv(const std::vector<SheetMark>& marks, CheckTold told) {
         for (const std::size_t count : {counts.right, counts.wrong, counts.follow, counts.open})
             line.push_back(mark.problem ? "" : std::to_string(count));
         if (told == CheckTold::answers)
-            line.push_back(mark.slips.empty() ? "" : mark.slips.front());
+            line.push_back(mark.counts.slips.empty() ? "" : mark.counts.slips.front());
         if (has_exercises)
             line.push_back(mark.exercise);
         put_csv_line(text, line);

@@ -58,9 +58,8 @@ std::string counts_text(const Checked& checked);
 /// What is left of a sheet when it is marked: a class of them takes little memory.
 struct SheetMark {
     std::string name;
-    std::string exercise = {};        ///< its ID; empty: the sheet is about no exercise
-    Checked counts = {};              ///< without claims
-    std::vector<std::string> slips{}; ///< the one that explains most of the wrong fields first
+    std::string exercise = {}; ///< its ID; empty: the sheet is about no exercise
+    Checked counts = {};       ///< without claims
     std::optional<Problem> problem = {};
 };
 

@@ -166,8 +166,8 @@ std::string mark_in_words(const SheetMark& mark, CheckTold told) {
     if (mark.problem)
         return text + ": could not be checked\n";
     return fmt::format("{}: {}{}\n", text, counts_text(mark.counts),
-                       told == CheckTold::answers && !mark.slips.empty()
-                           ? "; most likely " + mark.slips.front()
+                       told == CheckTold::answers && !mark.counts.slips.empty()
+                           ? "; most likely " + mark.counts.slips.front()
                            : "");
 }
 
@@ -225,25 +225,9 @@ SheetMark mark_of(const CheckedFile& file) {
                               .wrong = checked.wrong,
                               .follow = checked.follow,
                               .open = checked.open,
-                              .claims = {}},
+                              .claims = {},
+                              .slips = checked.slips},
                    .problem = file.problem};
-    // By name, in the order in which the fields rank them: of equals, the first one stays first.
-    std::vector<std::pair<std::string, std::size_t>> explained;
-    for (const CheckedClaim& claim : checked.claims)
-        for (const CheckedField& field : claim.fields)
-            for (const LikelySlip& slip : field.slips) {
-                const auto known =
-                    std::find_if(explained.begin(), explained.end(),
-                                 [&slip](const auto& one) { return one.first == slip.name; });
-                if (known == explained.end())
-                    explained.emplace_back(slip.name, 1);
-                else
-                    ++known->second;
-            }
-    std::stable_sort(explained.begin(), explained.end(),
-                     [](const auto& a, const auto& b) { return a.second > b.second; });
-    for (auto& [name, count] : explained)
-        mark.slips.push_back(std::move(name));
     return mark;
 }
 
