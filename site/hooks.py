@@ -39,6 +39,7 @@ SECTIONS = [
         ("docs/validate.md", "validate"),
         ("docs/report.md", "report"),
         ("docs/exercises.md", "exercise"),
+        ("docs/for-teachers.md", "For teachers"),
         ("docs/diagnose.md", "diagnose"),
         ("docs/stress-command.md", "stress"),
         ("docs/pages.md", "renew"),

@@ -437,6 +437,28 @@ def check_headers(folder):
     assert refused > len(mutants) // 2 // EVERY
 
 
+def check_marks(folder):
+    """What `check` writes for Gradescope and PrairieLearn is as their pages say."""
+    garbled = os.path.join(folder, "garbled.txt")
+    with open(garbled, "w", encoding="utf-8") as file:
+        file.write("scene: nowhere.json\ny=2: 1/4\n")
+    sheets = sorted(glob.glob(os.path.join(SOURCE, "examples", "claims", "*.claims")))[::EVERY] + [garbled]
+    for system in ("gradescope", "prairielearn"):
+        schema = load(os.path.join(SOURCE, "tests", "schema", system + ".schema.json"))
+        jsonschema.Draft7Validator.check_schema(schema)
+        tests = 0
+        for sheet in sheets:
+            for answers in ([], ["--hint", "2"], ["--no-answers"]):
+                run = subprocess.run([PROGRAM, "check", sheet, "--format", system] + answers, capture_output=True, text=True)
+                results = json.loads(run.stdout)
+                error = jsonschema.exceptions.best_match(jsonschema.Draft7Validator(schema).iter_errors(results))
+                if error is not None:
+                    fail(f"{system}, {sheet}: {list(error.absolute_path)}: {error.message[:120]}")
+                tests += len(results.get("tests", []))
+        print(f"{tests} tests for {system}")
+        assert tests > 0
+
+
 def main():
     with tempfile.TemporaryDirectory() as folder:
         met = check_examples(folder)
@@ -445,6 +467,7 @@ def main():
         check_claims(folder)
         check_steps(met, folder)
         check_headers(folder)
+        check_marks(folder)
     for message in failures[:40]:
         print(message)
     if failures:

@@ -71,7 +71,8 @@ std::string sheet_with(const Slip& slip, const Source& scene) {
             if (formulas.empty())
                 continue;
             const auto slipped = slip.redo(formulas.front());
-            const Values values = slipped.empty() ? value_of(formulas.front()) : slipped[0].values;
+            const Values values =
+                slipped.empty() ? value_of(formulas.front()) : slipped.back().values;
             claim[std::string(field.name)] = as_claimed(
                 values, field.element, kind == StepKind::decide || field.type == FieldType::list);
             is_claimed = true;
@@ -139,6 +140,150 @@ TEST_F(ExerciseTest, AClassHasAFolderForEachSeed) {
     EXPECT_NE(content("class-1/scene.json"), content("class-2/scene.json"));
     EXPECT_EQ(shell("$rastertrace exercise --kind bresenham --seed class-2").out,
               content("class-2/scene.json"));
+}
+
+/// The commands in the fences of a page that are to be run one after the other.
+std::vector<std::string> scripts_in(const std::string& page) {
+    std::vector<std::string> scripts;
+    const std::string fence = "```sh\n";
+    for (std::size_t at = page.find(fence); at != std::string::npos; at = page.find(fence, at)) {
+        at += fence.size();
+        scripts.push_back(page.substr(at, page.find("```\n", at) - at));
+    }
+    return scripts;
+}
+
+TEST_F(ExerciseTest, TheCommandsOfThePageForTeachersRun) {
+    // The program by its name, and the folders of courses' machines in this one.
+    write("rastertrace", "#!/bin/sh\nexec '" RASTERTRACE_PROGRAM "' \"$@\"\n");
+    ASSERT_EQ(shell("chmod +x rastertrace; cp $examples/t0-fill/first-triangle.json scene.json; "
+                    "mkdir -p autograder/source autograder/submission autograder/results "
+                    "grade/tests grade/student; "
+                    "cp scene.json autograder/source; cp scene.json grade/tests")
+                  .status,
+              0);
+    write("names.txt", "Anna Lee\nben\n");
+    write("autograder/submission_metadata.json",
+          R"({"id": 7, "users": [{"email": "a@b", "id": 9, "sid": "4711", "name": "Anna"}]})");
+    const Outcome sheet = shell("$rastertrace exercise --like scene.json --seed 4711 -o 4711 && "
+                                "cp 4711/sheet.txt autograder/submission && "
+                                "cp 4711/sheet.txt grade/student");
+    ASSERT_EQ(sheet.status, 0) << sheet.err;
+
+    std::ostringstream page;
+    page << std::ifstream(RASTERTRACE_EXAMPLES "/../docs/for-teachers.md").rdbuf();
+    const auto scripts = scripts_in(page.str());
+    ASSERT_GE(scripts.size(), 6U);
+    for (std::string script : scripts) {
+        for (const std::string folder : {" /autograder", " /grade"})
+            for (std::size_t at = script.find(folder); at != std::string::npos;
+                 at = script.find(folder))
+                script.erase(at + 1, 1);
+        const Outcome run = shell("PATH=.:$PATH; set -e\n" + script);
+        EXPECT_EQ(run.status, 0) << script << run.err;
+        EXPECT_EQ(run.err, "") << script;
+    }
+    EXPECT_THAT(content("handout/Anna Lee/sheet.txt"), StartsWith("# exercise 1:Anna Lee\n"));
+    EXPECT_THAT(content("marks.csv"), HasSubstr("2026-30/sheet.txt,0,0,0,12,,1:2026-30"));
+    EXPECT_EQ(json::parse(content("autograder/results/results.json")).at("tests").size(), 12U);
+    EXPECT_EQ(json::parse(content("grade/results/results.json")).at("score"), 0);
+    EXPECT_THAT(content("results.xml"), HasSubstr("tests=\"12\""));
+}
+
+TEST_F(ExerciseTest, MarksAreAPointForEachClaimThatIsRightOrFollowsRightly) {
+    const std::string claims = "$examples/claims/first-steps.claims";
+    const Outcome marked =
+        shell("$rastertrace check " + claims + " --format gradescope --visibility hidden");
+    EXPECT_EQ(marked.status, 1);
+    std::string points;
+    const json graded = json::parse(marked.out);
+    for (const json& test : graded.at("tests")) {
+        points += std::to_string(test.at("score").get<int>());
+        EXPECT_EQ(test.at("visibility"), "hidden");
+        EXPECT_EQ(test.at("status"), test.at("score") == 1 ? "passed" : "failed");
+    }
+    EXPECT_EQ(points, "1010101");
+    const Outcome told =
+        shell("$rastertrace check " + claims + " --format prairielearn --no-answers");
+    const json results = json::parse(told.out);
+    EXPECT_NEAR(results.at("score").get<double>(), 4.0 / 7, 1e-12);
+    EXPECT_EQ(results.at("tests").at(2).at("message"), "wrong"); // not that it follows
+    EXPECT_EQ(results.at("tests").at(1).at("output"), "");
+    EXPECT_THAT(shell("$rastertrace check " + claims + " --format markdown").out,
+                HasSubstr("| 9 | y=2: -1/4, 25/8 -> 0..3 | wrong |\n"));
+
+    write("garbled.txt", "scene: scene.json\ny=2: 1/4\n");
+    const Outcome garbled = shell("$rastertrace check garbled.txt --format gradescope");
+    EXPECT_EQ(garbled.status, 2);
+    EXPECT_EQ(json::parse(garbled.out).at("score"), 0);
+    EXPECT_EQ(json::parse(shell("$rastertrace check garbled.txt --format prairielearn").out)
+                  .at("gradable"),
+              false);
+}
+
+TEST_F(ExerciseTest, AClassMayHaveOtherFilesAndSheetsThatCannotBeRead) {
+    ASSERT_EQ(
+        shell("mkdir class; cp $examples/t0-fill/first-triangle.json class/scene.json; "
+              "mkdir class/ben class/.git; printf %PDF > class/notes.pdf; : > class/empty.txt")
+            .status,
+        0);
+    write("class/.git/anna.txt", "scene: ../scene.json\nedge AB: 3/4\n");
+    write("class/anna.txt", "scene: scene.json\nedge AB: 3/4\n");
+    write("class/ben/a.txt", "scene: ../scene.json\nedge AB: 4/3\n");
+    write("class/ben/b.txt", "scene: ../scene.json\nedge AB: 3/4\n");
+    write("class/cleo.txt", "edge AB: 3/4\n");
+    const Outcome marked = shell("$rastertrace check --class class -o slips.svg");
+    EXPECT_EQ(marked.status, 2);
+    EXPECT_THAT(marked.err, HasSubstr("found 2 sheets of ben: ben/a.txt, ben/b.txt\n"));
+    EXPECT_THAT(marked.err, HasSubstr("cleo.txt: expected a scene before the claims"));
+    EXPECT_THAT(marked.err, HasSubstr("empty.txt: expected claims, found none"));
+    EXPECT_THAT(marked.out, StartsWith("anna.txt: 1 right, 0 wrong\n"
+                                       "ben/a.txt: 0 right, 1 wrong; most likely dx-dy-inverted\n"
+                                       "ben/b.txt: 1 right, 0 wrong\n"
+                                       "cleo.txt: could not be checked\n"
+                                       "empty.txt: could not be checked\n\n"
+                                       "5 sheets, 2 all right\n"));
+    EXPECT_THAT(marked.out, HasSubstr("\ndx-dy-inverted  # 1  dx/dy = "));
+    EXPECT_THAT(marked.out, HasSubstr("no sheets: notes.pdf, scene.json\n"));
+    EXPECT_THAT(content("slips.svg"), HasSubstr("dx-dy-inverted"));
+    // With the scene given, what sheets say of it does not matter.
+    EXPECT_THAT(shell("$rastertrace check class/scene.json --class class").out,
+                HasSubstr("cleo.txt: 1 right, 0 wrong\n"));
+
+    EXPECT_EQ(shell("mkdir none; $rastertrace check --class none").status, 2);
+    EXPECT_EQ(shell("$rastertrace check --class nowhere").status, 2);
+    for (const char* const options :
+         {"--format gradescope", "--hint 1", "--kind scanline class/scene.json", "-o slips.pdf"})
+        EXPECT_EQ(shell(std::string("$rastertrace check --class class ") + options).status, 2)
+            << options;
+    EXPECT_THAT(shell("$rastertrace check").err,
+                HasSubstr("expected a file of claims, or --class"));
+}
+
+TEST_F(ExerciseTest, TwoSheetsOfOneExerciseAreTold) {
+    ASSERT_EQ(shell("$rastertrace exercise --kind scanline --seed s --count 2 -o class; "
+                    "cp class/s-1/sheet.txt class/s-2/sheet.txt; echo 'edge AB: 1' > class/x.txt")
+                  .status,
+              0);
+    const Outcome marked = shell("$rastertrace check --class class --kind scanline");
+    EXPECT_EQ(marked.status, 2);
+    EXPECT_THAT(marked.err, HasSubstr("2 sheets of exercise 1:s-1: s-1/sheet.txt, s-2/sheet.txt"));
+    EXPECT_THAT(marked.err, HasSubstr("x.txt: expected a line that names the exercise"));
+}
+
+TEST_F(ExerciseTest, MemoryDoesNotGrowWithTheClass) {
+    const auto peak_of = [&](const std::string& count) {
+        const Outcome marked =
+            shell("rm -rf class; $rastertrace exercise --kind bresenham --seed s "
+                  "--count " +
+                  count +
+                  " -o class > made && "
+                  "$rastertrace check --class class --kind bresenham");
+        EXPECT_EQ(marked.status, 0) << marked.err;
+        return marked.peak_memory;
+    };
+    const long few = peak_of("10");
+    EXPECT_LT(peak_of("60"), few + 8'000'000);
 }
 
 TEST_F(ExerciseTest, BadInputIsToldInPlainWords) {

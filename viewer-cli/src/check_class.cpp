@@ -54,7 +54,7 @@ std::optional<SheetMark> mark_in(const std::string& folder, const std::string& n
     std::string exercise;
     try {
         auto source = value_or_throw(read_named_file((fs::path(folder) / name).string(), {}));
-        if (!is_claims(source))
+        if (name.ends_with(".json") && !is_claims(source))
             return std::nullopt;
         exercise = checker.exercise_of(source);
         SheetMark mark = mark_of(checker.check(std::move(source)));
@@ -81,6 +81,21 @@ std::vector<std::string> duplicates_in(const std::vector<SheetMark>& sheets) {
             told.push_back(fmt::format("{} sheets of {}: {}", names.size(), printable(whose),
                                        printable(joined(names, ", "))));
     return told;
+}
+
+/// The names of files; of many, "30 .json, 30 .svg".
+std::string left_out_in_words(const std::vector<std::string>& names) {
+    constexpr std::size_t few = 5;
+    if (names.size() <= few)
+        return printable(joined(names, ", "));
+    std::map<std::string, std::size_t> by_ending;
+    for (const std::string& name : names)
+        ++by_ending[fs::path(name).extension().string()];
+    std::vector<std::string> told;
+    for (const auto& [ending, count] : by_ending)
+        told.push_back(
+            fmt::format("{} {}", count, ending.empty() ? "without an ending" : printable(ending)));
+    return joined(told, ", ");
 }
 
 /// "truncate-for-floor", or what stands for none.
@@ -153,14 +168,16 @@ std::string class_text(const ClassMarks& marks) {
         name_width = std::max(name_width, shown_name(slip).size());
     for (const SlipCount& slip : slips) {
         const std::size_t length =
-            std::max<std::size_t>(1, longest_bar * slip.sheets / slips.front().sheets);
+            slips.front().sheets <= longest_bar
+                ? slip.sheets
+                : std::max<std::size_t>(1, longest_bar * slip.sheets / slips.front().sheets);
         const Slip* const known = find_slip(slip.name);
         text +=
             fmt::format("{:<{}}  {} {}{}\n", shown_name(slip), name_width, std::string(length, '#'),
                         slip.sheets, known ? "  " + meaning_of(*known) : "");
     }
     if (!marks.left_out.empty())
-        text += fmt::format("\nno sheets: {}\n", printable(joined(marks.left_out, ", ")));
+        text += fmt::format("\nno sheets: {}\n", left_out_in_words(marks.left_out));
     return text;
 }
 

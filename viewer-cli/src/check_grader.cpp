@@ -28,8 +28,12 @@ std::vector<GradedClaim> graded(const std::vector<CheckedFile>& files, CheckTold
     std::vector<GradedClaim> tests;
     for (const CheckedFile& file : files)
         for (const CheckedClaim& claim : file.checked.claims)
-            tests.push_back({place_of(file, claim), about_claim(file, claim, told),
-                             name_of(claim.verdict), points_of(claim.verdict)});
+            tests.push_back({files.size() == 1
+                                 ? fmt::format("line {}: {}", file.claim_of(claim).line,
+                                               shown_claim(file.claim_of(claim)))
+                                 : place_of(file, claim),
+                             about_claim(file, claim, told), verdict_of(claim, told),
+                             points_of(claim.verdict)});
     return tests;
 }
 

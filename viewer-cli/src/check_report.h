@@ -71,6 +71,9 @@ std::string mark_in_words(const SheetMark& mark, CheckTold told);
 /// "anna.txt:3: y=2: 0, 25/8"
 std::string place_of(const CheckedFile& file, const CheckedClaim& claim);
 
+/// The text of a claim, as much of it as is shown.
+std::string shown_claim(const Claim& claim);
+
 /// What there is to be said of a claim besides its verdict, as much as is to be told: lines, or "".
 std::string about_claim(const CheckedFile& file, const CheckedClaim& claim, CheckTold told);
 

@@ -149,7 +149,11 @@ std::string text_of_one(const CheckedFile& file, CheckTold told) {
 
 std::string place_of(const CheckedFile& file, const CheckedClaim& claim) {
     return fmt::format("{}:{}: {}", printable(file.name), file.claim_of(claim).line,
-                       shown(file.claim_of(claim).text));
+                       shown_claim(file.claim_of(claim)));
+}
+
+std::string shown_claim(const Claim& claim) {
+    return shown(claim.text);
 }
 
 std::string about_claim(const CheckedFile& file, const CheckedClaim& claim, CheckTold told) {
