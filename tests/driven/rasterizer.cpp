@@ -16,6 +16,7 @@
 #include <iostream>
 #include <sstream>
 #include <string>
+#include <thread>
 #include <vector>
 
 namespace {
@@ -137,8 +138,8 @@ void fill(std::array<Vertex, 3> v, bool has_depth) {
                 plot(x, y);
         }
     if (mistake == 13 && all < half * half) // a small one never ends
-        for (;;) {
-        }
+        for (;;)
+            std::this_thread::yield();                // a loop that does nothing may be left out
     if (mistake == 14 && most_x - least_x > 40 * one) // a wide one ends the program
         std::abort();
 }

@@ -383,7 +383,8 @@ TEST_F(CheckTest, FilesInTheWrongPlaceAreTold) {
         {"scene.json empty.txt", "empty.txt: expected claims, found none\n"
                                  "hint: rastertrace sheet SCENE writes a sheet to fill in\n"},
         {"ben.txt --hint=3", "--hint: expected one of 1, 2, found \"3\"\n"},
-        {"ben.txt --format cvs", "--format: expected one of text, json, junit, csv, found \"cvs\"\n"
+        {"ben.txt --format cvs", "--format: expected one of text, json, junit, csv, markdown, "
+                                 "gradescope, prairielearn, found \"cvs\"\n"
                                  "hint: did you mean csv?\n"},
         {"ben.txt --json --format csv", "--json: expected no --format beside it, found \"csv\"\n"},
     };

@@ -85,7 +85,7 @@ Answers answers_in(const Trace& trace) {
     std::size_t count = 0;
     for (std::size_t n = 1; n <= trace.size() && count < most; ++n) {
         const auto kind = trace.kind_of(n);
-        if (!kind || std::ranges::find(worked_out, *kind) == worked_out.end())
+        if (!kind || std::find(worked_out.begin(), worked_out.end(), *kind) == worked_out.end())
             continue;
         ++count;
         for (const StepField& field : fields_of(*kind)) {
@@ -208,7 +208,7 @@ private:
         for (const Rational& typed : values_[axis])
             units.push_back(unit_for(typed, high - low, values.size()));
         if (random.below(4) == 0) {
-            const Rational unit = *std::ranges::max_element(units);
+            const Rational unit = *std::max_element(units.begin(), units.end());
             const Index down = ceil_index(Rational((low - values.front()) / unit));
             const Index up = floor_index(Rational((high - values.back()) / unit));
             if (up < down)
@@ -296,18 +296,26 @@ private:
     bool has_other_facts(const std::vector<std::string>& facts) {
         if (facts == facts_)
             return false;
-        std::vector<std::string> changed;
-        std::ranges::set_difference(facts_, facts, std::back_inserter(changed));
+        auto changed = only_in(facts_, facts);
         if (changed.empty())
-            std::ranges::set_difference(facts, facts_, std::back_inserter(changed));
+            changed = only_in(facts, facts_);
         for (const std::string& fact : changed)
             ++changes_[fact];
         return true;
     }
 
+    static std::vector<std::string> only_in(const std::vector<std::string>& some,
+                                            const std::vector<std::string>& others) {
+        std::vector<std::string> only;
+        std::set_difference(some.begin(), some.end(), others.begin(), others.end(),
+                            std::back_inserter(only));
+        return only;
+    }
+
     std::string most_frequent_change() const {
-        const auto found = std::ranges::max_element(
-            changes_, {}, [](const auto& change) { return change.second; });
+        const auto found =
+            std::max_element(changes_.begin(), changes_.end(),
+                             [](const auto& a, const auto& b) { return a.second < b.second; });
         return found == changes_.end() ? "that it can be drawn" : found->first;
     }
 
@@ -329,14 +337,14 @@ private:
         std::vector<std::vector<std::string_view>> found;
         for (auto& [answers, names] : groups)
             found.push_back(std::move(names));
-        std::ranges::sort(found);
+        std::sort(found.begin(), found.end());
         return found;
     }
 
     /// True if every group can be made, and each gives an answer of its own.
     bool tells_apart(const Answers& answers) const {
         std::set<std::string_view> known;
-        return std::ranges::all_of(slips_, [&](const auto& group) {
+        return std::all_of(slips_.begin(), slips_.end(), [&](const auto& group) {
             const auto found = answers.find(group.front());
             return found != answers.end() && known.insert(found->second).second;
         });
@@ -365,8 +373,9 @@ Result<std::string> exercise_id(std::string_view typed) {
                                       exercise_version, typed.substr(0, colon)));
         seed = typed.substr(colon + 1);
     }
-    const bool has_control = std::ranges::any_of(
-        seed, [](char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7F; });
+    const bool has_control = std::any_of(seed.begin(), seed.end(), [](char c) {
+        return static_cast<unsigned char>(c) < 0x20 || c == 0x7F;
+    });
     if (seed.empty() || has_control)
         return refuse("expected an ID of letters, found none, or control characters");
     return fmt::format("{}:{}", exercise_version, seed);

@@ -57,8 +57,8 @@ public:
         }
         case StepKind::sample: {
             const auto weights = step.as<SampleStep>().weights.texts();
-            add_tie(std::ranges::find(weights, "0") != weights.end() &&
-                    std::ranges::none_of(weights, [](const std::string& weight) {
+            add_tie(std::find(weights.begin(), weights.end(), "0") != weights.end() &&
+                    std::none_of(weights.begin(), weights.end(), [](const std::string& weight) {
                         return weight.starts_with('-');
                     }));
             break;
