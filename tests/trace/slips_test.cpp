@@ -824,6 +824,23 @@ TEST(Slips, ChanceIsRarelyTakenForOne) {
         << named; // in scenes of small whole numbers, where much is near
 }
 
+// -1/4 -> 0 is rounded toward 0, or to the nearest; whoever has 7/2 -> 3 and 19/8 -> 2 besides does not round 7/2 to the
+// nearest, which is 4.
+TEST(Slips, OneThatRightNumbersSpeakAgainstComesLater) {
+    const std::string scene = example_text("t0-fill/first-triangle.json");
+    const std::string wrong = "y=2: -1/4, 25/8 -> 0..3\n";
+    const auto place_of_nearest = [&](const std::string& claims) {
+        const Checked checked = check_claims(scene, claims);
+        EXPECT_EQ(checked.slips.front(), "truncate-for-floor");
+        EXPECT_EQ(checked.slips, slip_names(checked.claims[0].fields[2]));
+        return std::find(checked.slips.begin(), checked.slips.end(), "nearest-for-floor") -
+               checked.slips.begin();
+    };
+    const auto alone = place_of_nearest(wrong);
+    EXPECT_EQ(alone, 1);
+    EXPECT_GT(place_of_nearest(wrong + "y=1: -1, 7/2 -> -1..3\n"), alone);
+}
+
 TEST(Slips, TheTableHasEachNameOnce) {
     std::set<std::string_view> names;
     for (const Slip& slip : slips()) {

@@ -293,6 +293,15 @@ TEST_F(ExerciseTest, BadInputIsToldInPlainWords) {
     EXPECT_THAT(shell("$rastertrace exercise --kind scanline --seed 2:anna").err,
                 HasSubstr("expected an ID of version 1, found one of version \"2\""));
     EXPECT_EQ(shell("$rastertrace exercise --kind scanline --seed anna --count 3").status, 2);
+
+    // Before anything is written.
+    write("mesh.json", R"({"canvas": {"width": 16, "height": 12}, "triangles": ["ABC"],
+        "vertices": {"A": [-6, -4, 0], "B": [5, -3, 1], "C": [0, 4, 3]},
+        "meshes": [{"obj": "triangle.obj"}]})");
+    write("triangle.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+    EXPECT_THAT(shell("$rastertrace exercise --like mesh.json --seed anna -o folder").err,
+                HasSubstr("mesh.json: expected a scene of one file, found a mesh in another one"));
+    EXPECT_FALSE(fs::exists(folder_ / "folder"));
 }
 
 } // namespace

@@ -4,6 +4,7 @@
 #include "claim_comparison.h"
 #include "derivation.h"
 #include "slip_likelihood.h"
+#include "typed_number.h"
 
 #include <rastertrace/trace/tell/step_text.h>
 
@@ -41,7 +42,7 @@ void count_not_made(const Subject& subject, const CheckedClaim& claim,
             continue;
         const ClaimedField& field = *subject.fields[k];
         const auto formula = formula_of(subject, field);
-        if (!formula)
+        if (!formula || !typed_value(field.values.front())) // a verdict is right by chance, too
             continue;
         for (auto& [slip, often] : how_often) {
             const auto results = find_slip(slip)->redo(*formula);

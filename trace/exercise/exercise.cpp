@@ -237,6 +237,11 @@ private:
             document ? document.value().root().find("vertices") : std::optional<JsonValue>();
         if (!vertices || vertices->members().empty())
             throw problem_of(source_.name, "expected a scene with vertices of its own, found none");
+        if (const auto meshes = document.value().root().find("meshes"))
+            for (const JsonValue& mesh : meshes->elements())
+                if (mesh.find("obj"))
+                    throw problem_of(source_.name,
+                                     "expected a scene of one file, found a mesh in another one");
         for (const auto& [name, at] : vertices->members()) {
             std::size_t axis = 0;
             for (const JsonValue& coordinate : at.elements()) {
