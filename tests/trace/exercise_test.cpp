@@ -15,6 +15,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdlib>
 #include <set>
 #include <string>
 
@@ -77,14 +78,24 @@ TEST(Exercise, HasTheFactsOfTheSceneThatItIsLike) {
     }
 }
 
+/// How many seeds are tried of each kind; RASTERTRACE_EXERCISE_SEEDS=1000 takes minutes.
+int seeds_of_a_kind() {
+    const char* const asked = std::getenv("RASTERTRACE_EXERCISE_SEEDS");
+    return asked ? std::stoi(asked) : random_cases(10);
+}
+
 TEST(Exercise, ThereIsOneOfEachKindForEverySeed) {
     for (const ExerciseKind& kind : exercise_kinds) {
         const Source like{std::string(kind.name) + ".json", std::string(kind.scene)};
         const auto facts = facts_of(trace_of(exact_scene(like)));
         ExerciseMaker maker(like);
-        for (int seed = 0; seed < random_cases(10); ++seed) {
+        for (int seed = 0; seed < seeds_of_a_kind(); ++seed) {
             const Exercise made = maker.exercise("1:" + std::to_string(seed));
-            EXPECT_EQ(facts_of(trace_of(exact_scene(made.scene))), facts) << made.scene.text;
+            SCOPED_TRACE(made.scene.text);
+            const Scene scene = exact_scene(made.scene);
+            EXPECT_EQ(facts_of(trace_of(scene)), facts);
+            if (scene.projection.type == ProjectionType::none)
+                expect_alike(scene, exact_scene(like));
             EXPECT_GT(made.slips.size(), 5U) << kind.name;
         }
     }
