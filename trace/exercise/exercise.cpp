@@ -142,7 +142,7 @@ public:
     Exercise made(std::string_view id) {
         RandomNumbers random(id);
         Axes axes = typed_values();
-        for (int tries = 10 * most_tries; tries > 0;)
+        for (int tries = most_tries; tries > 0;)
             if (auto alike = next_alike(random, tries, axes); alike && tells_apart(alike->second))
                 return {std::string(id), std::move(alike->first), slips_};
         throw problem_of(source_.name,
@@ -178,6 +178,8 @@ private:
                 continue;
             Source one = with(changed);
             auto tried = drawn(one);
+            if (tried) // a larger scene has fewer tries
+                tries -= static_cast<int>(tried.value().trace.size() / 1000);
             if (!tried || has_other_facts(facts_of(tried.value().trace)))
                 continue;
             axes = std::move(changed);
