@@ -27,7 +27,10 @@ namespace rastertrace {
 namespace {
 
 using nlohmann::json;
+using testing::AllOf;
+using testing::ContainsRegex;
 using testing::HasSubstr;
+using testing::Not;
 using testing::StartsWith;
 
 /// The numbers as a claim has them: one, or a list.
@@ -126,10 +129,27 @@ TEST_F(ExerciseTest, TheGraderNeedsOnlyTheSeed) {
               content("anna/scene.json"));
     EXPECT_THAT(content("anna/sheet.txt"), StartsWith("# exercise 1:anna\n"));
     EXPECT_THAT(content("anna/picture.svg"), StartsWith("<svg"));
+    EXPECT_THAT(
+        content("anna/picture.svg"),
+        AllOf(HasSubstr("exercise 1:anna"), HasSubstr("method: fill scanline, rounding floor")));
     const Outcome marked = shell("$rastertrace exercise --kind scanline --seed 1:anna | "
                                  "$rastertrace check - anna/sheet.txt");
     EXPECT_EQ(marked.status, 0);
     EXPECT_THAT(marked.out, StartsWith("0 right, 0 wrong, "));
+}
+
+// What is to be worked out with must be on the sheet, and nothing of what is to be worked out.
+TEST_F(ExerciseTest, ThePrintedSheetHasAllThatTheSceneGives) {
+    ASSERT_EQ(shell("$rastertrace exercise --kind depth --seed a -o depth; "
+                    "$rastertrace exercise --kind clip --seed a -o clip; "
+                    "$rastertrace exercise --kind light --seed a -o light")
+                  .status,
+              0);
+    EXPECT_THAT(content("depth/picture.svg"), ContainsRegex(R"(A \([^,]*, [^,]*, [^,]*\))"));
+    EXPECT_THAT(content("clip/picture.svg"),
+                HasSubstr("projection: {type: view-plane, distance: 1, near: 1}"));
+    EXPECT_THAT(content("clip/picture.svg"), Not(HasSubstr("ABC:1 (")));
+    EXPECT_THAT(content("light/picture.svg"), HasSubstr("light: {direction: [1, 2, 3]}"));
 }
 
 TEST_F(ExerciseTest, AClassHasAFolderForEachSeed) {

@@ -95,7 +95,9 @@ private:
         write_file(path("sheet.txt"),
                    fmt::format("{}{}\n{}", exercise_line(exercise.id), scene_line("scene.json"),
                                claims_template(trace)));
-        write_file(path("picture.svg"), figure_in(FigureFormat::svg, sheet_page(trace), {}));
+        write_file(
+            path("picture.svg"),
+            figure_in(FigureFormat::svg, sheet_page(trace, &exercise.scene, exercise.id), {}));
         print(fmt::format("written: {}\n", printable(folder)));
     }
 

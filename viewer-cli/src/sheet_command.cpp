@@ -68,9 +68,9 @@ public:
             {.method = options_.method, .limits = options_.input, .frames = options_.frames});
         const Trace trace = input.trace(input.first());
         if (output_.empty() || output_ == "-")
-            print(sheet_of(trace));
+            print(sheet_of(trace, input.given_scene()));
         else
-            write_file(output_, sheet_of(trace), opened_files());
+            write_file(output_, sheet_of(trace, input.given_scene()), opened_files());
         return report_damage(trace);
     }
 
@@ -81,16 +81,16 @@ private:
         FrameChoice frames;
     };
 
-    std::string sheet_of(const Trace& trace) const {
+    std::string sheet_of(const Trace& trace, const Source* scene) const {
         switch (format_) {
         case SheetFormat::columns:
             return claims_template_in_columns(trace);
         case SheetFormat::svg:
-            return figure_in(FigureFormat::svg, sheet_page(trace), {});
+            return figure_in(FigureFormat::svg, sheet_page(trace, scene), {});
         case SheetFormat::png:
-            return figure_in(FigureFormat::png, sheet_page(trace), {});
+            return figure_in(FigureFormat::png, sheet_page(trace, scene), {});
         case SheetFormat::tex:
-            return figure_in(FigureFormat::tex, sheet_page(trace), {});
+            return figure_in(FigureFormat::tex, sheet_page(trace, scene), {});
         case SheetFormat::text:
             break;
         }

@@ -4,11 +4,13 @@
 #include <rastertrace/figures/figure.h>
 #include <rastertrace/trace/check/claims_template.h>
 #include <rastertrace/trace/record/traced_steps.h>
+#include <rastertrace/trace/text/json_document.h>
 #include <rastertrace/trace/text/text.h>
 
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <set>
 #include <string>
@@ -18,8 +20,33 @@ namespace rastertrace {
 
 namespace {
 
-/// The vertices as the scene has them: A (2, 5).
-std::vector<std::string> given_vertices(const Trace& trace) {
+/// What a scene file gives: A (2, 5, 3); then camera: {position: [0, 0, 4], ...}. Empty if it is no JSON.
+std::vector<std::string> given_in_scene(const Source& scene) {
+    constexpr std::array keys{"model", "camera", "projection", "viewport", "light"};
+    const auto document = parse_json(scene);
+    if (!document)
+        return {};
+    const JsonValue root = document.value().root();
+    std::vector<std::string> lines;
+    if (const auto vertices = root.find("vertices"))
+        for (const auto& [name, at] : vertices->members()) {
+            std::vector<std::string> coordinates;
+            for (const JsonValue& coordinate : at.elements())
+                coordinates.push_back(coordinate.text);
+            lines.push_back(fmt::format("{} ({})", name.text, joined(coordinates, ", ")));
+        }
+    for (const std::string key : keys)
+        if (const auto value = root.find(key)) {
+            std::string text = key + ": ";
+            text += scene.view().substr(value->begin, value->end() - value->begin);
+            std::erase(text, '"');
+            lines.push_back(std::move(text));
+        }
+    return lines;
+}
+
+/// The vertices of a trace, where there is no scene: A (2, 5).
+std::vector<std::string> given_in_trace(const Trace& trace) {
     std::vector<std::string> lines;
     std::set<std::string> known;
     const auto add = [&](const std::string& name, const std::vector<std::string>& at) {
@@ -39,14 +66,37 @@ std::vector<std::string> given_vertices(const Trace& trace) {
                 add(names[i], places[i].texts());
         }
     }
-    lines.emplace_back();
     return lines;
+}
+
+/// By which rules it is drawn: `method: fill scanline, rounding floor`. Who works by hand has exact numbers.
+std::string method_of_sheet(const Trace& trace) {
+    std::vector<std::string> rules;
+    for (const auto& [key, value] : trace.method)
+        if (key != "scalar")
+            rules.push_back(fmt::format("{} {}", key, value));
+    return "method: " + joined(rules, ", ");
+}
+
+std::vector<std::string> wrapped_lines(const std::vector<std::string>& lines) {
+    constexpr std::size_t longest = 68;
+    std::vector<std::string> all;
+    for (const std::string& line : lines) {
+        const auto parts = wrapped(line, longest);
+        all.insert(all.end(), parts.begin(), parts.end());
+    }
+    return all;
 }
 
 /// The lines of a sheet as they are printed: what is given, and a rule to write on in place of each `?`. The picture is
 /// the grid above them.
-std::vector<std::string> printed_lines(const Trace& trace) {
-    std::vector<std::string> lines = given_vertices(trace);
+std::vector<std::string> printed_lines(const Trace& trace, const Source* scene) {
+    std::vector<std::string> lines = scene ? given_in_scene(*scene) : std::vector<std::string>{};
+    if (lines.empty())
+        lines = given_in_trace(trace);
+    lines.push_back(method_of_sheet(trace));
+    lines = wrapped_lines(lines);
+    lines.emplace_back();
     for (std::string line : split_at(claims_template(trace), '\n')) {
         if (line == "picture:")
             break;
@@ -61,10 +111,12 @@ std::vector<std::string> printed_lines(const Trace& trace) {
 
 } // namespace
 
-Drawing sheet_page(const Trace& trace) {
+Drawing sheet_page(const Trace& trace, const Source* scene, const std::string& exercise) {
     FigureMaker maker(trace, {{.steps = {.first = 1, .last = 1}, .is_question = true}}, {});
     Drawing page = maker.figure(0);
-    const std::vector<std::string> lines = printed_lines(trace);
+    std::vector<std::string> lines = printed_lines(trace, scene);
+    if (!exercise.empty())
+        lines.insert(lines.begin(), fmt::format("exercise {}", exercise));
     constexpr double size = 12;
     constexpr double line_height = 22; // room for a hand
     constexpr double margin = 16;

@@ -5,10 +5,14 @@
 
 #include <rastertrace/figures/drawing.h>
 #include <rastertrace/trace/record/trace.h>
+#include <rastertrace/trace/text/input.h>
+
+#include <string>
 
 namespace rastertrace {
 
-/// A page: the grid before the first step, and below it, in columns, what is asked.
-Drawing sheet_page(const Trace& trace);
+/// A page: the grid before the first step, and below it, in columns, what the scene gives, or, without one, the trace;
+/// then what is asked. `exercise` is the ID of one, or empty.
+Drawing sheet_page(const Trace& trace, const Source* scene, const std::string& exercise = {});
 
 } // namespace rastertrace
