@@ -203,7 +203,7 @@ TEST_F(ExerciseTest, TheCommandsOfThePageForTeachersRun) {
         EXPECT_EQ(run.status, 0) << script << run.err;
         EXPECT_EQ(run.err, "") << script;
     }
-    EXPECT_THAT(content("handout/Anna Lee/sheet.txt"), StartsWith("# exercise 1:Anna Lee\n"));
+    EXPECT_THAT(content("named/Anna Lee/sheet.txt"), StartsWith("# exercise 1:Anna Lee\n"));
     EXPECT_THAT(content("marks.csv"), HasSubstr("2026-30/sheet.txt,0,0,0,12,,1:2026-30"));
     EXPECT_EQ(json::parse(content("autograder/results/results.json")).at("tests").size(), 12U);
     EXPECT_EQ(json::parse(content("grade/results/results.json")).at("score"), 0);
@@ -227,7 +227,7 @@ TEST_F(ExerciseTest, MarksAreAPointForEachClaimThatIsRightOrFollowsRightly) {
         shell("$rastertrace check " + claims + " --format prairielearn --no-answers");
     const json results = json::parse(told.out);
     EXPECT_NEAR(results.at("score").get<double>(), 4.0 / 7, 1e-12);
-    EXPECT_EQ(results.at("tests").at(2).at("message"), "wrong"); // not that it follows
+    EXPECT_EQ(results.at("tests").at(2).at("message"), "follows"); // as its point says
     EXPECT_EQ(results.at("tests").at(1).at("output"), "");
     EXPECT_THAT(shell("$rastertrace check " + claims + " --format markdown").out,
                 HasSubstr("| 9 | y=2: -1/4, 25/8 -> 0..3 | wrong |\n"));
@@ -239,6 +239,40 @@ TEST_F(ExerciseTest, MarksAreAPointForEachClaimThatIsRightOrFollowsRightly) {
     EXPECT_EQ(json::parse(shell("$rastertrace check garbled.txt --format prairielearn").out)
                   .at("gradable"),
               false);
+}
+
+// What was left out is open; what nobody asked for, or asked for once, is no point.
+TEST_F(ExerciseTest, AnExerciseIsMarkedByItsWholeSheet) {
+    ASSERT_EQ(shell("$rastertrace exercise --kind scanline --seed anna -o anna").status, 0);
+    const std::string sheet = content("anna/sheet.txt");
+    const std::size_t begin = sheet.find("edge");
+    std::string first = sheet.substr(begin, sheet.find('?', begin) - begin); // "edge AB: "
+    const auto mark = [&](const std::string& lines) {
+        write("one.txt", "\xEF\xBB\xBF# exercise 1:anna\r\n" + lines);
+        return shell("$rastertrace check --kind scanline one.txt --format csv").out;
+    };
+    const Outcome right = shell("$rastertrace trace anna/scene.json --only edge -o -");
+    const std::size_t at = right.out.find("\"dx_dy\":\"");
+    ASSERT_NE(at, std::string::npos) << right.err;
+    const std::string slope = right.out.substr(at + 9, right.out.find('"', at + 9) - at - 9);
+    const std::string line = first + slope + "\n";
+    EXPECT_THAT(mark(line), HasSubstr("one.txt,1,0,0,11,,1:anna\r\n"));
+    EXPECT_THAT(mark(line + line + "(8,5): off\n"), HasSubstr("one.txt,1,0,0,11,,1:anna\r\n"));
+    EXPECT_THAT(mark(line + first + "77\n"), HasSubstr("one.txt,0,1,0,11,"));
+    const json results =
+        json::parse(shell("$rastertrace check --kind scanline one.txt --format gradescope").out);
+    EXPECT_EQ(results.at("tests").size(), 12U);
+}
+
+TEST_F(ExerciseTest, AFilledInSheetIsNotWrittenOver) {
+    const std::string make = "$rastertrace exercise --kind scanline --seed anna -o anna";
+    ASSERT_EQ(shell(make + " && " + make).status, 0); // an empty one may be written again
+    ASSERT_EQ(shell("echo 'edge AB: 1' >> anna/sheet.txt").status, 0);
+    const std::string filled = content("anna/sheet.txt");
+    const Outcome again = shell(make);
+    EXPECT_EQ(again.status, 2);
+    EXPECT_THAT(again.err, HasSubstr("expected no sheet that has been filled in, found one"));
+    EXPECT_EQ(content("anna/sheet.txt"), filled);
 }
 
 TEST_F(ExerciseTest, AClassMayHaveOtherFilesAndSheetsThatCannotBeRead) {
@@ -254,7 +288,9 @@ TEST_F(ExerciseTest, AClassMayHaveOtherFilesAndSheetsThatCannotBeRead) {
     write("class/cleo.txt", "edge AB: 3/4\n");
     const Outcome marked = shell("$rastertrace check --class class -o slips.svg");
     EXPECT_EQ(marked.status, 2);
-    EXPECT_THAT(marked.err, HasSubstr("found 2 sheets of ben: ben/a.txt, ben/b.txt\n"));
+    EXPECT_THAT(
+        marked.err,
+        HasSubstr("class: 2 sheets of ben: ben/a.txt, ben/b.txt; each of them is marked\n"));
     EXPECT_THAT(marked.err, HasSubstr("cleo.txt: expected a scene before the claims"));
     EXPECT_THAT(marked.err, HasSubstr("empty.txt: expected claims, found none"));
     EXPECT_THAT(marked.out, StartsWith("anna.txt: 1 right, 0 wrong\n"
@@ -313,6 +349,11 @@ TEST_F(ExerciseTest, BadInputIsToldInPlainWords) {
     EXPECT_THAT(shell("$rastertrace exercise --kind scanline --seed 2:anna").err,
                 HasSubstr("expected an ID of version 1, found one of version \"2\""));
     EXPECT_EQ(shell("$rastertrace exercise --kind scanline --seed anna --count 3").status, 2);
+
+    EXPECT_THAT(shell("$rastertrace exercise --kind scanline --seed a/b --count 2 -o x").err,
+                HasSubstr("--seed: expected no / beside --count"));
+    EXPECT_THAT(shell("$rastertrace exercise --like $examples/t2-lines/points.json --seed a").err,
+                HasSubstr("expected a scene with numbers to work out, found only pixels"));
 
     // Before anything is written.
     write("mesh.json", R"({"canvas": {"width": 16, "height": 12}, "triangles": ["ABC"],

@@ -117,6 +117,8 @@ public:
             throw asked.problem();
         const auto& [as_typed, trace] = asked.value();
         canvas_ = as_typed.canvas;
+        has_lines_ = as_typed.has(PrimitiveKind::line) || as_typed.has(PrimitiveKind::outline) ||
+                     as_typed.has(PrimitiveKind::circle);
         is_projected_ = as_typed.projection.type != ProjectionType::none || as_typed.camera ||
                         !as_typed.objects.empty() || as_typed.viewport.type != ViewportType::none;
         facts_ = facts_of(trace);
@@ -137,6 +139,9 @@ public:
                             "in {} tries, what changed most often is \"{}\"",
                             most_tries, most_frequent_change()));
         slips_ = slips_alike(all);
+        if (slips_.empty())
+            throw problem_of(source_.name,
+                             "expected a scene with numbers to work out, found only pixels");
     }
 
     Exercise made(std::string_view id) {
@@ -274,12 +279,12 @@ private:
     }
 
     /// The step between the values that a coordinate may have: 1 over the denominator that it has, at most 8; halved as
-    /// long as there are few of them.
+    /// long as there are few of them, but not where lines are.
     Rational unit_for(const Rational& value, const Rational& width, std::size_t count) const {
         constexpr long largest_denominator = 8;
         const bool is_fine = value.get_den() > largest_denominator;
         Rational unit(1, is_fine ? mpz_class(largest_denominator) : value.get_den());
-        while (width / unit < 3 * static_cast<long>(count) &&
+        while (!has_lines_ && width / unit < 3 * static_cast<long>(count) &&
                unit.get_den() * 2 <= largest_denominator)
             unit /= 2;
         return unit;
@@ -360,6 +365,7 @@ private:
     Source source_;
     Canvas canvas_;
     bool is_projected_ = false;
+    bool has_lines_ = false;                   ///< their ends stay on the grid that they are on
     std::vector<Place> places_;                ///< in the order of the text
     std::array<std::set<Rational>, 3> values_; ///< of x, y and z
     std::vector<std::string> facts_;
@@ -380,11 +386,14 @@ Result<std::string> exercise_id(std::string_view typed) {
                                       exercise_version, typed.substr(0, colon)));
         seed = typed.substr(colon + 1);
     }
+    if (seed.empty())
+        return refuse("expected an ID, found an empty one");
     const bool has_control = std::any_of(seed.begin(), seed.end(), [](char c) {
         return static_cast<unsigned char>(c) < 0x20 || c == 0x7F;
     });
-    if (seed.empty() || has_control)
-        return refuse("expected an ID of letters, found none, or control characters");
+    if (has_control)
+        return refuse(
+            "expected an ID without control characters, such as the ends of lines, found some");
     return fmt::format("{}:{}", exercise_version, seed);
 }
 
@@ -393,9 +402,12 @@ std::string exercise_line(std::string_view id) {
 }
 
 Result<std::string> exercise_of_sheet(const Source& sheet) {
-    for (const std::string& line : split_at(sheet.view(), '\n'))
-        if (line.starts_with(exercise_line_begin)) {
-            std::string_view typed = line;
+    constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
+    for (const std::string& whole : split_at(sheet.view(), '\n')) {
+        std::string_view typed = whole;
+        if (typed.starts_with(byte_order_mark))
+            typed.remove_prefix(byte_order_mark.size());
+        if (typed.starts_with(exercise_line_begin)) {
             typed.remove_prefix(exercise_line_begin.size());
             while (!typed.empty() && (typed.back() == '\r' || typed.back() == ' '))
                 typed.remove_suffix(1);
@@ -404,6 +416,7 @@ Result<std::string> exercise_of_sheet(const Source& sheet) {
                 return problem_of(sheet.name, id.problem().message);
             return id;
         }
+    }
     return problem_of(
         sheet.name, "expected a line that names the exercise, as `# exercise 1:anna`, found none");
 }

@@ -65,10 +65,15 @@ public:
         }
         case StepKind::decide:
             add_tie(step.as<DecideStep>().d.text() == "0");
+            count("decisions");
+            counts_[name_ + (step.as<DecideStep>().move.text().size() > 1
+                                 ? ": diagonal steps, more than none"
+                                 : ": straight steps, more than none")] = 1;
             break;
         case StepKind::along: {
             const auto value = number_in(step.as<AlongStep>().value.text());
             add_tie(value && value->get_den() == 2);
+            count("pixels along it");
             break;
         }
         case StepKind::clip:

@@ -59,7 +59,6 @@ std::optional<SheetMark> mark_in(const std::string& folder, const std::string& n
         exercise = checker.exercise_of(source);
         SheetMark mark = mark_of(checker.check(std::move(source)));
         mark.name = name;
-        mark.exercise = exercise;
         return mark;
     } catch (const Problem& problem) {
         return SheetMark{.name = name, .exercise = exercise, .problem = problem};
@@ -158,7 +157,8 @@ std::string class_text(const ClassMarks& marks) {
         if (!sheet.problem && counts.wrong + counts.follow + counts.open == 0)
             ++all_right;
     }
-    text += fmt::format("\n{} sheets, {} all right\n", marks.sheets.size(), all_right);
+    text += fmt::format("\n{} {}, {} all right\n", marks.sheets.size(),
+                        marks.sheets.size() == 1 ? "sheet" : "sheets", all_right);
     const auto slips = slip_counts(marks.sheets);
     if (!slips.empty())
         text += "\nThe most likely slip of a sheet, and of how many sheets:\n";

@@ -90,9 +90,9 @@ std::string report_of(const CheckCommand& command, const std::vector<CheckedFile
     return check_text(files, command.told);
 }
 
-/// A system that takes marks gets them even where a sheet cannot be checked.
-bool has_marks(CheckFormat format) {
-    return format == CheckFormat::gradescope || format == CheckFormat::prairielearn;
+/// What another program reads is complete even where a sheet cannot be checked.
+bool tells_problems(CheckFormat format) {
+    return format != CheckFormat::text && format != CheckFormat::json;
 }
 
 ExitStatus status_of(std::size_t problems, std::size_t wrong) {
@@ -132,7 +132,7 @@ ExitStatus run_class(const CheckCommand& command) {
         print_error(fmt::format("rastertrace: {}\n", to_text(*sheet.problem)));
     }
     for (const std::string& duplicate : marks.duplicates)
-        print_error(fmt::format("rastertrace: {}: expected one sheet of a student, found {}\n",
+        print_error(fmt::format("rastertrace: {}: {}; each of them is marked\n",
                                 printable(command.class_folder), duplicate));
     print(command.format == CheckFormat::csv ? check_csv(marks.sheets, command.told)
                                              : class_text(marks));
@@ -146,7 +146,7 @@ ExitStatus run_class(const CheckCommand& command) {
 ExitStatus tell(const CheckCommand& command, ClaimsChecker& checker, std::optional<Source> first,
                 const std::vector<std::string>& paths) {
     std::vector<CheckedFile> files;
-    if (!has_marks(command.format) && paths.size() + (first ? 1U : 0U) == 1)
+    if (!tells_problems(command.format) && paths.size() + (first ? 1U : 0U) == 1)
         files.push_back(checker.check(
             first ? *std::move(first) : load_scene_trace_or_claims(paths.front(), command.input)));
     else

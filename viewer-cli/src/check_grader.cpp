@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The files that Gradescope (Autograder Specifications, "Output Format") and PrairieLearn (External grading, "Grading
-// results") take marks from: a test of one point for each claim.
+// results") take marks from: a test of one point for each mark.
 
 #include "check_report.h"
 
@@ -27,13 +27,24 @@ struct GradedClaim {
 std::vector<GradedClaim> graded(const std::vector<CheckedFile>& files, CheckTold told) {
     std::vector<GradedClaim> tests;
     for (const CheckedFile& file : files)
-        for (const CheckedClaim& claim : file.checked.claims)
-            tests.push_back({files.size() == 1
-                                 ? fmt::format("line {}: {}", file.claim_of(claim).line,
-                                               shown_claim(file.claim_of(claim)))
-                                 : place_of(file, claim),
-                             about_claim(file, claim, told), verdict_of(claim, told),
-                             points_of(claim.verdict)});
+        for (const Mark& mark : file.marks) {
+            GradedClaim test{.name = {},
+                             .output = {},
+                             .verdict = name_of(mark.verdict),
+                             .points = points_of(mark.verdict)};
+            for (const std::size_t i : mark.claims) {
+                const CheckedClaim& claim = file.checked.claims[i];
+                test.name +=
+                    fmt::format("{}line {}: {}", test.name.empty() ? "" : "; ",
+                                file.claim_of(claim).line, shown_claim(file.claim_of(claim)));
+                test.output += about_claim(file, claim, told);
+            }
+            if (mark.claims.empty())
+                test.name = printable(mark.asked);
+            if (files.size() > 1)
+                test.name = fmt::format("{}: {}", printable(file.name), test.name);
+            tests.push_back(std::move(test));
+        }
     return tests;
 }
 

@@ -54,7 +54,8 @@ std::string test_case(const CheckedFile& file, const CheckedClaim& claim, CheckT
     return head +
            fmt::format(">\n      <failure message=\"{}\">{}</failure>\n    </testcase>\n",
                        told == CheckTold::answers ? escaped(message_of(file, claim)) : "wrong",
-                       told == CheckTold::answers ? escaped_lines(body_of(file, claim)) : "");
+                       escaped_lines(told == CheckTold::answers ? body_of(file, claim)
+                                                                : about_claim(file, claim, told)));
 }
 
 std::string test_suite(const CheckedFile& file, CheckTold told) {

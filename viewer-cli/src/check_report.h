@@ -19,11 +19,21 @@
 
 namespace rastertrace {
 
+/// What is marked as one.
+struct Mark {
+    std::vector<std::size_t> claims{}; ///< of Checked::claims; none: nothing was handed in
+    ClaimVerdict verdict = ClaimVerdict::open;
+    std::string asked = {}; ///< the line of the empty sheet, if there is one
+};
+
 /// A file of claims.
 struct CheckedFile {
     std::string name; ///< as messages call it
     Claims claims = {};
     Checked checked = {};
+    std::string exercise = {}; ///< its ID; empty: it is about no exercise
+    std::vector<Mark> marks =
+        {}; ///< one for each claim; of an exercise, for each line of its sheet
     std::optional<Problem> problem = {}; ///< why it could not be checked; then the rest is empty
 
     const Claim& claim_of(const CheckedClaim& checked_claim) const {
@@ -58,7 +68,7 @@ std::string counts_text(const Checked& checked);
 /// What is left of a sheet when it is marked: a class of them takes little memory.
 struct SheetMark {
     std::string name;
-    std::string exercise = {}; ///< its ID; empty: the sheet is about no exercise
+    std::string exercise = {}; ///< as in CheckedFile
     Checked counts = {};       ///< without claims
     std::optional<Problem> problem = {};
 };

@@ -225,6 +225,7 @@ std::string counts_text(const Checked& checked) {
 SheetMark mark_of(const CheckedFile& file) {
     const Checked& checked = file.checked;
     SheetMark mark{.name = file.name,
+                   .exercise = file.exercise,
                    .counts = {.right = checked.right,
                               .wrong = checked.wrong,
                               .follow = checked.follow,

@@ -45,6 +45,7 @@ private:
     std::optional<Truth> given_;
     std::optional<ExerciseMaker> exercises_;
     std::string last_name_;     ///< of the scene, or the ID of the exercise, that came last
+    std::string last_sheet_;    ///< of the exercise, empty
     std::optional<Truth> last_; ///< about it
 };
 

@@ -19,6 +19,7 @@
 #include <filesystem>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -32,7 +33,7 @@ std::string slips_in_words(const Exercise& exercise) {
     for (const auto& group : exercise.slips)
         if (group.size() > 1)
             alike.push_back(joined({group.begin(), group.end()}, " = "));
-    return fmt::format("{} slips have answers of their own{}\n", exercise.slips.size(),
+    return fmt::format("{} slips give wrong answers of their own{}\n", exercise.slips.size(),
                        alike.empty() ? "" : "; the same with any numbers: " + joined(alike, "; "));
 }
 
@@ -63,6 +64,8 @@ public:
         number_ = number_in_option<std::size_t>("--count", count_, 1, 10'000);
         if (number_ && folder_.empty())
             throw problem_of("", "--count: expected -o FOLDER as well, found none");
+        if (number_ && seed_.find('/') != std::string::npos)
+            refuse_value("--seed", "no / beside --count, which makes folders of it", seed_);
         id_ = value_or_throw(exercise_id(seed_));
         model_.read();
     }
@@ -74,27 +77,39 @@ public:
             return exit_fine;
         }
         Exercise last;
+        std::set<std::string> different;
         for (std::size_t i = 1; i <= number_.value_or(1); ++i) {
             const std::string ending = number_ ? fmt::format("-{}", i) : "";
             last = like.exercise(id_ + ending);
+            different.insert(last.scene.text);
             write(last,
                   number_ ? (std::filesystem::path(folder_) / (seed_ + ending)).string() : folder_);
         }
+        if (number_)
+            print(fmt::format("{} exercises, {} of them different\n", *number_, different.size()));
         print(slips_in_words(last));
         return exit_fine;
     }
 
 private:
+    /// Throws a Problem rather than writing over a sheet that has been filled in.
     static void write(const Exercise& exercise, const std::string& folder) {
-        make_folder(folder);
         const auto path = [&folder](const char* name) {
             return (std::filesystem::path(folder) / name).string();
         };
+        InputFrames input(path("scene.json"),
+                          {.name = path("scene.json"), .text = exercise.scene.text}, {});
+        const Trace trace = input.trace(input.first());
+        const std::string sheet = fmt::format("{}{}\n{}", exercise_line(exercise.id),
+                                              scene_line("scene.json"), claims_template(trace));
+        if (std::filesystem::exists(path("sheet.txt")) &&
+            value_or_throw(read_named_file(path("sheet.txt"), {})).view() != sheet)
+            throw problem_of(path("sheet.txt"),
+                             "expected no sheet that has been filled in, found one",
+                             "another folder behind -o, or remove it");
+        make_folder(folder);
         write_file(path("scene.json"), exercise.scene.text);
-        const Trace trace = load_trace(path("scene.json"));
-        write_file(path("sheet.txt"),
-                   fmt::format("{}{}\n{}", exercise_line(exercise.id), scene_line("scene.json"),
-                               claims_template(trace)));
+        write_file(path("sheet.txt"), sheet);
         write_file(
             path("picture.svg"),
             figure_in(FigureFormat::svg, sheet_page(trace, &exercise.scene, exercise.id), {}));
