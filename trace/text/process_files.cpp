@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <array>
+#include <mutex>
 #include <utility>
 
 namespace rastertrace {
@@ -20,6 +21,7 @@ namespace {
 
 // Rules are for a process as a whole, and so is what it has opened: no caller can forget to hand them on.
 std::vector<FileId> opened;
+std::mutex opened_mutex; // several threads may open files
 FileRules rules;
 
 void refuse_outside(const std::string& place, const std::string& path) {
@@ -45,6 +47,7 @@ const FileRules& file_rules() {
 }
 
 void note_opened(const FileId& file) {
+    const std::scoped_lock lock(opened_mutex);
     if (std::find(opened.begin(), opened.end(), file) == opened.end())
         opened.push_back(file);
 }

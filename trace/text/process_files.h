@@ -13,7 +13,8 @@
 
 namespace rastertrace {
 
-/// The regular files that have been opened to be read since the process began, whoever named them.
+/// The regular files that have been opened to be read since the process began, whoever named them. Not to be asked for
+/// while other threads open files.
 const std::vector<FileId>& opened_files();
 
 /// Where the files of a process may lie.
