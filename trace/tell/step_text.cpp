@@ -579,7 +579,7 @@ std::size_t reason_of_pixel(const Replay& replay) {
     for (std::size_t n = replay.step() - 1; n > replay.primitive(); --n) {
         const auto kind = replay.trace().kind_of(n);
         if (kind != StepKind::pixel && kind != StepKind::depth && kind != StepKind::reject)
-            return n;
+            return kind ? n : 0; // a kind that nobody knows is no reason
     }
     return 0;
 }
