@@ -157,12 +157,12 @@ private:
             return std::ranges::all_of(rule.mistakes,
                                        [](const Mistake* one) { return !one->put_in; });
         };
-        in_threads(rules.size(), options_.jobs, [&](std::size_t i) {
+        in_threads(rules.size(), options_.jobs, [&](std::size_t i, std::size_t) {
             tried[i] = try_one(rules[i], pairs,
                                in_doubles(rules[i]) ? DrawnIn::doubles : DrawnIn::fractions);
         });
         const std::uint64_t least = rules.empty() ? 0 : least_of(tried);
-        in_threads(rules.size(), options_.jobs, [&](std::size_t i) {
+        in_threads(rules.size(), options_.jobs, [&](std::size_t i, std::size_t) {
             if (in_doubles(rules[i]) && is_near(tried[i], least))
                 tried[i] = try_one(rules[i], pairs, DrawnIn::fractions);
         });

@@ -119,7 +119,8 @@ std::vector<Source> probe_scenes(std::size_t jobs) {
         scenes.push_back(scene_of_seed(i + 1, methods[i / kinds.size() % methods.size()],
                                        i % in_eight == 0 ? 64 : 32));
     std::vector<std::vector<std::size_t>> partitions(candidates);
-    in_threads(candidates, jobs, [&](std::size_t i) { partitions[i] = classes_of(scenes[i]); });
+    in_threads(candidates, jobs,
+               [&](std::size_t i, std::size_t) { partitions[i] = classes_of(scenes[i]); });
 
     // The one that tells the most apart, then the one that tells the most of the rest apart, and so on.
     constexpr std::size_t most_small = 12;

@@ -3,7 +3,7 @@
 
 // Work on many items in several threads. What comes of it must not depend on their order.
 //
-//     in_threads(items.size(), jobs, [&](std::size_t i) { results[i] = result_of(items[i]); });
+//     in_threads(items.size(), jobs, [&](std::size_t i, std::size_t) { results[i] = result_of(items[i]); });
 
 #include <atomic>
 #include <cstddef>
@@ -12,17 +12,17 @@
 
 namespace rastertrace {
 
-/// Calls `work(i)` once for each index below `count`, in `jobs` threads. `work` must not throw.
+/// Calls `work(i, thread)` once for each index i below `count`, in `jobs` threads, numbered from 0. `work` must not throw.
 template <typename Work> void in_threads(std::size_t count, std::size_t jobs, const Work& work) {
     std::atomic<std::size_t> next = 0;
-    const auto work_on = [&] {
+    const auto work_on = [&](std::size_t thread) {
         for (std::size_t i = next++; i < count; i = next++)
-            work(i);
+            work(i, thread);
     };
     std::vector<std::jthread> threads;
     for (std::size_t i = 1; i < jobs; ++i)
-        threads.emplace_back(work_on);
-    work_on();
+        threads.emplace_back(work_on, i);
+    work_on(0);
 }
 
 } // namespace rastertrace

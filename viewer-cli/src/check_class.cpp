@@ -12,7 +12,6 @@
 
 #include <algorithm>
 #include <array>
-#include <atomic>
 #include <filesystem>
 #include <map>
 #include <system_error>
@@ -97,6 +96,25 @@ std::string left_out_in_words(const std::vector<std::string>& names) {
     return joined(told, ", ");
 }
 
+/// A slip, and of how many sheets it is the most likely one.
+struct SlipCount {
+    std::string name; ///< empty: wrong numbers that no slip explains
+    std::size_t sheets = 0;
+};
+
+/// The most frequent first.
+std::vector<SlipCount> slip_counts(const std::vector<SheetMark>& sheets) {
+    std::map<std::string, std::size_t> counts;
+    for (const SheetMark& sheet : sheets)
+        if (!sheet.problem && sheet.counts.wrong + sheet.counts.follow > 0)
+            ++counts[sheet.counts.slips.empty() ? "" : sheet.counts.slips.front()];
+    std::vector<SlipCount> slips;
+    for (const auto& [name, count] : counts)
+        slips.push_back({name, count});
+    std::ranges::stable_sort(slips, std::ranges::greater(), &SlipCount::sheets);
+    return slips;
+}
+
 /// "truncate-for-floor", or what stands for none.
 std::string_view shown_name(const SlipCount& slip) {
     return slip.name.empty() ? std::string_view("(no slip that is known)") : slip.name;
@@ -116,10 +134,8 @@ ClassMarks mark_class(const std::string& folder,
     for (std::size_t i = 0; i < jobs; ++i)
         checkers.push_back(make_checker());
     std::vector<std::optional<SheetMark>> found(names.size());
-    std::atomic<std::size_t> next = 0;
-    in_threads(jobs, jobs, [&](std::size_t thread) {
-        for (std::size_t i = next++; i < names.size(); i = next++)
-            found[i] = mark_in(folder, names[i], checkers[thread]);
+    in_threads(names.size(), jobs, [&](std::size_t i, std::size_t thread) {
+        found[i] = mark_in(folder, names[i], checkers[thread]);
     });
     for (std::size_t i = 0; i < names.size(); ++i) {
         if (found[i])
@@ -134,18 +150,6 @@ ClassMarks mark_class(const std::string& folder,
     std::ranges::sort(marks.left_out);
     marks.duplicates = duplicates_in(marks.sheets);
     return marks;
-}
-
-std::vector<SlipCount> slip_counts(const std::vector<SheetMark>& sheets) {
-    std::map<std::string, std::size_t> counts;
-    for (const SheetMark& sheet : sheets)
-        if (!sheet.problem && sheet.counts.wrong + sheet.counts.follow > 0)
-            ++counts[sheet.counts.slips.empty() ? "" : sheet.counts.slips.front()];
-    std::vector<SlipCount> slips;
-    for (const auto& [name, count] : counts)
-        slips.push_back({name, count});
-    std::ranges::stable_sort(slips, std::ranges::greater(), &SlipCount::sheets);
-    return slips;
 }
 
 std::string class_text(const ClassMarks& marks) {

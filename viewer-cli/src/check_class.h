@@ -27,15 +27,6 @@ struct ClassMarks {
 ClassMarks mark_class(const std::string& folder,
                       const std::function<ClaimsChecker()>& make_checker);
 
-/// A slip, and in how many sheets it is behind a wrong number.
-struct SlipCount {
-    std::string name; ///< empty: wrong numbers that no slip explains
-    std::size_t sheets = 0;
-};
-
-/// The most frequent first. Each sheet counts for its most likely slip.
-std::vector<SlipCount> slip_counts(const std::vector<SheetMark>& sheets);
-
 /// A line for each sheet, then the slips as bars.
 std::string class_text(const ClassMarks& marks);
 
