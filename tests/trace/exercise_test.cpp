@@ -2,6 +2,7 @@
 // Exercises are as much work as the scene that they are like, and tell slips apart.
 
 #include <rastertrace/trace/exercise/exercise.h>
+#include <rastertrace/trace/exercise/exercise_id.h>
 #include <rastertrace/trace/exercise/exercise_kinds.h>
 #include <rastertrace/trace/exercise/facts.h>
 #include <rastertrace/trace/scene/scene_file.h>

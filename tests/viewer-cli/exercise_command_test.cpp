@@ -12,6 +12,7 @@
 #include <rastertrace/trace/scene/scene_file.h>
 #include <rastertrace/trace/text/text.h>
 
+#include <fmt/core.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -314,6 +315,21 @@ TEST_F(ExerciseTest, AClassMayHaveOtherFilesAndSheetsThatCannotBeRead) {
             << options;
     EXPECT_THAT(shell("$rastertrace check").err,
                 HasSubstr("expected a file of claims, or --class"));
+}
+
+TEST_F(ExerciseTest, ARemarkOnASceneIsToldOnceHoweverManySheetsThereAre) {
+    ASSERT_EQ(shell("mkdir class").status, 0);
+    write("class/scene.json", R"({"canvas": {"width": 9, "height": 9},
+        "vertices": {"A": [0, 0], "B": [4, 3], "C": [2, 5, 5]}, "lines": [["A", "B"], ["B", "C"]]})");
+    for (int i = 0; i < 20; ++i)
+        write(fmt::format("class/{}.txt", i), "scene: scene.json\nedge AB: 3/4\n");
+    for (const char* const scene : {"", "class/scene.json "}) {
+        const std::string remarks =
+            shell(fmt::format("$rastertrace check {}--class class", scene)).err;
+        const std::size_t first = remarks.find("remark: ");
+        ASSERT_NE(first, std::string::npos) << scene << remarks;
+        EXPECT_EQ(remarks.find("remark: ", first + 1), std::string::npos) << scene << remarks;
+    }
 }
 
 TEST_F(ExerciseTest, TwoSheetsOfOneExerciseAreTold) {

@@ -8,6 +8,7 @@
 #include "claims_table.h"
 
 #include <rastertrace/trace/record/trace.h>
+#include <rastertrace/trace/text/byte_order_mark.h>
 #include <rastertrace/trace/text/json_document.h>
 #include <rastertrace/trace/text/json_reader.h>
 #include <rastertrace/trace/text/json_scanner.h>
@@ -24,12 +25,9 @@ namespace rastertrace {
 
 namespace {
 
-/// With the byte order mark.
-constexpr std::string_view blanks = "\xEF\xBB\xBF \t\r\n";
-
 /// What begins behind the blanks, or 0.
 char first_character(std::string_view text) {
-    const std::size_t first = text.find_first_not_of(blanks);
+    const std::size_t first = text.find_first_not_of(blanks_and_mark);
     return first == std::string_view::npos ? '\0' : text[first];
 }
 
@@ -38,8 +36,8 @@ char first_character(std::string_view text) {
 std::string in_one_line(std::string_view text) {
     std::string line;
     for (const std::string& part : split_at(text, '\n')) {
-        const std::size_t first = std::min(part.find_first_not_of(blanks), part.size());
-        const std::size_t end = part.find_last_not_of(blanks) + 1;
+        const std::size_t first = std::min(part.find_first_not_of(blanks_and_mark), part.size());
+        const std::size_t end = part.find_last_not_of(blanks_and_mark) + 1;
         if (first < end)
             line += (line.empty() ? "" : " ") + part.substr(first, end - first);
     }

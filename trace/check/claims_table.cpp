@@ -9,6 +9,7 @@
 #include "claims_columns.h"
 #include "pasted_answer.h"
 
+#include <rastertrace/trace/text/byte_order_mark.h>
 #include <rastertrace/trace/text/text.h>
 
 #include <algorithm>
@@ -65,7 +66,7 @@ public:
 private:
     void read_lines() {
         const std::string_view text = claims_.source.text;
-        std::size_t begin = text.starts_with("\xEF\xBB\xBF") ? 3 : 0;
+        std::size_t begin = size_of_mark(text);
         for (std::size_t number = 1; begin < text.size() || in_picture_; ++number) {
             const std::size_t end = std::min(text.find('\n', begin), text.size());
             try {

@@ -2,12 +2,12 @@
 #include "tell_apart.h"
 
 #include <rastertrace/trace/fuzz/shrink.h>
+#include <rastertrace/trace/scene/distinguish.h>
 #include <rastertrace/trace/scene/scene_file.h>
 #include <rastertrace/trace/text/in_threads.h>
 
 #include <algorithm>
 #include <array>
-#include <map>
 #include <utility>
 
 namespace rastertrace {
@@ -32,32 +32,65 @@ int canvas_of(std::uint64_t seed) {
     return seed % 8 == 0 ? 64 : 16;
 }
 
-/// True if both rules draw a scene, and not alike.
-bool are_apart(const Rule& a, const Rule& b, const FuzzScene& scene) {
-    const auto by_a = drawn_by(a, source_of(scene));
-    const auto by_b = by_a ? drawn_by(b, source_of(scene)) : std::nullopt;
-    return by_b && !std::ranges::equal(by_a->colors(), by_b->colors());
+/// What a rule draws of a scene, each color in four bytes.
+std::optional<std::string> picture_by(const Rule& rule, const Source& scene) {
+    const auto image = drawn_by(rule, scene);
+    if (!image)
+        return std::nullopt;
+    std::string picture;
+    for (const Color& color : image->colors())
+        for (const auto part : {color.red(), color.green(), color.blue(), color.alpha()})
+            picture += static_cast<char>(part);
+    return picture;
 }
+
+/// Random scenes one after the other, held against two rules.
+class SearchApart {
+public:
+    SearchApart(const Rule& a, const Rule& b, const MethodOverrides& method, std::uint64_t seeds)
+        : a_(a), b_(b), method_(method), seeds_(seeds) {}
+
+    /// The next one that both draw, and not alike.
+    std::optional<FuzzScene> next() {
+        return first_to_tell_apart(
+            [this]() -> std::optional<FuzzScene> {
+                if (seed_ == seeds_)
+                    return std::nullopt;
+                ++seed_;
+                return scene_of_seed(seed_, method_, canvas_of(seed_));
+            },
+            [this](const FuzzScene& scene) { return pictures_of(scene); });
+    }
+
+    Answers pictures_of(const FuzzScene& scene) const {
+        const Source source = source_of(scene);
+        return {picture_by(a_, source), picture_by(b_, source)};
+    }
+
+private:
+    const Rule& a_;
+    const Rule& b_;
+    const MethodOverrides& method_;
+    std::uint64_t seeds_;
+    std::uint64_t seed_ = 0;
+};
 
 } // namespace
 
 bool are_told_apart(const Rule& a, const Rule& b, const MethodOverrides& method,
                     std::uint64_t seeds) {
-    for (std::uint64_t seed = 1; seed <= seeds; ++seed)
-        if (are_apart(a, b, scene_of_seed(seed, method, canvas_of(seed))))
-            return true;
-    return false;
+    return SearchApart(a, b, method, seeds).next().has_value();
 }
 
 std::optional<Source> scene_apart(const Rule& a, const Rule& b, const MethodOverrides& method,
                                   std::uint64_t seeds) {
     constexpr std::size_t most_tries = 400;
-    for (std::uint64_t seed = 1; seed <= seeds; ++seed) {
-        const FuzzScene scene = scene_of_seed(seed, method, canvas_of(seed));
-        if (!are_apart(a, b, scene))
-            continue;
-        const auto fails = [&](const FuzzScene& one) { return are_apart(a, b, one); };
-        const FuzzScene small = shrunk(scene, fails, most_tries).scene;
+    SearchApart search(a, b, method, seeds);
+    while (const auto scene = search.next()) {
+        const auto fails = [&](const FuzzScene& one) {
+            return tells_all_apart(search.pictures_of(one));
+        };
+        const FuzzScene small = shrunk(*scene, fails, most_tries).scene;
         const std::size_t most = small.kind == FuzzKind::lines ? 2 : 3;
         if (small.primitives.size() <= most)
             return source_of(small);
@@ -76,35 +109,17 @@ std::vector<MethodOverrides> probed_methods() {
             {{"fill", "barycentric"}, {"depth", "linear-z"}}};
 }
 
-/// A number for each mistake, and one for the scene's own rules: the same number where the same is drawn.
-std::vector<std::size_t> classes_of(const FuzzScene& scene) {
+/// The pictures of each mistake, and of the scene's own rules.
+Answers pictures_of_mistakes(const FuzzScene& scene) {
     const Source source = source_of(scene);
     const auto read = read_scene(source);
-    std::map<std::vector<std::uint32_t>, std::size_t> pictures;
-    const auto class_of = [&](const Rule& rule) {
-        std::vector<std::uint32_t> picture;
-        if (const auto image = drawn_by(rule, source))
-            for (const Color& color : image->colors())
-                picture.push_back(std::uint32_t{color.red()} << 16 |
-                                  std::uint32_t{color.green()} << 8 | color.blue() |
-                                  std::uint32_t{color.alpha()} << 24);
-        return pictures.try_emplace(std::move(picture), pictures.size()).first->second;
-    };
-    const std::size_t as_asked = class_of({});
-    std::vector<std::size_t> classes;
+    const auto as_asked = picture_by({}, source);
+    Answers pictures{as_asked};
     for (const Mistake& mistake : mistakes())
-        classes.push_back(read && mistake.concerns(read.value().scene) ? class_of({{}, {&mistake}})
-                                                                       : as_asked);
-    classes.push_back(as_asked);
-    return classes;
-}
-
-/// How many classes there are when both partitions are laid over each other, and which.
-std::size_t refine(std::vector<std::size_t>& classes, const std::vector<std::size_t>& by) {
-    std::map<std::pair<std::size_t, std::size_t>, std::size_t> numbers;
-    for (std::size_t i = 0; i < classes.size(); ++i)
-        classes[i] = numbers.try_emplace({classes[i], by[i]}, numbers.size()).first->second;
-    return numbers.size();
+        pictures.push_back(read && mistake.concerns(read.value().scene)
+                               ? picture_by({{}, {&mistake}}, source)
+                               : as_asked);
+    return pictures;
 }
 
 } // namespace
@@ -118,9 +133,11 @@ std::vector<Source> probe_scenes(std::size_t jobs) {
     for (std::size_t i = 0; i < candidates; ++i)
         scenes.push_back(scene_of_seed(i + 1, methods[i / kinds.size() % methods.size()],
                                        i % in_eight == 0 ? 64 : 32));
-    std::vector<std::vector<std::size_t>> partitions(candidates);
-    in_threads(candidates, jobs,
-               [&](std::size_t i, std::size_t) { partitions[i] = classes_of(scenes[i]); });
+    const Classes all_alike(mistakes().size() + 1);
+    std::vector<Classes> classes_by(candidates, all_alike);
+    in_threads(candidates, jobs, [&](std::size_t i, std::size_t) {
+        classes_by[i].split(pictures_of_mistakes(scenes[i]));
+    });
 
     // The one that tells the most apart, then the one that tells the most of the rest apart, and so on.
     constexpr std::size_t most_small = 12;
@@ -128,7 +145,7 @@ std::vector<Source> probe_scenes(std::size_t jobs) {
     std::vector<Source> chosen;
     std::size_t small = 0;
     std::size_t large = 0;
-    std::vector<std::size_t> classes(mistakes().size() + 1, 0);
+    Classes classes = all_alike;
     for (std::size_t count = 1;;) {
         std::size_t best = candidates;
         std::size_t most = count;
@@ -136,15 +153,15 @@ std::vector<Source> probe_scenes(std::size_t jobs) {
             const bool is_large = i % in_eight == 0;
             if ((is_large ? large : small) == (is_large ? most_large : most_small))
                 continue;
-            auto refined = classes;
-            if (const std::size_t with = refine(refined, partitions[i]); with > most) {
+            Classes refined = classes;
+            if (const std::size_t with = refined.split(classes_by[i]); with > most) {
                 most = with;
                 best = i;
             }
         }
         if (best == candidates)
             return chosen;
-        count = refine(classes, partitions[best]);
+        count = classes.split(classes_by[best]);
         ++(best % in_eight == 0 ? large : small);
         chosen.push_back(source_of(scenes[best]));
     }

@@ -2,12 +2,13 @@
 #include "exercise.h"
 
 #include "facts.h"
+#include "random_numbers.h"
+#include "slip_answers.h"
 
 #include <rastertrace/core/draw/draw.h>
-#include <rastertrace/trace/check/derivation.h>
 #include <rastertrace/trace/check/slips.h>
-#include <rastertrace/trace/check/step_index.h>
 #include <rastertrace/trace/record/trace.h>
+#include <rastertrace/trace/scene/distinguish.h>
 #include <rastertrace/trace/scene/scene_file.h>
 #include <rastertrace/trace/text/json_document.h>
 #include <rastertrace/trace/text/text.h>
@@ -16,7 +17,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cstdint>
 #include <iterator>
 #include <map>
 #include <memory>
@@ -27,33 +27,6 @@
 namespace rastertrace {
 
 namespace {
-
-constexpr std::string_view exercise_line_begin = "# exercise ";
-
-/// Random numbers that are the same everywhere: SplitMix64 (Steele, Lea and Flood 2014), from the FNV-1a hash of an ID.
-class RandomNumbers {
-public:
-    explicit RandomNumbers(std::string_view id) {
-        for (const char c : id)
-            state_ = (state_ ^ static_cast<unsigned char>(c)) * 0x100000001B3;
-    }
-
-    /// From 0 to `count` - 1.
-    std::uint64_t below(std::uint64_t count) {
-        std::uint64_t z = state_ += 0x9E3779B97F4A7C15;
-        z = (z ^ (z >> 30U)) * 0xBF58476D1CE4E5B9;
-        z = (z ^ (z >> 27U)) * 0x94D049BB133111EB;
-        return (z ^ (z >> 31U)) % count;
-    }
-
-    /// Both included.
-    Index between(Index first, Index last) {
-        return first + static_cast<Index>(below(static_cast<std::uint64_t>(last - first) + 1));
-    }
-
-private:
-    std::uint64_t state_ = 0xCBF29CE484222325;
-};
 
 /// A scene drawn in exact numbers.
 struct Drawn {
@@ -68,42 +41,6 @@ Result<Drawn> drawn(const Source& source) {
         return read.problem();
     Trace trace = drawn_trace(read.value().scene, read.value().plan, source.name, most_steps);
     return Drawn{std::move(read.value().scene), std::move(trace)};
-}
-
-/// Of each slip, in words that are the same where it makes the same of all numbers.
-using Answers = std::map<std::string_view, std::string>;
-
-/// What every slip makes of all that can be worked out in a trace; a slip that cannot be made has no answer.
-Answers answers_in(const Trace& trace) {
-    constexpr std::array worked_out{StepKind::vertex, StepKind::face,     StepKind::light,
-                                    StepKind::edge,   StepKind::scanline, StepKind::decide,
-                                    StepKind::along,  StepKind::depth};
-    constexpr std::size_t most = 200;
-    const StepIndex index(trace);
-    const Numbers numbers(index);
-    Answers answers;
-    std::size_t count = 0;
-    for (std::size_t n = 1; n <= trace.size() && count < most; ++n) {
-        const auto kind = trace.kind_of(n);
-        if (!kind || std::find(worked_out.begin(), worked_out.end(), *kind) == worked_out.end())
-            continue;
-        ++count;
-        for (const StepField& field : fields_of(*kind)) {
-            if (!trace.step(n).field(field.name)) // nobody is asked for it
-                continue;
-            const auto formulas = formulas_of(numbers, n, field.name);
-            if (formulas.empty())
-                continue;
-            for (const Slip& slip : slips())
-                for (const SlipResult& result : slip.redo(formulas.front())) {
-                    std::string& answer = answers[slip.name];
-                    answer += fmt::format("{}.{}=", n, field.name);
-                    for (const Rational& value : result.values)
-                        answer += value.get_str() + ",";
-                }
-        }
-    }
-    return answers;
 }
 
 } // namespace
@@ -125,39 +62,66 @@ public:
         find_places();
 
         // Slips that give the same answers in all of some scenes are the same.
-        constexpr std::size_t enough = 6;
-        std::vector<Answers> all{answers_in(trace)};
-        RandomNumbers random("slips");
-        Axes axes = typed_values();
-        for (int tries = most_tries; tries > 0 && all.size() <= enough;)
-            if (auto alike = next_alike(random, tries, axes))
-                all.push_back(std::move(alike->second));
-        if (all.size() == 1)
+        Classes classes(slips().size());
+        Answers answers = slip_answers_in(trace);
+        classes.split(answers);
+        constexpr int enough = 6;
+        SearchState state{RandomNumbers("slips"), typed_values()};
+        int count = 0;
+        for (; count < enough; ++count) {
+            const auto alike = next_alike(state);
+            if (!alike)
+                break;
+            const Answers others = slip_answers_in(alike->trace);
+            classes.split(others);
+            for (std::size_t i = 0; i < answers.size(); ++i)
+                answers[i] = answers[i] ? answers[i] : others[i];
+        }
+        if (count == 0)
             throw problem_of(
                 source_.name,
                 fmt::format("expected a scene whose facts other numbers can have, too; "
                             "in {} tries, what changed most often is \"{}\"",
                             most_tries, most_frequent_change()));
-        slips_ = slips_alike(all);
+        for (auto& members : classes.members())
+            if (answers[members.front()]) // can be made
+                slips_.push_back(std::move(members));
         if (slips_.empty())
             throw problem_of(source_.name,
                              "expected a scene with numbers to work out, found only pixels");
     }
 
     Exercise made(std::string_view id) {
-        RandomNumbers random(id);
-        Axes axes = typed_values();
-        for (int tries = most_tries; tries > 0;)
-            if (auto alike = next_alike(random, tries, axes); alike && tells_apart(alike->second))
-                return {std::string(id), std::move(alike->first), slips_};
-        throw problem_of(source_.name,
-                         "expected a scene in which each slip can give an answer of its own, found "
-                         "none in which they do",
-                         "larger triangles and longer lines tell more apart");
+        SearchState state{RandomNumbers(id), typed_values()};
+        auto found = first_to_tell_apart([&] { return next_alike(state); },
+                                         [this](const Alike& alike) {
+                                             const Answers all = slip_answers_in(alike.trace);
+                                             Answers of_classes;
+                                             for (const auto& members : slips_)
+                                                 of_classes.push_back(all[members.front()]);
+                                             return of_classes;
+                                         });
+        if (!found)
+            throw problem_of(
+                source_.name,
+                "expected a scene in which each slip can give an answer of its own, found "
+                "none in which they do",
+                "larger triangles and longer lines tell more apart");
+        return {std::string(id), std::move(found->source), slip_names()};
     }
 
 private:
+    /// A scene as it stands while numbers are changed: the values of each axis, ascending.
+    using Axes = std::array<std::vector<Rational>, 3>;
+
     static constexpr int most_tries = 4'000;
+
+    /// Where a search for scenes stands: random numbers, the last scene, how many may yet be tried.
+    struct SearchState {
+        RandomNumbers random;
+        Axes axes;
+        int tries = most_tries;
+    };
 
     /// Where a coordinate of a vertex stands in the scene's text.
     struct Place {
@@ -167,34 +131,34 @@ private:
         Rational value;
     };
 
-    /// A scene as it stands while numbers are changed: the values of each axis, ascending.
-    using Axes = std::array<std::vector<Rational>, 3>;
+    /// A scene with the facts of this one.
+    struct Alike {
+        Source source;
+        Trace trace;
+    };
 
-    /// The next scene with the facts of this one, and what slips make of it: after as many changes as there are values,
-    /// each of which keeps the facts. `nullopt` when there are no tries left.
-    std::optional<std::pair<Source, Answers>> next_alike(RandomNumbers& random, int& tries,
-                                                         Axes& axes) {
-        std::size_t changes = values_[0].size() + values_[1].size() + values_[2].size();
-        std::optional<Trace> last;
-        Source scene;
-        while (tries-- > 0 && changes > 0) {
-            Axes changed = axes;
-            if (!change(changed, random))
+    /// The next such scene: after as many changes as there are values, each of which keeps the facts. `nullopt` when
+    /// there are no tries left.
+    std::optional<Alike> next_alike(SearchState& state) {
+        const std::size_t most_changes = values_[0].size() + values_[1].size() + values_[2].size();
+        std::optional<Alike> last;
+        for (std::size_t changes = 0; state.tries > 0 && changes < most_changes;) {
+            --state.tries;
+            Axes changed = state.axes;
+            if (!change(changed, state.random))
                 continue;
             Source one = with(changed);
             auto tried = drawn(one);
             if (tried) // a larger scene has fewer tries
-                tries -= static_cast<int>(tried.value().trace.size() / 1000);
+                state.tries -= static_cast<int>(tried.value().trace.size() / 1000);
             if (!tried || has_other_facts(facts_of(tried.value().trace)))
                 continue;
-            axes = std::move(changed);
-            scene = std::move(one);
-            last = std::move(tried.value().trace);
-            --changes;
+            state.axes = std::move(changed);
+            last = {std::move(one), std::move(tried.value().trace)};
+            if (++changes == most_changes && last->source.text == source_.text)
+                changes = 0;
         }
-        if (!last || scene.text == source_.text)
-            return std::nullopt;
-        return std::pair(std::move(scene), answers_in(*last));
+        return last && last->source.text != source_.text ? std::move(last) : std::nullopt;
     }
 
     Axes typed_values() const {
@@ -331,35 +295,15 @@ private:
         return found == changes_.end() ? "that it can be drawn" : found->first;
     }
 
-    /// The slips that can be made, in groups of those that give the same answers in all scenes.
-    static std::vector<std::vector<std::string_view>>
-    slips_alike(const std::vector<Answers>& all_answers) {
-        std::map<std::vector<std::string>, std::vector<std::string_view>> groups;
-        for (const Slip& slip : slips()) {
-            std::vector<std::string> all;
-            bool is_made = false;
-            for (const Answers& answers : all_answers) {
-                const auto found = answers.find(slip.name);
-                all.push_back(found == answers.end() ? "" : found->second);
-                is_made = is_made || !all.back().empty();
-            }
-            if (is_made)
-                groups[std::move(all)].push_back(slip.name);
+    std::vector<std::vector<std::string_view>> slip_names() const {
+        std::vector<std::vector<std::string_view>> names;
+        for (const auto& members : slips_) {
+            auto& of_class = names.emplace_back();
+            for (const std::size_t i : members)
+                of_class.push_back(slips()[i].name);
         }
-        std::vector<std::vector<std::string_view>> found;
-        for (auto& [answers, names] : groups)
-            found.push_back(std::move(names));
-        std::sort(found.begin(), found.end());
-        return found;
-    }
-
-    /// True if every group can be made, and each gives an answer of its own.
-    bool tells_apart(const Answers& answers) const {
-        std::set<std::string_view> known;
-        return std::all_of(slips_.begin(), slips_.end(), [&](const auto& group) {
-            const auto found = answers.find(group.front());
-            return found != answers.end() && known.insert(found->second).second;
-        });
+        std::sort(names.begin(), names.end());
+        return names;
     }
 
     Source source_;
@@ -370,56 +314,9 @@ private:
     std::array<std::set<Rational>, 3> values_; ///< of x, y and z
     std::vector<std::string> facts_;
     std::map<std::string, int> changes_; ///< how often a fact was another one
-    std::vector<std::vector<std::string_view>> slips_;
+    std::vector<std::vector<std::size_t>>
+        slips_; ///< that can be made, by their places in slips(): those alike
 };
-
-Result<std::string> exercise_id(std::string_view typed) {
-    constexpr std::size_t most = 100;
-    const auto refuse = [&](std::string message) { return problem_of("", std::move(message)); };
-    if (typed.size() > most)
-        return refuse(
-            fmt::format("expected an ID of at most {} letters, found {}", most, typed.size()));
-    std::string_view seed = typed;
-    if (const std::size_t colon = typed.find(':'); colon != std::string_view::npos) {
-        if (typed.substr(0, colon) != std::to_string(exercise_version))
-            return refuse(fmt::format("expected an ID of version {}, found one of version \"{}\"",
-                                      exercise_version, typed.substr(0, colon)));
-        seed = typed.substr(colon + 1);
-    }
-    if (seed.empty())
-        return refuse("expected an ID, found an empty one");
-    const bool has_control = std::any_of(seed.begin(), seed.end(), [](char c) {
-        return static_cast<unsigned char>(c) < 0x20 || c == 0x7F;
-    });
-    if (has_control)
-        return refuse(
-            "expected an ID without control characters, such as the ends of lines, found some");
-    return fmt::format("{}:{}", exercise_version, seed);
-}
-
-std::string exercise_line(std::string_view id) {
-    return fmt::format("{}{}\n", exercise_line_begin, id);
-}
-
-Result<std::string> exercise_of_sheet(const Source& sheet) {
-    constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
-    for (const std::string& whole : split_at(sheet.view(), '\n')) {
-        std::string_view typed = whole;
-        if (typed.starts_with(byte_order_mark))
-            typed.remove_prefix(byte_order_mark.size());
-        if (typed.starts_with(exercise_line_begin)) {
-            typed.remove_prefix(exercise_line_begin.size());
-            while (!typed.empty() && (typed.back() == '\r' || typed.back() == ' '))
-                typed.remove_suffix(1);
-            auto id = exercise_id(typed);
-            if (!id)
-                return problem_of(sheet.name, id.problem().message);
-            return id;
-        }
-    }
-    return problem_of(
-        sheet.name, "expected a line that names the exercise, as `# exercise 1:anna`, found none");
-}
 
 ExerciseMaker::ExerciseMaker(const Source& scene) : like_(std::make_unique<Redrawing>(scene)) {}
 ExerciseMaker::ExerciseMaker(ExerciseMaker&&) noexcept = default;

@@ -16,19 +16,6 @@
 
 namespace rastertrace {
 
-/// The generator's version. An ID begins with it, so that exercises of earlier versions can be made again.
-inline constexpr int exercise_version = 1;
-
-/// The ID of what was typed: `anna` is `1:anna`. A Problem for one without letters, of more than 100, with control
-/// characters, or of a version that there is not.
-Result<std::string> exercise_id(std::string_view typed);
-
-/// The line of a sheet that names its exercise: "# exercise 1:anna\n".
-std::string exercise_line(std::string_view id);
-
-/// The ID that such a line of a sheet has.
-Result<std::string> exercise_of_sheet(const Source& sheet);
-
 struct Exercise {
     std::string id{};
     Source scene{};

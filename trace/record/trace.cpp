@@ -13,6 +13,7 @@
 #include "write_trace.h"
 
 #include <rastertrace/core/numbers/number.h>
+#include <rastertrace/trace/text/byte_order_mark.h>
 #include <rastertrace/trace/text/canvas_json.h>
 #include <rastertrace/trace/text/color_text.h>
 #include <rastertrace/trace/text/conventions.h>
@@ -813,9 +814,8 @@ Result<Trace> read_written_trace(Source source) {
 Result<Trace> TraceReader::read_with(Source source, Care care, std::size_t most_steps,
                                      bool is_block) {
     // The mark that some editors put in front of UTF-8 says nothing.
-    constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
-    if (source.text.starts_with(byte_order_mark))
-        source.text.replace(0, byte_order_mark.size(), "   ");
+    const std::size_t mark = size_of_mark(source.text);
+    source.text.replace(0, mark, mark, ' ');
     if (auto problem = zero_byte_in(source))
         return *std::move(problem);
     try {

@@ -8,6 +8,7 @@
 #include <rastertrace/core/numbers/number.h>
 #include <rastertrace/core/raster/image.h>
 #include <rastertrace/core/raster/rounding.h>
+#include <rastertrace/trace/text/byte_order_mark.h>
 #include <rastertrace/trace/text/color_text.h>
 #include <rastertrace/trace/text/number_word.h>
 #include <rastertrace/trace/text/text.h>
@@ -53,10 +54,6 @@ void take_line(std::string_view text, std::size_t& offset, std::vector<Word>& wo
     offset = end + 1;
 }
 
-std::size_t beginning(std::string_view text) {
-    return text.starts_with("\xEF\xBB\xBF") ? 3 : 0;
-}
-
 /// What all formats share: statements, the canvas, and words that become numbers.
 class StatementReader {
 public:
@@ -69,7 +66,7 @@ public:
     std::string read() {
         const std::string_view text = source_.view();
         std::vector<Word> words;
-        for (std::size_t offset = beginning(text); offset < text.size();) {
+        for (std::size_t offset = size_of_mark(text); offset < text.size();) {
             take_line(text, offset, words);
             if (!words.empty())
                 read_statement(words);

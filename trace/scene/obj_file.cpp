@@ -3,6 +3,7 @@
 
 #include <rastertrace/core/numbers/rational.h>
 #include <rastertrace/core/raster/rounding.h>
+#include <rastertrace/trace/text/byte_order_mark.h>
 #include <rastertrace/trace/text/color_text.h>
 #include <rastertrace/trace/text/number_word.h>
 #include <rastertrace/trace/text/text.h>
@@ -72,8 +73,7 @@ public:
         : source_(source), at_(source.text.c_str()), end_(at_ + source.text.size()) {}
 
     ObjMesh read() {
-        if (source_.text.starts_with("\xEF\xBB\xBF"))
-            at_ += 3;
+        at_ += size_of_mark(source_.text);
         mesh_.vertices.reserve(lines_of_vertices());
         mesh_.units.reserve(mesh_.vertices.capacity());
         while (at_ != end_) {

@@ -15,6 +15,7 @@
 #include <rastertrace/core/draw/plan/plan.h>
 #include <rastertrace/core/draw/scene/fit.h>
 #include <rastertrace/core/raster/circle.h>
+#include <rastertrace/trace/text/byte_order_mark.h>
 #include <rastertrace/trace/text/canvas_json.h>
 #include <rastertrace/trace/text/color_text.h>
 #include <rastertrace/trace/text/conventions.h>
@@ -1344,9 +1345,8 @@ PlannedScene SceneSequence::frame(std::size_t frame) {
 }
 
 bool is_scene(const Source& source) {
-    constexpr std::string_view blanks = "\xEF\xBB\xBF \t\r\n";
     std::string_view document = source.view();
-    document.remove_prefix(std::min(document.find_first_not_of(blanks), document.size()));
+    document.remove_prefix(std::min(document.find_first_not_of(blanks_and_mark), document.size()));
     if (!document.starts_with('{'))
         return is_foreign_scene(source);
     JsonScanner fields(document);

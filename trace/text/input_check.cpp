@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "input_check.h"
 
+#include "byte_order_mark.h"
 #include "json_document.h"
 #include "trace_layout.h"
 #include "zero_byte.h"
@@ -25,7 +26,7 @@ std::string in_words(std::size_t bytes) {
 }
 
 bool can_begin_json(std::string_view text) {
-    const std::size_t first = text.find_first_not_of("\xEF\xBB\xBF \t\r\n");
+    const std::size_t first = text.find_first_not_of(blanks_and_mark);
     return first == std::string_view::npos ||
            std::string_view("{[\"-0123456789tfn").find(text[first]) != std::string_view::npos;
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "json_document.h"
 
+#include "byte_order_mark.h"
 #include "json_scanner.h"
 #include "name_index.h"
 #include "text.h"
@@ -129,9 +130,7 @@ class DocumentBuilder final : public nlohmann::json_sax<json> {
 public:
     DocumentBuilder(const Source& source, std::size_t begin, std::size_t end)
         : source_(source), document_(source, end), position_(begin), begin_(begin), end_(end) {
-        constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
-        if (source.view().substr(begin).starts_with(byte_order_mark))
-            position_ += byte_order_mark.size();
+        position_ += size_of_mark(source.view().substr(begin));
     }
 
     JsonDocument take_document() { return std::move(document_); }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "trace_layout.h"
 
+#include "byte_order_mark.h"
 #include "json_scanner.h"
 
 #include <algorithm>
@@ -70,9 +71,8 @@ bool is_foreign_scene(const Source& source) {
 
 bool is_trace(const Source& source) {
     // The key is in the header's first line, whole or cut short; else anywhere in the document.
-    constexpr std::string_view blanks = "\xEF\xBB\xBF \t\r\n";
     std::string_view document = source.view();
-    document.remove_prefix(std::min(document.find_first_not_of(blanks), document.size()));
+    document.remove_prefix(std::min(document.find_first_not_of(blanks_and_mark), document.size()));
     if (!document.starts_with('{'))
         return false;
     if (document.substr(1).starts_with("\"rastertrace\""))

@@ -20,7 +20,9 @@
 #include <algorithm>
 #include <array>
 #include <memory>
+#include <mutex>
 #include <optional>
+#include <set>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -53,7 +55,7 @@ std::vector<CheckedFile> check_pile(const CheckCommand& command, ClaimsChecker& 
         } catch (const Problem& problem) {
             if (problem.cause == Problem::Cause::system)
                 throw;
-            print_error(fmt::format("rastertrace: {}\n", to_text(problem)));
+            print_error(problem);
             files.push_back({.name = name, .problem = problem});
         }
     };
@@ -114,14 +116,22 @@ ExitStatus run_class(const CheckCommand& command) {
         command.files.empty()
             ? std::nullopt
             : std::optional(load_scene_trace_or_claims(command.files.front(), command.input));
+    std::mutex mutex;
+    std::set<std::string> remarks; // each once, however many sheets and threads there are
+    const auto remember = [&](const Problem& remark) {
+        const std::lock_guard lock(mutex);
+        remarks.insert(to_text(remark));
+    };
     const ClassMarks marks = mark_class(command.class_folder, [&] {
-        ClaimsChecker checker(options_of(command));
+        ClaimsChecker checker(options_of(command), remember);
         if (scene)
             checker.hold_against(*scene);
         if (command.exercises_like)
             checker.hold_against_exercises_like(*command.exercises_like);
         return checker;
     });
+    for (const std::string& remark : remarks)
+        print_error(fmt::format("rastertrace: {}\n", remark));
     std::size_t problems = marks.duplicates.size();
     std::size_t wrong = 0;
     for (const SheetMark& sheet : marks.sheets) {
@@ -129,7 +139,7 @@ ExitStatus run_class(const CheckCommand& command) {
         if (!sheet.problem)
             continue;
         ++problems;
-        print_error(fmt::format("rastertrace: {}\n", to_text(*sheet.problem)));
+        print_error(*sheet.problem);
     }
     for (const std::string& duplicate : marks.duplicates)
         print_error(fmt::format("rastertrace: {}: {}; each of them is marked\n",
@@ -161,7 +171,7 @@ ExitStatus tell(const CheckCommand& command, ClaimsChecker& checker, std::option
 int run(const CheckCommand& command) {
     if (!command.class_folder.empty())
         return run_class(command);
-    ClaimsChecker checker(options_of(command));
+    ClaimsChecker checker(options_of(command), [](const Problem& remark) { print_error(remark); });
     if (command.exercises_like) {
         checker.hold_against_exercises_like(*command.exercises_like);
         return tell(command, checker, std::nullopt, command.files);

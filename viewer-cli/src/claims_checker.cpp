@@ -2,6 +2,7 @@
 #include "claims_checker.h"
 
 #include <rastertrace/trace/check/claims_template.h>
+#include <rastertrace/trace/exercise/exercise_id.h>
 
 #include <fmt/core.h>
 
@@ -105,10 +106,19 @@ const Truth& ClaimsChecker::truth_for(const Claims& claims) {
                               : load_scene_of_claims(name, options_.limits);
     last_name_ = name;
     if (exercises_) {
-        InputFrames input(scene.name, scene, options_);
-        last_sheet_ = claims_template(input.trace(input.first()));
+        const auto planned =
+            value_or_throw(read_scene(scene, options_.method, options_.limits, options_.frames));
+        last_sheet_ = claims_template(
+            drawn_trace(planned.scene, planned.plan, scene.name, options_.limits.steps));
     }
-    return last_.emplace(truth_in(std::move(scene), options_));
+    return last_.emplace(told_truth(std::move(scene)));
+}
+
+Truth ClaimsChecker::told_truth(Source source) const {
+    Truth truth = truth_in(std::move(source), options_);
+    for (const Problem& remark : truth.remarks())
+        tell_(remark);
+    return truth;
 }
 
 } // namespace rastertrace

@@ -3,7 +3,7 @@
 
 // Checks files of claims, one after the other.
 //
-//     ClaimsChecker checker({});
+//     ClaimsChecker checker({}, [](const Problem& remark) { print_error(remark); });
 //     checker.hold_against(scene);       // or each file names its scene, or its exercise
 //     checker.check(sheet).checked.wrong;
 
@@ -13,17 +13,22 @@
 #include <rastertrace/trace/check/check.h>
 #include <rastertrace/trace/exercise/exercise.h>
 
+#include <functional>
 #include <optional>
 #include <string>
 
 namespace rastertrace {
 
+using TellRemark = std::function<void(const Problem&)>;
+
 class ClaimsChecker {
 public:
-    explicit ClaimsChecker(SceneOptions options) : options_(std::move(options)) {}
+    /// Remarks on the scenes that it draws go to `tell`.
+    ClaimsChecker(SceneOptions options, TellRemark tell)
+        : options_(std::move(options)), tell_(std::move(tell)) {}
 
     /// All claims are about this scene or trace, whatever scene they name. Throws a Problem.
-    void hold_against(Source source) { given_.emplace(truth_in(std::move(source), options_)); }
+    void hold_against(Source source) { given_.emplace(told_truth(std::move(source))); }
 
     /// All claims are about exercises like this scene, which they name. Throws a Problem.
     void hold_against_exercises_like(const Source& scene) { exercises_.emplace(scene); }
@@ -40,8 +45,10 @@ public:
 
 private:
     const Truth& truth_for(const Claims& claims);
+    Truth told_truth(Source source) const;
 
     SceneOptions options_;
+    TellRemark tell_;
     std::optional<Truth> given_;
     std::optional<ExerciseMaker> exercises_;
     std::string last_name_;     ///< of the scene, or the ID of the exercise, that came last

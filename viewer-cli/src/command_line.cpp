@@ -235,7 +235,7 @@ int run_command_line(int count, const char* const* arguments) noexcept {
             Program program;
             return program.run(count, arguments);
         } catch (const Problem& problem) {
-            print_error(fmt::format("rastertrace: {}\n", to_text(problem)));
+            print_error(problem);
             return problem.cause == Problem::Cause::system ? exit_system : exit_bad_input;
         }
     } catch (const std::exception& failure) {

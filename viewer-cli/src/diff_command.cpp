@@ -194,7 +194,7 @@ TraceDiff diff_of_inputs(const std::string& path_a, const std::string& path_b,
 ExitStatus tell(const DiffCommand& command, const TraceDiff& found) {
     print(report_of(command, found));
     for (const Problem& problem : found.damage)
-        print_error(fmt::format("rastertrace: {}\n", to_text(problem)));
+        print_error(problem);
     if (!found.damage.empty())
         return exit_bad_input;
     return found.is_same ? exit_fine : exit_difference;

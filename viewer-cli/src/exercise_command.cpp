@@ -10,6 +10,7 @@
 
 #include <rastertrace/trace/check/claims_template.h>
 #include <rastertrace/trace/exercise/exercise.h>
+#include <rastertrace/trace/exercise/exercise_id.h>
 #include <rastertrace/trace/text/output.h>
 #include <rastertrace/trace/text/text.h>
 

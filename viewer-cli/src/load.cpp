@@ -96,7 +96,7 @@ PlannedScene InputFrames::scene(std::size_t frame) {
     PlannedScene scene = scenes_->frame(frame);
     if (frame == first_)
         for (const Problem& remark : scene.remarks)
-            print_error(fmt::format("rastertrace: {}\n", to_text(remark)));
+            print_error(remark);
     return scene;
 }
 
@@ -226,10 +226,7 @@ Truth truth_in(Source source, const SceneOptions& options) {
         refuse_scene_options(source, options);
         return Truth(value_or_throw(read_trace(std::move(source), options.limits.steps)));
     }
-    Truth truth(std::move(source), options.method, options.limits, options.frames);
-    for (const Problem& remark : truth.remarks())
-        print_error(fmt::format("rastertrace: {}\n", to_text(remark)));
-    return truth;
+    return Truth(std::move(source), options.method, options.limits, options.frames);
 }
 
 std::string path_of_scene(const Claims& claims) {
@@ -255,9 +252,9 @@ Source load_page(const std::string& path) {
 
 ExitStatus report_damage(const Trace& trace) {
     for (const Problem& problem : trace.damage)
-        print_error(fmt::format("rastertrace: {}\n", to_text(problem)));
+        print_error(problem);
     if (const auto remark = trace.not_finite.remark())
-        print_error(fmt::format("rastertrace: {}\n", to_text(*remark)));
+        print_error(*remark);
     return trace.damage.empty() ? exit_fine : exit_bad_input;
 }
 
@@ -274,6 +271,10 @@ DescriptorOutput standard_output() {
 
 void print(std::string_view text) {
     standard_output().write(text);
+}
+
+void print_error(const Problem& problem) {
+    print_error(fmt::format("rastertrace: {}\n", to_text(problem)));
 }
 
 void print_error(std::string_view text) noexcept {

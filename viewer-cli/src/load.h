@@ -139,8 +139,7 @@ Trace load_trace(const std::string& path, const SceneOptions& options = {});
 /// Reads a file that is a scene, a trace, or claims. Throws a Problem.
 Source load_scene_trace_or_claims(const std::string& path, const InputLimits& limits);
 
-/// What claims are held against, in a source that is a scene or a trace. Remarks on a scene go to standard
-/// error. Throws a Problem.
+/// What claims are held against, in a source that is a scene or a trace. Throws a Problem.
 Truth truth_in(Source source, const SceneOptions& options);
 
 /// The path of the scene or trace that claims name, which starts from their folder. Throws a Problem if they name none.
@@ -164,5 +163,8 @@ void print(std::string_view text);
 
 /// Writes to standard error, if it takes it: that it does not changes nothing else.
 void print_error(std::string_view text) noexcept;
+
+/// "rastertrace: scene.json:3:5: expected ..." on standard error.
+void print_error(const Problem& problem);
 
 } // namespace rastertrace

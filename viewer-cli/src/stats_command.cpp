@@ -38,10 +38,8 @@ ExitStatus report_unjudged(const StatsCommand& command, const Stats& stats) {
                      });
         if (asked.empty())
             continue;
-        print_error(fmt::format(
-            "rastertrace: {}\n",
-            to_text(problem_of(command.trace, fmt::format("--fail-on: {} cannot be judged: {}",
-                                                          names_of(asked), lacks)))));
+        print_error(problem_of(command.trace, fmt::format("--fail-on: {} cannot be judged: {}",
+                                                          names_of(asked), lacks)));
         status = exit_bad_input;
     }
     return status;
@@ -81,7 +79,7 @@ bool has(const Stats& stats, StatsFinding finding) {
 bool has_wrong_decision(const Trace& trace) {
     const Redone redone = redo(trace);
     if (redone.wrong > 0)
-        print_error(fmt::format("rastertrace: {}\n", to_text(problem_of(redone, trace))));
+        print_error(problem_of(redone, trace));
     return redone.wrong > 0;
 }
 

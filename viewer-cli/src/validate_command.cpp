@@ -16,6 +16,7 @@
 #include <rastertrace/trace/record/unknown_names.h>
 #include <rastertrace/trace/record/write_trace.h>
 #include <rastertrace/trace/scene/scene_file.h>
+#include <rastertrace/trace/text/byte_order_mark.h>
 #include <rastertrace/trace/text/primitive_name.h>
 #include <rastertrace/trace/text/text.h>
 #include <rastertrace/trace/text/trace_layout.h>
@@ -40,9 +41,6 @@ namespace {
 
 /// The most problems of a file that are told one by one.
 constexpr std::size_t most_problems = 100;
-
-/// With the byte order mark.
-constexpr std::string_view blanks = "\xEF\xBB\xBF \t\r\n";
 
 /// What was found about a file.
 struct ValidatedFile {
@@ -184,7 +182,7 @@ void validate_trace(Source source, bool redoes, ValidatedFile& file) {
 
 /// Claims, or a Problem that says why the file was taken for some, if it does not look like it.
 Claims claims_in(Source source) {
-    const std::size_t first = source.text.find_first_not_of(blanks);
+    const std::size_t first = source.text.find_first_not_of(blanks_and_mark);
     const bool is_table = source.text[first] != '{' && source.text[first] != '[';
     const bool may_be_anything = is_table && source.text.find("scene:") == std::string::npos;
     Result<Claims> claims = read_claims(std::move(source));
@@ -250,7 +248,7 @@ void refuse_other_kind(const ValidatedFile& file, std::optional<SchemaKind> want
 
 void validate_source(Source source, const ValidateCommand& command, ValidatedFile& file) {
     const std::string_view text = source.view();
-    const std::size_t first = text.find_first_not_of(blanks);
+    const std::size_t first = text.find_first_not_of(blanks_and_mark);
     const std::string expected =
         command.kind ? std::string(with_article(*command.kind)) : "a scene, a trace or claims";
     if (first == std::string::npos)
@@ -302,7 +300,7 @@ ValidatedFile validated(const std::string& path, const ValidateCommand& command)
 void print_text(const ValidatedFile& file) {
     for (const std::vector<Problem>& list : {file.problems, file.remarks})
         for (const Problem& problem : list)
-            print_error(fmt::format("rastertrace: {}\n", to_text(problem)));
+            print_error(problem);
     if (!file.all_told())
         print_error(fmt::format("rastertrace: {}: only the first {} problems are told\n",
                                 printable(file.name), most_problems));
