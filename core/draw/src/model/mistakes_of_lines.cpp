@@ -48,7 +48,9 @@ template <typename Level> Color mixed(const GridLine& line, Level level) {
             a.alpha()};
 }
 
-constexpr std::string_view right_d = "d = 2 dy - dx; d += 2 dy, or 2 (dy - dx)";
+constexpr std::string_view right_start = "d = 2 dy - dx (steep: dx and dy exchanged)";
+constexpr std::string_view right_d =
+    "d = 2 dy - dx; d += 2 dy, or 2 (dy - dx) (steep: dx and dy exchanged)";
 
 constexpr Mistake lines_table[] = {
     {"falling-octants", "d = -2 |dy| - |dx| at the start of lines with y2 < y1",
@@ -109,12 +111,12 @@ constexpr Mistake lines_table[] = {
      }},
     {"tie-the-other-way", "d < 0 goes straight on", "d <= 0 goes straight on", "decide",
      "lines of even slopes step a pixel early", "T2, error 3", walks, nullptr, "ties=step"},
-    {"start-of-other-axis", "d = 2 dx - dy", "d = 2 dy - dx", "decide",
+    {"start-of-other-axis", "d = 2 dx - dy", right_start, "decide",
      "the line steps too early at its start", "T2", walks,
      [](ModelRules& rules) {
          change_line(rules, [](ModelLine& line) { line.d = 2 * line.steps - minor_of(line); });
      }},
-    {"d-from-zero", "d = 0", "d = 2 dy - dx", "decide", "the line steps half a step too late", "T2",
+    {"d-from-zero", "d = 0", right_start, "decide", "the line steps half a step too late", "T2",
      walks, [](ModelRules& rules) { change_line(rules, [](ModelLine& line) { line.d = 0; }); }},
     {"steps-exchanged", "d += 2 (dy - dx) after a straight step, 2 dy after a diagonal one",
      right_d, "decide", "the line bends away", "T2", walks,
