@@ -1,6 +1,6 @@
 #!/bin/sh
-# accept.sh CLANGXX OPTION... -- SOURCE...: fails if clang++ refuses, or warns of, a public header or a
-# source. Runs in the project's folder. Nothing is generated, but all templates in use are instantiated.
+# accept.sh CLANGXX OPTION... -- COMPILE_COMMANDS: fails if clang++ refuses, or warns of, a public header or a source that
+# is compiled beside the tests. Runs in the project's folder. Nothing is generated, but all templates in use are instantiated.
 set -eu
 compiler=$1
 shift
@@ -14,10 +14,11 @@ trap 'rm -rf "$folder"' EXIT
 # The options turn into "$@", and the sources into lines of a file.
 for word; do
     shift
-    if [ "${in_sources:-}" ]; then
-        printf '%s\n' "$word" >>"$folder/sources"
+    if [ "${behind_options:-}" ]; then
+        sed -n 's/^ *"file": "\(.*\)",*$/\1/p' "$word" |
+            grep -vF -e "$PWD/tests/" -e "$PWD/examples/" -e /numerics/ -e /wasm/ -e /cmake_pch. | LC_ALL=C sort >"$folder/sources"
     elif [ "$word" = -- ]; then
-        in_sources=yes
+        behind_options=yes
     else
         set -- "$@" "$word"
     fi

@@ -25,15 +25,22 @@ Rational covered_part(const ModelTriangle& triangle, GridPoint pixel) {
         const auto& a = triangle[i].at;
         const auto& b = triangle[(i + 1) % 3].at;
         const int inside = sgn(side(a, b, triangle[(i + 2) % 3].at));
+        std::vector<Rational> sides;
+        for (const auto& p : polygon)
+            sides.push_back(side(a, b, p) * inside);
+        const auto [least, most] = std::minmax_element(sides.begin(), sides.end());
+        if (*most <= 0)
+            return 0;
+        if (*least >= 0)
+            continue;
         std::vector<Vec<Rational, 2>> left;
         for (std::size_t k = 0; k < polygon.size(); ++k) {
-            const auto& p = polygon[k];
-            const auto& q = polygon[(k + 1) % polygon.size()];
-            const Rational of_p = side(a, b, p) * inside, of_q = side(a, b, q) * inside;
-            if (of_p >= 0)
+            const std::size_t next = (k + 1) % polygon.size();
+            const auto &p = polygon[k], &q = polygon[next];
+            if (sides[k] >= 0)
                 left.push_back(p);
-            if (of_p * of_q < 0) {
-                const Rational way = of_p / (of_p - of_q);
+            if (sgn(sides[k]) * sgn(sides[next]) < 0) {
+                const Rational way = sides[k] / (sides[k] - sides[next]);
                 left.push_back({p.x + way * (q.x - p.x), p.y + way * (q.y - p.y)});
             }
         }
