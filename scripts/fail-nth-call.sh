@@ -6,13 +6,14 @@
 #
 #   scripts/fail-nth-call.sh [--short] [PROGRAM [SHIM]]
 #
-# --short: trace and show, the first 40 calls of each kind and then every 97th. SHIM is tests/faults/failing_calls.cpp.
+# --short: trace and show, the first 15 calls of each kind and then every 197th. SHIM is tests/faults/failing_calls.cpp.
 # What fails before the program's first line, in the dynamic loader, is not its own to answer for:
 # calls count from where the libraries have been loaded.
 set -eu
 cd "$(dirname "$0")/.."
 stride=1
-[ "${1-}" != --short ] || { stride=97; shift; }
+first=1
+[ "${1-}" != --short ] || { stride=197; first=15; shift; }
 program=$(realpath "${1-build/test/viewer-cli/rastertrace}")
 shim=$(realpath "${2-build/test/tests/libfailing_calls.so}")
 examples=$(realpath examples)
@@ -101,7 +102,7 @@ try() {
         for mode in once lasting; do
             n=0
             while true; do
-                n=$((n < 40 ? n + 1 : n + stride))
+                n=$((n < first ? n + 1 : n + stride))
                 rm -f ../mark output.csv
                 [ "$older" = no ] || echo old >output.csv
                 always=0
