@@ -35,22 +35,22 @@ struct Row {
     std::span<const double> dashes = {};
 };
 
-// Faces are the colors of Okabe and Ito (Color Universal Design, 2008), which differ for every kind of color
-// vision, mixed with the paper so that what is written on them can be read; in print, eight grays. Patterns and
-// legends say the same without color.
+// Faces are the colors of Okabe and Ito (Color Universal Design, 2008), mixed with the paper so that what is written on
+// them can be read, then moved apart until every kind of color vision tells each from the others and from the paper. In
+// print, eight grays. Patterns and legends say the same without color.
 constexpr std::array all{
     Row{Role::paper, "paper", rgb(0xffffff), rgb(0x15181d), rgb(0xffffff)},
     Row{Role::plotted, "plotted", rgb(0xa8cdea), rgb(0x2f5f8a), rgb(0xc8c8c8)},
     Row{Role::current, "current", rgb(0xffb454), rgb(0xb8690a), rgb(0x808080)},
     Row{Role::current_border, "current-border", rgb(0xb8500a), rgb(0xffb454), rgb(0x000000), 2.4},
-    Row{Role::face_1, "face-1", rgb(0x7fb8d9), rgb(0x1d6a9a), rgb(0xe6e6e6)},
-    Row{Role::face_2, "face-2", rgb(0xf2c266), rgb(0x9c6c07), rgb(0xb4b4b4)},
-    Row{Role::face_3, "face-3", rgb(0x7fcfb8), rgb(0x127a5c), rgb(0xd2d2d2)},
-    Row{Role::face_4, "face-4", rgb(0xe6a8c8), rgb(0x8f4f73), rgb(0x969696)},
-    Row{Role::face_5, "face-5", rgb(0xf5ee94), rgb(0x827b0f), rgb(0xf0f0f0)},
-    Row{Role::face_6, "face-6", rgb(0xe9a07a), rgb(0x97430c), rgb(0xa5a5a5)},
-    Row{Role::face_7, "face-7", rgb(0xaedcf4), rgb(0x31748f), rgb(0xdcdcdc)},
-    Row{Role::face_8, "face-8", rgb(0xbdbdbd), rgb(0x5c6066), rgb(0xc3c3c3)},
+    Row{Role::face_1, "face-1", rgb(0x69abd0), rgb(0x005a88), rgb(0xe6e6e6)},
+    Row{Role::face_2, "face-2", rgb(0xefb960), rgb(0x724600), rgb(0xb4b4b4)},
+    Row{Role::face_3, "face-3", rgb(0x9ad3af), rgb(0x177a53), rgb(0xd2d2d2)},
+    Row{Role::face_4, "face-4", rgb(0xeab2d0), rgb(0x68395e), rgb(0x969696)},
+    Row{Role::face_5, "face-5", rgb(0xf3e68d), rgb(0x7b6e02), rgb(0xf0f0f0)},
+    Row{Role::face_6, "face-6", rgb(0xea9972), rgb(0x8d452d), rgb(0xa5a5a5)},
+    Row{Role::face_7, "face-7", rgb(0xa6e6fd), rgb(0x5a6c85), rgb(0xdcdcdc)},
+    Row{Role::face_8, "face-8", rgb(0xa2a5a2), rgb(0x636367), rgb(0xc3c3c3)},
     Row{Role::empty, "empty", rgb(0xffffff, 0), rgb(0x15181d, 0), rgb(0xffffff, 0)},
     Row{Role::ink, "ink", rgb(0x000000), rgb(0xf4f4f4), rgb(0x000000)},
     Row{Role::pattern, "pattern", rgb(0x000000, 110), rgb(0xffffff, 110), rgb(0x000000, 150), 0.8},
