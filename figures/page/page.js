@@ -202,12 +202,34 @@ function paint(pixels) {
   if (!pixels || pixels.length > 4000) {
     for (let i = 0; i < trace.pixels; ++i) words[i] = drawnBy[i] || storedBy[i] ? colorOf(i) : empty;
     brush.putImageData(image, 0, 0);
-    return;
+  } else {
+    for (const pixel of pixels) {
+      words[pixel] = colorOf(pixel);
+      brush.putImageData(image, 0, 0, pixel % trace.width, Math.floor(pixel / trace.width), 1, 1);
+    }
   }
-  for (const pixel of pixels) {
-    words[pixel] = colorOf(pixel);
-    brush.putImageData(image, 0, 0, pixel % trace.width, Math.floor(pixel / trace.width), 1, 1);
+  drawPatterns();
+}
+
+/** The group of faces that a pixel shows, or -1. */
+const faceAt = pixel => drawnBy[pixel] > 0 ? groupOf(drawnBy[pixel]) : -1;
+const strokesOf = group => options.strokes[group % options.strokes.length];
+
+/** Strokes over the pixels of faces, so that these differ without color. */
+function drawPatterns() {
+  const {cell, left, top} = layout, runs = new Map(); // of each pattern, the rows of pixels that have it
+  for (let from = 0, to; view === "faces" && cell >= 3 && from < trace.pixels; from = to) {
+    const group = faceAt(from);
+    for (to = from + 1; to % trace.width !== 0 && faceAt(to) === group; ++to);
+    const strokes = group < 0 ? "" : strokesOf(group), {x, y} = squareOf(from, 0), width = (to - from) * cell;
+    if (strokes) runs.set(strokes, (runs.get(strokes) ?? "") + `M${x} ${y}h${width}v${cell}h${-width}z`);
   }
+  const size = cell * Math.max(1, Math.round(12 / cell));
+  by("patterns").replaceChildren(...[...runs].flatMap(([strokes, d], n) => {
+    const tile = shape("pattern", {id: "strokes-" + n, x: left, y: top, width: size, height: size, patternUnits: "userSpaceOnUse", viewBox: "0 0 1 1"});
+    tile.append(shape("path", {class: "pattern", d: strokes, "stroke-width": 0.8 / size}));
+    return [tile, shape("path", {d, fill: `url(#strokes-${n})`})];
+  }));
 }
 
 const svgNames = "http://www.w3.org/2000/svg";
@@ -238,7 +260,7 @@ function lay() {
   Object.assign(raster.style, {left: `${margin.left}px`, top: `${margin.top}px`, width: `${layout.width}px`,
                                height: `${layout.height}px`});
   image = brush.createImageData(width, height);
-  overlay.replaceChildren(backdrop(), shape("g", {id: "cells"}), shape("g", {id: "marks"}));
+  overlay.replaceChildren(shape("g", {id: "patterns"}), backdrop(), shape("g", {id: "cells"}), shape("g", {id: "marks"}));
   paint();
   drawCells();
   drawMarks();
@@ -441,12 +463,12 @@ function drawLegend() {
   const tells = JSON.stringify([view, frame, view === "faces" ? Array.from(seen, count => count > 0) : 0]);
   if (tells === legendOf) return;
   legendOf = tells;
-  const entries = [], entry = (color, text) => entries.push({color, text});
+  const entries = [], entry = (color, text, strokes) => entries.push({color, text, strokes});
   if (view === "plotted") { entry("var(--plotted)", "drawn"); entry("var(--current)", "by this step"); }
   if (view === "faces") {
     const groups = [...trace.data.groups.keys()].filter(group => seen[group] > 0);
     if (trace.data.heading) entry("", trace.data.heading);
-    groups.slice(0, 24).forEach(i => entry(`var(--face-${i % 8 + 1})`, trace.words[trace.data.groups[i]]));
+    groups.slice(0, 24).forEach(i => entry(`var(--face-${i % 8 + 1})`, trace.words[trace.data.groups[i]], strokesOf(i)));
     if (groups.length > 24) entry("", `and ${groups.length - 24} more`);
   }
   if (view === "shade") entry("", "pixels in their own colors");
@@ -454,18 +476,23 @@ function drawLegend() {
   if (view === "writes")
     trace.data.write_grays.forEach((level, i, all) =>
       entry(`rgb(${level} ${level} ${level})`, `${i + 1}${i + 1 === all.length ? " or more writes" : ""}`));
-  by("legend").replaceChildren(...entries.map(({color, text}) => {
+  by("legend").replaceChildren(...entries.map(({color, text, strokes}) => {
     const item = document.createElement("li");
-    if (color) item.append(swatch(color));
+    if (color) item.append(swatch(color, strokes));
     item.append(text);
     return item;
   }));
 }
 
-function swatch(color) {
+function swatch(color, strokes = "") {
   const box = document.createElement("span");
   box.className = "swatch";
   box.style.background = color;
+  if (strokes) {
+    const over = shape("svg", {viewBox: "0 0 1 1", "aria-hidden": "true"});
+    over.append(shape("path", {class: "pattern", d: strokes, "stroke-width": 0.08}));
+    box.append(over);
+  }
   return box;
 }
 

@@ -2,6 +2,7 @@
 #include <rastertrace/figures/page.h>
 
 #include "page_parts.h"
+#include "panel.h"
 
 #include <rastertrace/figures/player_keys.h>
 #include <rastertrace/figures/svg.h>
@@ -91,9 +92,22 @@ std::string keys_text() {
     return text + "]";
 }
 
+/// The patterns of the first groups of faces, as paths in a square whose sides are 1; after so many they come again.
+std::string strokes_text() {
+    constexpr std::size_t count = 64; // eight colors with eight patterns each
+    std::string text = "[";
+    for (std::size_t group = 0; group < count; ++group) {
+        std::string path;
+        for (const Path& stroke : pattern_strokes(group, {{0, 0}, 1, 1}))
+            path += fmt::format("M{} {}L{} {}", stroke[0].x, stroke[0].y, stroke[1].x, stroke[1].y);
+        text += (group > 0 ? "," : "") + json_quoted(path);
+    }
+    return text + "]";
+}
+
 std::string options_text(const PageOptions& options) {
-    std::string text = fmt::format("{{\"keys\":{},\"language\":{}", keys_text(),
-                                   json_quoted(code_of(language_of_steps())));
+    std::string text = fmt::format("{{\"keys\":{},\"strokes\":{},\"language\":{}", keys_text(),
+                                   strokes_text(), json_quoted(code_of(language_of_steps())));
     if (options.view)
         text += fmt::format(",\"view\":{}", json_quoted(name_of(*options.view)));
     if (options.step)
