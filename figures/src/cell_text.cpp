@@ -49,8 +49,12 @@ void add_view(View view, const Replay& replay, CellTexts& texts) {
         for (int column = 0; column < canvas.width; ++column) {
             const Pixel pixel{canvas.left() + column, canvas.y_of(row)};
             const Cell cell = cells.at(pixel);
-            if (cell.text != "." && cell.text != "-")
-                texts[canvas.offset_of(pixel)].push_back(cell.text);
+            const std::size_t offset = canvas.offset_of(pixel);
+            const auto& stored_by = replay.frame().stored_by;
+            const bool is_empty = view == View::depth ? stored_by.empty() || stored_by[offset] == 0
+                                                      : cell.text == ".";
+            if (!is_empty)
+                texts[offset].push_back(cell.text);
         }
 }
 

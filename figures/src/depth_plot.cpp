@@ -10,6 +10,7 @@
 #include <array>
 #include <cmath>
 #include <functional>
+#include <limits>
 #include <string>
 
 namespace rastertrace {
@@ -26,12 +27,15 @@ struct Sample {
 struct Depths {
     std::string along; ///< "x in the row y=2", "y along the side AC"
     std::vector<Sample> drawn;
-    std::function<double(double along)> true_z; ///< empty if what is drawn is linear and right
+    std::string truth;                          ///< what the true depths are called
+    std::function<double(double along)> true_z; ///< empty if nothing tells them
+    double from = 0;                            ///< where the face begins
+    double to = 0;                              ///< where it ends
 };
 
-/// 1/z of a triangle in perspective is linear on the screen: 1/z = a x + b y + c. Nothing without an area.
-std::optional<std::array<double, 3>> plane_of_inverse(const std::vector<Point>& at,
-                                                      const std::array<double, 3>& inverse) {
+/// What is linear on the screen, from its values at three corners: a x + b y + c. Nothing without an area.
+std::optional<std::array<double, 3>> plane_through(const std::vector<Point>& at,
+                                                   const std::array<double, 3>& values) {
     const double ux = at[1].x - at[0].x;
     const double uy = at[1].y - at[0].y;
     const double vx = at[2].x - at[0].x;
@@ -39,11 +43,11 @@ std::optional<std::array<double, 3>> plane_of_inverse(const std::vector<Point>& 
     const double area = ux * vy - uy * vx;
     if (area == 0)
         return std::nullopt;
-    const double du = inverse[1] - inverse[0];
-    const double dv = inverse[2] - inverse[0];
+    const double du = values[1] - values[0];
+    const double dv = values[2] - values[0];
     const double a = (du * vy - dv * uy) / area;
     const double b = (ux * dv - vx * du) / area;
-    return std::array{a, b, inverse[0] - a * at[0].x - b * at[0].y};
+    return std::array{a, b, values[0] - a * at[0].x - b * at[0].y};
 }
 
 /// True if nothing gets smaller far away: z itself is linear on the screen.
@@ -74,43 +78,47 @@ std::vector<Sample> along_row(const Trace& trace, ShownSteps steps) {
 
 /// The side of the current triangle along which depths change most, and its depth in each row.
 struct Side {
-    std::string name;
+    std::string edge;
     bool is_left = false;
     std::vector<Sample> samples;
     std::vector<double> x; ///< where it is in each of these rows
 };
 Side along_side(const Replay& replay) {
     const Trace& trace = replay.trace();
-    std::array<Side, 2> sides;
-    sides[0].is_left = true;
+    std::vector<Side> sides;
     for (std::size_t n = replay.primitive() + 1; n <= replay.step(); ++n) {
         if (trace.kind_of(n) != StepKind::scanline)
             continue;
         const auto row = trace.step(n).as<ScanlineStep>();
-        for (Side& side : sides) {
-            const auto depth = (side.is_left ? row.left_depth : row.right_depth).nearest_double();
-            const auto x = (side.is_left ? row.left : row.right).nearest_double();
+        for (const bool is_left : {false, true}) {
+            const auto depth = (is_left ? row.left_depth : row.right_depth).nearest_double();
+            const auto x = (is_left ? row.left : row.right).nearest_double();
             if (!depth || !x)
                 continue;
-            side.samples.push_back({static_cast<double>(row.y), *depth});
-            side.x.push_back(*x);
-            const std::string edge = (side.is_left ? row.left_edge : row.right_edge).text();
-            if (side.name.find(edge) == std::string::npos)
-                side.name += (side.name.empty() ? "" : ", ") + edge;
+            const std::string edge = (is_left ? row.left_edge : row.right_edge).text();
+            auto side = std::find_if(sides.begin(), sides.end(), [&](const Side& one) {
+                return one.is_left == is_left && one.edge == edge;
+            });
+            if (side == sides.end())
+                side = sides.insert(sides.end(), {edge, is_left, {}, {}});
+            side->samples.push_back({static_cast<double>(row.y), *depth});
+            side->x.push_back(*x);
         }
     }
     const auto change_of = [](const Side& side) {
-        if (side.samples.empty())
-            return 0.0;
         const auto [least, most] =
             std::minmax_element(side.samples.begin(), side.samples.end(),
                                 [](const Sample& a, const Sample& b) { return a.z < b.z; });
         return most->z - least->z;
     };
-    return change_of(sides[0]) > change_of(sides[1]) ? sides[0] : sides[1];
+    const auto most =
+        std::max_element(sides.begin(), sides.end(),
+                         [&](const Side& a, const Side& b) { return change_of(a) < change_of(b); });
+    return most == sides.end() ? Side() : *most;
 }
 
 std::optional<Depths> depths_of(const Panel& panel) {
+    constexpr double infinity = std::numeric_limits<double>::infinity();
     const Replay& replay = panel.replay;
     const Trace& trace = panel.trace();
     const std::string kind = trace.method_value("depth");
@@ -122,15 +130,18 @@ std::optional<Depths> depths_of(const Panel& panel) {
     Depths depths;
     const std::size_t scanline = replay.scanline();
     const bool is_row = panel.is_step() && scanline != 0 && scanline <= panel.frame.steps.first;
-    Index row = 0; // its y
+    Index row = 0;                             // its y
+    std::array<std::optional<double>, 2> ends; // of the face in it
     Side side;
     if (is_row) {
-        row = trace.step(scanline).as<ScanlineStep>().y;
+        const auto told = trace.step(scanline).as<ScanlineStep>();
+        row = told.y;
+        ends = {told.left.nearest_double(), told.right.nearest_double()};
         depths.along = fmt::format("x in the row y = {}", row);
         depths.drawn = along_row(trace, {scanline, end_of(trace, scanline)});
     } else {
         side = along_side(replay);
-        depths.along = "y along the side " + side.name;
+        depths.along = "y along the side " + side.edge;
         depths.drawn = side.samples;
     }
     if (is_inverse)
@@ -141,23 +152,28 @@ std::optional<Depths> depths_of(const Panel& panel) {
         return std::nullopt;
     std::sort(depths.drawn.begin(), depths.drawn.end(),
               [](const Sample& a, const Sample& b) { return a.along < b.along; });
+    depths.from = std::max(depths.drawn.front().along, ends[0].value_or(-infinity));
+    depths.to = std::min(depths.drawn.back().along, ends[1].value_or(infinity));
 
     // The truth, from the triangle's corners.
     const auto primitive = trace.step(replay.primitive()).as<PrimitiveStep>();
     const std::vector<Point> at = corners_of(primitive);
     const auto corner_depths = primitive.depths.values();
-    if (is_parallel(replay) || at.size() != 3 || corner_depths.size() != 3)
+    if (at.size() != 3 || corner_depths.size() != 3)
         return depths;
-    std::array<double, 3> inverse{};
+    const bool is_linear = is_parallel(replay); // z is; otherwise 1/z
+    std::array<double, 3> values{};
     for (std::size_t i = 0; i < 3; ++i) {
         const double depth = corner_depths[i].nearest_double().value_or(0);
-        inverse[i] = is_inverse ? depth : 1 / depth;
+        values[i] = is_inverse == is_linear ? 1 / depth : depth;
     }
-    const auto plane = plane_of_inverse(at, inverse);
+    const auto plane = plane_through(at, values);
     if (!plane || !std::isfinite((*plane)[0] + (*plane)[1] + (*plane)[2]))
         return depths;
-    const auto true_at = [plane = *plane](double x, double y) {
-        return 1 / (plane[0] * x + plane[1] * y + plane[2]);
+    depths.truth = trace.projection.empty() ? "true in a perspective" : "true";
+    const auto true_at = [plane = *plane, is_linear](double x, double y) {
+        const double value = plane[0] * x + plane[1] * y + plane[2];
+        return is_linear ? value : 1 / value;
     };
     if (is_row) {
         depths.true_z = [true_at, y = static_cast<double>(row)](double x) { return true_at(x, y); };
@@ -196,14 +212,12 @@ Plot plot_of(const Depths& depths, std::string_view name, double (*value)(double
     PlotCurve straight{.name = "straight between the ends", .marks = {}, .has_marks = false};
     if (!drawn.marks.empty())
         straight.marks = {drawn.marks.front(), drawn.marks.back()};
-    PlotCurve truth{.name = "true", .marks = {}, .has_marks = false};
+    PlotCurve truth{.name = depths.truth, .marks = {}, .has_marks = false};
     if (depths.true_z) {
         constexpr int pieces = 60;
-        const double from = depths.drawn.front().along;
-        const double to = depths.drawn.back().along;
         std::vector<Sample> on_curve;
         for (int i = 0; i <= pieces; ++i) {
-            const double along = from + (to - from) * i / pieces;
+            const double along = depths.from + (depths.to - depths.from) * i / pieces;
             on_curve.push_back({.along = along, .z = depths.true_z(along)});
         }
         add_finite(on_curve, value, truth.marks);

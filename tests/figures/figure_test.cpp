@@ -374,6 +374,56 @@ TEST(Figures, ASteepLineHasItsBarsBesideItsRows) {
     EXPECT_EQ(decisions->all.back().text, "-8");
 }
 
+/// What is plotted at the end of a trace.
+std::vector<Plot> plots_of(const Trace& trace) {
+    Replay replay(trace, {.depths = true});
+    replay.go_to(trace.size());
+    const FaceGroups groups;
+    return depth_plots({.replay = replay,
+                        .frame = {.steps = {0, trace.size()}},
+                        .lattice = {},
+                        .parts = {},
+                        .view = View::plotted,
+                        .groups = groups,
+                        .palette = FacePalette::distinct,
+                        .against = nullptr});
+}
+
+TEST(Figures, APlotIsAlongOneSide) {
+    // The left side is bent at B, whose row is that of BC: along it depths change most.
+    const auto plots = plots_of(trace_of_scene(R"({"canvas": {"width": 10, "height": 10},
+        "vertices": {"A": [0, 4, 2], "B": [-4, 0, 9], "C": [0, -4, 2]}, "triangles": ["ABC"],
+        "keep": ["depth"], "method": {"scalar": "exact", "depth": "linear-z"}})"));
+    ASSERT_EQ(plots.size(), 2U);
+    EXPECT_EQ(plots[0].x.label, "y along the side BC");
+    for (const PlotMark& mark : plots[0].curves[2].marks)
+        EXPECT_NEAR(mark.y, 2 + (4 + mark.x) * 7 / 4, 1e-12); // from (-4, 2) to (0, 9)
+}
+
+TEST(Figures, WithoutAPerspectiveDepthsAreStraightInTruth) {
+    for (const std::string depth : {"linear-z", "inverse-z"}) {
+        const auto plots = plots_of(trace_of_scene(R"({"canvas": {"width": 10, "height": 10},
+            "vertices": {"A": [-3, 2, -2], "D": [-3, -3, -2], "E": [0, 2, -8]},
+            "triangles": ["ADE"], "keep": ["depth"],
+            "projection": {"type": "orthographic", "left": -5, "right": 5, "bottom": -5, "top": 5,
+                           "near": 1, "far": 9},
+            "method": {"scalar": "exact", "depth": ")" +
+                                                   depth + R"("}})"));
+        ASSERT_EQ(plots.size(), 2U) << depth;
+        const auto& truth = plots[0].curves[0].marks;
+        ASSERT_GT(truth.size(), 2U);
+        EXPECT_EQ(plots[0].curves[0].name, "true");
+        const PlotMark& first = truth.front();
+        const PlotMark& last = truth.back();
+        EXPECT_GT(std::abs(last.y - first.y), 1) << depth;
+        for (const PlotMark& mark : truth)
+            EXPECT_NEAR(mark.y,
+                        first.y + (mark.x - first.x) / (last.x - first.x) * (last.y - first.y),
+                        1e-9)
+                << depth;
+    }
+}
+
 TEST(Figures, DepthsInARowAreAsDrawnAndTrue) {
     // An edge from z = 3 at y = -3 to z = 4 at y = 2 (docs/sources.md): true 3, 60/19, 10/3, 60/17, 15/4, 4.
     for (const std::string depth : {"linear-z", "inverse-z"}) {
@@ -382,19 +432,9 @@ TEST(Figures, DepthsInARowAreAsDrawnAndTrue) {
             "triangles": ["ADE"], "keep": ["depth"],
             "method": {"scalar": "exact", "depth": ")" +
                                            depth + R"("}})");
-        Replay replay(trace, {.depths = true});
-        replay.go_to(trace.size());
-        const FaceGroups groups;
-        const Panel panel{.replay = replay,
-                          .frame = {.steps = {0, trace.size()}},
-                          .lattice = {},
-                          .parts = {},
-                          .view = View::plotted,
-                          .groups = groups,
-                          .palette = FacePalette::distinct,
-                          .against = nullptr};
-        const std::vector<Plot> plots = depth_plots(panel);
+        const std::vector<Plot> plots = plots_of(trace);
         ASSERT_EQ(plots.size(), 2U);
+        EXPECT_EQ(plots[0].curves[0].name, "true in a perspective"); // the scene does not say
         const PlotCurve& truth = plots[0].curves[0];
         const PlotCurve& drawn = plots[0].curves[2];
         const std::array<double, 6> true_z{3, 60.0 / 19, 10.0 / 3, 60.0 / 17, 15.0 / 4, 4};
