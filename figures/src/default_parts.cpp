@@ -97,10 +97,12 @@ void set_parts(const FigureOptions& options, Panel& panel) {
                                   panel.against == nullptr && lattice.cell >= cell_for_patterns);
     set(FigurePart::samples, tests_samples(panel.trace()) && lattice.cell >= cell_for_samples &&
                                  !has_cell_texts(panel.parts));
-    panel.has_all_edges = !is_step || wanted(options, FigurePart::edges) == true;
+    set(FigurePart::hidden_edges, false);
+    panel.has_all_edges = !is_step || wanted(options, FigurePart::edges) == true ||
+                          panel.parts.has(FigurePart::hidden_edges);
     const std::size_t with_edges = primitives_with_edges(panel).size();
-    set(FigurePart::edges,
-        with_edges <= few_primitives && !has_cell_texts(panel.parts) && panel.view != View::shade);
+    set(FigurePart::edges, panel.parts.has(FigurePart::hidden_edges) ||
+                               (with_edges <= few_primitives && !has_cell_texts(panel.parts)));
     set(FigurePart::vertices, panel.parts.has(FigurePart::edges) &&
                                   3 * with_edges <= few_vertices &&
                                   lattice.cell * lattice.columns() >= room_for_vertices);

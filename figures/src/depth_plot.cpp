@@ -33,23 +33,6 @@ struct Depths {
     double to = 0;                              ///< where it ends
 };
 
-/// What is linear on the screen, from its values at three corners: a x + b y + c. Nothing without an area.
-std::optional<std::array<double, 3>> plane_through(const std::vector<Point>& at,
-                                                   const std::array<double, 3>& values) {
-    const double ux = at[1].x - at[0].x;
-    const double uy = at[1].y - at[0].y;
-    const double vx = at[2].x - at[0].x;
-    const double vy = at[2].y - at[0].y;
-    const double area = ux * vy - uy * vx;
-    if (area == 0)
-        return std::nullopt;
-    const double du = values[1] - values[0];
-    const double dv = values[2] - values[0];
-    const double a = (du * vy - dv * uy) / area;
-    const double b = (ux * dv - vx * du) / area;
-    return std::array{a, b, values[0] - a * at[0].x - b * at[0].y};
-}
-
 /// True if nothing gets smaller far away: z itself is linear on the screen.
 bool is_parallel(const Replay& replay) {
     for (const std::size_t n : replay.matrices()) {

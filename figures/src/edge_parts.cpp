@@ -4,6 +4,7 @@
 #include "clip.h"
 #include "label_places.h"
 #include "panel.h"
+#include "visibility.h"
 
 #include <rastertrace/figures/corners.h>
 #include <rastertrace/trace/record/traced_steps.h>
@@ -67,12 +68,16 @@ struct NamedVertex {
 std::vector<NamedVertex> vertices_of(const Panel& panel) {
     std::vector<NamedVertex> vertices;
     std::set<std::pair<std::string, std::pair<double, double>>> known;
+    const Visibility visibility(panel);
     for (const std::size_t primitive : primitives_with_edges(panel)) {
         const auto step = panel.trace().step(primitive).as<PrimitiveStep>();
         const auto names = step.vertices.texts();
         const auto positions = text_rows(step.at);
         const Path corners = places_of(panel, primitive);
         for (std::size_t i = 0; i < std::min(names.size(), corners.size()); ++i) {
+            if (!panel.parts.has(FigurePart::hidden_edges) &&
+                !visibility.is_seen(primitive, corners[i]))
+                continue;
             if (!panel.lattice.frame().has(corners[i]) ||
                 !known.insert({names[i], {corners[i].x, corners[i].y}}).second)
                 continue;
@@ -103,14 +108,26 @@ std::vector<std::size_t> primitives_with_edges(const Panel& panel) {
 }
 
 void add_edges(const Panel& panel, std::vector<Shape>& shapes) {
+    const Visibility visibility(panel);
     Lines others{.role = Role::other_edge};
     Lines current{.role = Role::true_edge};
     for (const std::size_t primitive : primitives_with_edges(panel))
-        for (Path& side : sides_of(panel, primitive))
-            (primitive == panel.replay.primitive() || !panel.is_step() ? current : others)
-                .paths.push_back(std::move(side));
+        for (const Path& side : sides_of(panel, primitive))
+            for (Path& part : visibility.parts_of(primitive, side, true))
+                (primitive == panel.replay.primitive() || !panel.is_step() ? current : others)
+                    .paths.push_back(std::move(part));
     shapes.push_back(std::move(others));
     shapes.push_back(std::move(current));
+}
+
+void add_hidden_edges(const Panel& panel, std::vector<Shape>& shapes) {
+    const Visibility visibility(panel);
+    Lines hidden{.role = Role::other_edge};
+    for (const std::size_t primitive : primitives_with_edges(panel))
+        for (const Path& side : sides_of(panel, primitive))
+            for (Path& part : visibility.parts_of(primitive, side, false))
+                hidden.paths.push_back(std::move(part));
+    shapes.push_back(std::move(hidden));
 }
 
 void add_vertices(const Panel& panel, std::vector<Shape>& shapes) {

@@ -86,7 +86,7 @@ std::optional<Problem> problem_of_nothing(FigurePart part) {
 void add_raster(const Panel& panel, const std::vector<FigurePart>& needed,
                 std::vector<Shape>& shapes) {
     using AddPart = void (*)(const Panel&, std::vector<Shape>&);
-    constexpr std::array<std::pair<FigurePart, AddPart>, 11> on_pixels{
+    constexpr std::array<std::pair<FigurePart, AddPart>, 12> on_pixels{
         {{FigurePart::pixels, add_pixels},
          {FigurePart::patterns, add_patterns},
          {FigurePart::half_planes, add_half_planes},
@@ -95,6 +95,7 @@ void add_raster(const Panel& panel, const std::vector<FigurePart>& needed,
          {FigurePart::current, add_current},
          {FigurePart::samples, add_samples},
          {FigurePart::edges, add_edges},
+         {FigurePart::hidden_edges, add_hidden_edges},
          {FigurePart::rejected, add_rejected},
          {FigurePart::row, add_row},
          {FigurePart::vertices, add_vertices}}};

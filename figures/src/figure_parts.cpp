@@ -17,8 +17,12 @@ constexpr std::array parts{
                   "where pixels are large enough"},
     FigurePartRow{FigurePart::axes, "axes",
                   "the numbers of columns and rows, and where x and y are 0", "always"},
-    FigurePartRow{FigurePart::edges, "edges", "the true edges of primitives, over the pixels",
+    FigurePartRow{FigurePart::edges, "edges",
+                  "the true edges of primitives, over the pixels, as far as nothing nearer hides "
+                  "them",
                   "of the step's primitive; at the end, of all if they are few; not under numbers"},
+    FigurePartRow{FigurePart::hidden_edges, "hidden-edges",
+                  "the edges, or their parts, that nearer faces hide, dashed", "never"},
     FigurePartRow{FigurePart::vertices, "vertices", "their vertices, with coordinates",
                   "with edges"},
     FigurePartRow{FigurePart::samples, "samples", "the place where each pixel is tested",

@@ -111,6 +111,7 @@ std::vector<Path> pattern_strokes(std::size_t group, const Rectangle& square);
 /// The primitives whose edges and vertices are shown, by their steps.
 std::vector<std::size_t> primitives_with_edges(const Panel& panel);
 void add_edges(const Panel& panel, std::vector<Shape>& shapes);
+void add_hidden_edges(const Panel& panel, std::vector<Shape>& shapes);
 void add_vertices(const Panel& panel, std::vector<Shape>& shapes);
 void add_samples(const Panel& panel, std::vector<Shape>& shapes);
 void add_half_planes(const Panel& panel, std::vector<Shape>& shapes);

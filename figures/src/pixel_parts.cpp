@@ -68,9 +68,15 @@ void add_plotted(const Panel& panel, std::vector<Shape>& shapes) {
     RoleCollector pixels(panel.lattice);
     const Frame& frame = panel.replay.frame();
     const bool marks_current = panel.parts.has(FigurePart::current);
+    // Faces that hide lines, and are not drawn themselves, are blank: the lines are black on them.
+    bool hides_lines = false;
+    for (std::size_t offset = 0; offset < frame.stored_by.size(); ++offset)
+        hides_lines = hides_lines || (frame.stored_by[offset] != 0 && frame.drawn_by[offset] == 0);
     panel.for_each_pixel([&](Pixel pixel, std::size_t offset) {
         if (frame.drawn_by[offset] != 0)
-            pixels.add(marks_current && panel.is_current(offset) ? Role::current : Role::plotted,
+            pixels.add(marks_current && panel.is_current(offset) ? Role::current
+                       : hides_lines                             ? Role::ink
+                                                                 : Role::plotted,
                        pixel);
     });
     std::move(pixels).move_to(shapes);

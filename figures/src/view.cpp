@@ -42,15 +42,6 @@ char ramp_at(double share) {
         std::clamp(step, 0.0, static_cast<double>(ramp.size() - 1)))];
 }
 
-/// True if a nearer depth is a larger one, as far as the tests of a trace tell.
-bool larger_is_nearer(const Trace& trace) {
-    for (std::size_t n = 1; n <= trace.size(); ++n)
-        if (trace.kind_of(n) == StepKind::depth)
-            if (const auto larger = larger_depth_passes(trace, n))
-                return *larger;
-    return false;
-}
-
 /// What an untouched cell of the buffer holds: what the first depth of all is compared with.
 std::string cleared_depth(const Trace& trace) {
     for (std::size_t n = 1; n <= trace.size(); ++n)
@@ -100,6 +91,14 @@ FrameParts parts_for(View view, const Trace& trace) {
     return {.writes = view == View::writes,
             .depths =
                 view == View::depth || (!depth.empty() && depth != "none" && depth != "painter")};
+}
+
+bool larger_is_nearer(const Trace& trace) {
+    for (std::size_t n = 1; n <= trace.size(); ++n)
+        if (trace.kind_of(n) == StepKind::depth)
+            if (const auto larger = larger_depth_passes(trace, n))
+                return *larger;
+    return false;
 }
 
 View default_view(const Trace& trace) {

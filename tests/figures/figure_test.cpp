@@ -6,11 +6,13 @@
 #include "lattice.h"
 #include "scene_panel.h"
 #include "traces.h"
+#include "visibility.h"
 
 #include <rastertrace/figures/figure.h>
 #include <rastertrace/figures/theme.h>
 #include <rastertrace/trace/record/selector.h>
 
+#include <fmt/core.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -372,6 +374,48 @@ TEST(Figures, ASteepLineHasItsBarsBesideItsRows) {
     EXPECT_TRUE(decisions->is_steep);
     EXPECT_EQ(decisions->all.front().text, "-2");
     EXPECT_EQ(decisions->all.back().text, "-8");
+}
+
+/// The length of what is seen of the edge AB, and of what is not, in pixels. DEF covers all of it but x = 0 to 4.
+std::pair<double, double> seen_and_hidden(const std::string& depth, const std::string& z_of_cover) {
+    const Trace trace = trace_of_scene(
+        fmt::format(R"({{"canvas": {{"width": 12, "height": 12, "origin": "top-left"}},
+        "vertices": {{"A": [0, 5, 9], "B": [10, 5, 9], "C": [5, 10, 9],
+                      "D": [4, 0, {0}], "E": [4, 11, {0}], "F": [60, 5, {0}]}},
+        "triangles": ["ABC", "DEF"], "method": {{"scalar": "exact", "depth": "{1}"}}}})",
+                    z_of_cover, depth));
+    Replay replay(trace, {.depths = true});
+    replay.go_to(trace.size());
+    const FaceGroups groups;
+    const Lattice lattice{
+        .canvas = trace.canvas, .region = {0, 0, 11, 11}, .cell = 10, .corner = {}};
+    const Visibility visibility({.replay = replay,
+                                 .frame = {.steps = {0, trace.size()}},
+                                 .lattice = lattice,
+                                 .parts = {},
+                                 .view = View::plotted,
+                                 .groups = groups,
+                                 .palette = FacePalette::distinct,
+                                 .against = nullptr});
+    const Path side{lattice.place_of(0, 5), lattice.place_of(10, 5)};
+    const auto length = [&](bool seen) {
+        double sum = 0;
+        for (const Path& part : visibility.parts_of(replay.primitives().front(), side, seen))
+            sum += part.back().x - part.front().x;
+        return sum / lattice.cell;
+    };
+    return {length(true), length(false)};
+}
+
+TEST(Figures, EdgesAreSeenWhereNothingNearerIs) {
+    for (const char* const depth : {"linear-z", "inverse-z", "painter"}) {
+        const auto [seen, hidden] = seen_and_hidden(depth, "2");
+        EXPECT_NEAR(seen, 4, 1e-5) << depth;
+        EXPECT_NEAR(hidden, 6, 1e-5) << depth;
+    }
+    for (const auto& [depth, z] : {std::pair("linear-z", "20"), std::pair("inverse-z", "20"),
+                                   std::pair("linear-z", "9"), std::pair("none", "2")})
+        EXPECT_EQ(seen_and_hidden(depth, z), std::pair(10.0, 0.0)) << depth << " " << z;
 }
 
 /// What is plotted at the end of a trace.

@@ -33,6 +33,7 @@ enum class FigurePart : std::uint8_t {
     grid,
     axes,
     edges,
+    hidden_edges,
     vertices,
     samples,
     row,

@@ -39,6 +39,9 @@ std::optional<View> view_named(std::string_view name);
 /// `plotted`.
 View default_view(const Trace& trace);
 
+/// True if a nearer depth is a larger one, as far as the tests of a trace tell.
+bool larger_is_nearer(const Trace& trace);
+
 /// What a replay of a trace has to remember for a view, and for what its depth tests say.
 FrameParts parts_for(View view, const Trace& trace);
 

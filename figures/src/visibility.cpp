@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: MIT
+#include "visibility.h"
+
+#include <rastertrace/figures/corners.h>
+#include <rastertrace/trace/record/traced_steps.h>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <string>
+
+namespace rastertrace {
+
+namespace {
+
+/// Depths from one corner to the next; of a line, the same beside it.
+std::optional<std::array<double, 3>> depths_over(const Path& corners,
+                                                 const std::vector<double>& depths) {
+    std::vector<Point> at;
+    for (const Place& corner : corners)
+        at.push_back({corner.x, corner.y});
+    if (at.size() == 2) // a third corner straight beside the first one
+        at.push_back({at[0].x - (at[1].y - at[0].y), at[0].y + (at[1].x - at[0].x)});
+    return plane_through(at, {depths[0], depths[1], depths.size() == 2 ? depths[0] : depths[2]});
+}
+
+} // namespace
+
+Visibility::Visibility(const Panel& panel) : cell_(panel.lattice.cell) {
+    const Trace& trace = panel.trace();
+    const std::string depth = trace.method_value("depth");
+    is_painted_ = depth == "painter";
+    if (depth.empty() || depth == "none")
+        return;
+    larger_is_nearer_ = larger_is_nearer(trace);
+    for (const std::size_t step : panel.replay.primitives()) {
+        const auto primitive = trace.step(step).as<PrimitiveStep>();
+        Surface surface{step, {}, {}};
+        for (const Point& corner : corners_of(primitive))
+            surface.corners.push_back(panel.lattice.place_of(corner.x, corner.y));
+        std::vector<double> depths;
+        for (const TracedNumber& one : primitive.depths.values())
+            if (const auto value = one.nearest_double())
+                depths.push_back(*value);
+        if (surface.corners.size() < 2 || (!is_painted_ && depths.size() != surface.corners.size()))
+            continue;
+        if (!is_painted_) {
+            const auto over = depths_over(surface.corners, depths);
+            if (!over)
+                continue;
+            surface.depth = *over;
+        }
+        surfaces_.push_back(std::move(surface));
+    }
+}
+
+bool Visibility::Surface::has(Place at) const {
+    bool is_inside = false; // even-odd
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+        const Place a = corners[i];
+        const Place b = corners[(i + 1) % corners.size()];
+        const double length = std::hypot(b.x - a.x, b.y - a.y);
+        const double side = (b.x - a.x) * (at.y - a.y) - (b.y - a.y) * (at.x - a.x);
+        const double along = (b.x - a.x) * (at.x - a.x) + (b.y - a.y) * (at.y - a.y);
+        constexpr double on_edge = 1e-6; // units of the sheet
+        if (std::abs(side) <= on_edge * length && 0 <= along && along <= length * length)
+            return false;
+        if ((a.y <= at.y) != (b.y <= at.y) && (side > 0) == (b.y > a.y))
+            is_inside = !is_inside;
+    }
+    return is_inside && corners.size() > 2;
+}
+
+bool Visibility::is_before(const Surface& other, const Surface& own, Place at) const {
+    if (is_painted_)
+        return other.step > own.step;
+    constexpr double same = 1e-9; // as a part of both
+    const double depth = own.depth_at(at);
+    const double others = other.depth_at(at);
+    const double difference = larger_is_nearer_ ? others - depth : depth - others;
+    return difference > same * (std::abs(depth) + std::abs(others));
+}
+
+bool Visibility::is_seen(std::size_t primitive, Place at) const {
+    const auto own = std::find_if(surfaces_.begin(), surfaces_.end(), [=](const Surface& surface) {
+        return surface.step == primitive;
+    });
+    return own == surfaces_.end() ||
+           std::none_of(surfaces_.begin(), surfaces_.end(), [&](const Surface& other) {
+               return &other != &*own && other.has(at) && is_before(other, *own, at);
+           });
+}
+
+std::vector<Path> Visibility::parts_of(std::size_t primitive, const Path& side, bool seen) const {
+    const Place from = side.front();
+    const Place way{side.back().x - from.x, side.back().y - from.y};
+    const auto at = [&](double share) {
+        return Place{from.x + share * way.x, from.y + share * way.y};
+    };
+    const auto is_in = [&](double share) { return is_seen(primitive, at(share)) == seen; };
+    // Half a pixel at a time; where it changes in between is found by bisection.
+    const int count =
+        std::max(1, static_cast<int>(std::ceil(std::hypot(way.x, way.y) / (0.5 * cell_))));
+    std::vector<Path> parts;
+    bool goes_on = false;
+    double last = 0;
+    for (int i = 0; i < count; ++i) {
+        const double share = (i + 0.5) / count;
+        const bool is_part = is_in(share);
+        if (is_part != goes_on) {
+            double before = last;
+            double behind = share;
+            for (int k = 0; i > 0 && k < 20; ++k) {
+                const double middle = (before + behind) / 2;
+                (is_in(middle) == is_part ? behind : before) = middle;
+            }
+            if (is_part)
+                parts.push_back({at(i > 0 ? behind : 0), at(1)});
+            else
+                parts.back().back() = at(behind);
+        }
+        goes_on = is_part;
+        last = share;
+    }
+    return parts;
+}
+
+} // namespace rastertrace
