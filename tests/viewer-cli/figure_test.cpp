@@ -138,7 +138,8 @@ TEST_F(FigureTest, ASelectorThatMatchesNothing) {
 
 TEST_F(FigureTest, Parts) {
     EXPECT_EQ(refusal("--with eges -o x.svg"),
-              "rastertrace: --with: expected parts out of grid,axes,edges,vertices,samples,row,"
+              "rastertrace: --with: expected parts out of "
+              "grid,axes,edges,hidden-edges,vertices,samples,row,"
               "pixels,current,rejected,order,depths,writes,weights,patterns,half-planes,errors,"
               "scene,plot,title,legend,caption,working, found \"eges\"\n"
               "hint: did you mean edges?\n");
