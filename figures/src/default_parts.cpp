@@ -89,6 +89,7 @@ void set_parts(const FigureOptions& options, Panel& panel) {
     set(FigurePart::row, is_step || panel.frame.is_question);
     set(FigurePart::caption, is_step || options.caption.has_value());
     set(FigurePart::title, true);
+    set(FigurePart::step, panel.parts.has(FigurePart::title));
     set(FigurePart::axes, true);
 
     // What needs room, and what is too much if there is too much of it.
@@ -106,6 +107,7 @@ void set_parts(const FigureOptions& options, Panel& panel) {
     set(FigurePart::vertices, panel.parts.has(FigurePart::edges) &&
                                   3 * with_edges <= few_vertices &&
                                   lattice.cell * lattice.columns() >= room_for_vertices);
+    set(FigurePart::coordinates, panel.parts.has(FigurePart::vertices));
 
     for (const FigurePart part :
          {FigurePart::errors, FigurePart::scene, FigurePart::plot, FigurePart::working})

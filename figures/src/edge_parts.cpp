@@ -89,8 +89,10 @@ std::vector<NamedVertex> vertices_of(const Panel& panel) {
                 same->names += ", " + names[i];
             else
                 vertices.push_back({corners[i], names[i],
-                                    fmt::format("({}, {})", short_number(positions[i][0]),
-                                                short_number(positions[i][1])),
+                                    panel.parts.has(FigurePart::coordinates)
+                                        ? fmt::format("({}, {})", short_number(positions[i][0]),
+                                                      short_number(positions[i][1]))
+                                        : std::string(),
                                     middle_of(corners)});
         }
     }

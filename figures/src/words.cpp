@@ -38,10 +38,10 @@ constexpr std::size_t most_entries = 24;
 std::string shown_steps_text(const Panel& panel) {
     const std::size_t first = panel.frame.steps.first;
     const Trace& trace = panel.trace();
+    if (first == 0 || !panel.parts.has(FigurePart::step))
+        return {};
     if (panel.frame.is_question)
         return fmt::format("before step {} of {}", trace.number_of(first), trace.size());
-    if (first == 0)
-        return {};
     return steps_text(trace, panel.frame.steps);
 }
 
