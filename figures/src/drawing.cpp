@@ -8,6 +8,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdlib>
 #include <iterator>
@@ -140,8 +141,39 @@ void add_arrow(Place from, Place to, Role role, double head_length, std::vector<
                             {neck.x + slimness * along_y, neck.y - slimness * along_x}}}});
 }
 
-double width_of(std::string_view text, double size, bool is_bold) {
+std::string typeset(std::string_view text) {
+    constexpr std::array<std::pair<std::string_view, std::string_view>, 4> signs{
+        {{" -> ", " → "}, {" <= ", " ≤ "}, {" >= ", " ≥ "}, {" - ", " − "}}};
+    const auto is_one_of = [](std::string_view all, char c) {
+        return all.find(c) != std::string_view::npos;
+    };
+    std::string set;
+    for (std::size_t i = 0; i < text.size();) {
+        const auto sign = std::find_if(signs.begin(), signs.end(), [&](const auto& one) {
+            return text.substr(i).starts_with(one.first);
+        });
+        if (sign != signs.end()) {
+            set += sign->second.substr(0, sign->second.size() - 1);
+            i += sign->first.size() - 1; // the blank behind it may be before the next sign
+            continue;
+        }
+        const bool is_minus = text[i] == '-' && i + 1 < text.size() &&
+                              is_one_of(".0123456789(abcdefghijklmnopqrstuvwxyz", text[i + 1]) &&
+                              (i == 0 || is_one_of(" (,", text[i - 1]));
+        set += is_minus ? std::string_view("−") : text.substr(i, 1);
+        ++i;
+    }
+    return set;
+}
+
+std::string shown_text(const Label& label) {
+    return label.is_fixed_width ? label.text : typeset(label.text);
+}
+
+double width_of(std::string_view typed, double size, bool is_bold) {
     double ems = 0;
+    const std::string set = typeset(typed);
+    std::string_view text = set;
     while (!text.empty()) {
         const std::size_t length = first_code_point(text).length;
         const char32_t character = first_code_point(text).value;

@@ -24,7 +24,7 @@ void add_lettering(const Label& label, double scale, double rim, PixelCoverage& 
     // Letters beside one another from x = 0 on.
     std::vector<Path> contours;
     double width = 0;
-    const std::string text = printable(label.text);
+    const std::string text = printable(shown_text(label));
     for (std::string_view rest = text; !rest.empty();) {
         const CodePoint character = first_code_point(rest);
         rest.remove_prefix(character.length);

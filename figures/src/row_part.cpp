@@ -6,6 +6,8 @@
 #include <rastertrace/trace/record/traced_steps.h>
 #include <rastertrace/trace/tell/working.h>
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <array>
 #include <optional>
@@ -28,7 +30,11 @@ std::optional<RowEnd> end_of_row(const ScanlineStep& row, bool is_left) {
     const auto at = end.nearest_double();
     if (!at)
         return std::nullopt;
-    return RowEnd{*at, as_in_working(end.text()), is_left ? row.from : row.to, is_left};
+    std::string text = as_in_working(end.text());
+    constexpr std::size_t most_letters = 8; // a sign, a point and six digits
+    if (text.size() > most_letters && text.find('/') == std::string::npos)
+        text = fmt::format("{:.6g}", *at);
+    return RowEnd{*at, std::move(text), is_left ? row.from : row.to, is_left};
 }
 
 } // namespace

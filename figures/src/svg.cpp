@@ -152,7 +152,7 @@ private:
         if (label.has_rim)
             kind += " rim";
         return fmt::format("<text {}{}>{}</text>\n", attributes(kind, label.role, label.color),
-                           more, escaped(label.text));
+                           more, escaped(shown_text(label)));
     }
 
     std::set<Role> roles_used_;

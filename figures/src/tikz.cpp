@@ -252,8 +252,9 @@ private:
         if (label.is_bold)
             fonts += "\\bfseries ";
         body_ += fmt::format("\\node[{}] at {} {{{}{}}};\n", options, text_of(label.at), fonts,
-                             tex_escaped(label.text, label.is_fixed_width ? TexFont::fixed_width
-                                                                          : TexFont::proportional));
+                             tex_escaped(shown_text(label), label.is_fixed_width
+                                                                ? TexFont::fixed_width
+                                                                : TexFont::proportional));
     }
 
     /// What letters of 10 points are enlarged by. (TeX has letters of any size only so.)

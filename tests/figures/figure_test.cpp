@@ -376,6 +376,22 @@ TEST(Figures, ASteepLineHasItsBarsBesideItsRows) {
     EXPECT_EQ(decisions->all.back().text, "-8");
 }
 
+TEST(Figures, TextsHaveTheSignsOfAPrinter) {
+    for (const auto& [typed, set] : std::initializer_list<std::pair<const char*, const char*>>{
+             {"left AB: x = 2 - 3/4 (4 - 5) = -1/4 -> floor -> -1",
+              "left AB: x = 2 − 3/4 (4 − 5) = −1/4 → floor → −1"},
+             {"B(-4, -3)", "B(−4, −3)"},
+             {"-3", "−3"},
+             {"z = -d D / (A x' + d C)", "z = −d D / (A x' + d C)"},
+             {"half-open, small.E-small.G, 2-3, top-left",
+              "half-open, small.E-small.G, 2-3, top-left"},
+             {"a - -b <= 0", "a − −b ≤ 0"},
+             {"--region", "--region"},
+             {"-", "-"},
+             {"", ""}})
+        EXPECT_EQ(typeset(typed), set);
+}
+
 /// The length of what is seen of the edge AB, and of what is not, in pixels. DEF covers all of it but x = 0 to 4.
 std::pair<double, double> seen_and_hidden(const std::string& depth, const std::string& z_of_cover) {
     const Trace trace = trace_of_scene(

@@ -291,7 +291,7 @@ TEST_F(FigureTest, WhatIsTooMuchForAFormatIsTold) {
     EXPECT_EQ(shell(draw + "--region 0,0,99,99 -o x.svg").status, 0);
 
     EXPECT_EQ(refusal("--cell 1000 -o x.png"),
-              "rastertrace: expected at most 100000000 pixels in a picture, found 34068 x 28116\n"
+              "rastertrace: expected at most 100000000 pixels in a picture, found 34078 x 28116\n"
               "hint: a smaller --scale makes it smaller; --region takes a part of it\n");
 }
 
