@@ -159,14 +159,22 @@ private:
     std::size_t shapes_ = 0;
 };
 
+/// The class of a figure, other than that of any other one: pages may hold several, whose rules must not meet. FNV-1a.
+std::string scope_of(std::string_view body, Theme theme) {
+    std::uint32_t hash = 0x811C9DC5U ^ static_cast<std::uint32_t>(theme);
+    for (const char c : body)
+        hash = (hash ^ static_cast<unsigned char>(c)) * 0x01000193U;
+    return fmt::format("r{:08x}", hash);
+}
+
 /// The rules for the roles that are used, and for the kinds of shape.
-std::string rules(const std::set<Role>& used, Theme theme) {
+std::string rules(const std::set<Role>& used, Theme theme, std::string_view scope) {
     std::string css;
     for (const Role role : used) {
         const Paint paint = paint_of(role, theme);
-        css +=
-            fmt::format(".{}{{{};{};stroke-width:{}", name_of(role), paint_css("fill", paint.color),
-                        paint_css("stroke", paint.color), decimal(paint.width));
+        css += fmt::format(".{} .{}{{{};{};stroke-width:{}", scope, name_of(role),
+                           paint_css("fill", paint.color), paint_css("stroke", paint.color),
+                           decimal(paint.width));
         if (!paint.dashes.empty()) {
             std::string dashes;
             for (const double dash : paint.dashes)
@@ -175,39 +183,39 @@ std::string rules(const std::set<Role>& used, Theme theme) {
         }
         css += "}\n";
     }
-    css += ".line{fill:none;stroke-linejoin:round}\n"
-           ".area,.shape,.label{stroke:none}\n"
-           ".area{shape-rendering:crispEdges}\n";
-    const std::string paper = hex(paint_of(Role::paper, theme).color);
-    css +=
-        fmt::format(".sheet{{fill:{0}}}\n"
-                    ".rim{{stroke:{0};stroke-width:3;stroke-linejoin:round;stroke-dasharray:none;"
-                    "paint-order:stroke}}\n"
-                    ".label{{font-family:\"DejaVu Sans\",Verdana,sans-serif}}\n"
-                    ".fixed{{font-family:\"DejaVu Sans Mono\",Menlo,Consolas,monospace}}\n",
-                    paper);
+    css += fmt::format(".{1} .line{{fill:none;stroke-linejoin:round}}\n"
+                       ".{1} .area,.{1} .shape,.{1} .label{{stroke:none}}\n"
+                       ".{1} .area{{shape-rendering:crispEdges}}\n"
+                       ".{1} .sheet{{fill:{0}}}\n"
+                       ".{1} .rim{{stroke:{0};stroke-width:3;stroke-linejoin:round;"
+                       "stroke-dasharray:none;paint-order:stroke}}\n"
+                       ".{1} .label{{font-family:\"DejaVu Sans\",Verdana,sans-serif}}\n"
+                       ".{1} .fixed{{font-family:\"DejaVu Sans Mono\",Menlo,Consolas,monospace}}\n",
+                       hex(paint_of(Role::paper, theme).color), scope);
     return css;
 }
 
-std::string style_sheet(const std::set<Role>& used, Theme theme) {
-    std::string css = rules(used, theme);
+std::string style_sheet(const std::set<Role>& used, Theme theme, std::string_view scope) {
+    std::string css = rules(used, theme, scope);
     if (theme == Theme::automatic)
-        css +=
-            fmt::format("@media (prefers-color-scheme:dark){{\n{}}}\n", rules(used, Theme::dark));
+        css += fmt::format("@media (prefers-color-scheme:dark){{\n{}}}\n",
+                           rules(used, Theme::dark, scope));
     return css;
 }
 
-std::string document(const Drawing& sheet, const std::string& css, const std::string& body) {
+std::string document(const Drawing& sheet, std::string_view scope, const std::string& css,
+                     const std::string& body) {
     const std::string width = decimal(sheet.width);
     const std::string height = decimal(sheet.height);
     const std::string description =
         sheet.description.empty() ? ""
                                   : fmt::format("<desc>{}</desc>\n", escaped(sheet.description));
-    return fmt::format("<svg xmlns=\"http://www.w3.org/2000/svg\" role=\"img\" width=\"{0}\" "
-                       "height=\"{1}\" viewBox=\"0 0 {0} {1}\">\n<title>{2}</title>\n{3}"
-                       "<style>\n{4}</style>\n"
-                       "<rect class=\"sheet\" width=\"{0}\" height=\"{1}\"/>\n{5}</svg>\n",
-                       width, height, escaped(sheet.title), description, css, body);
+    return fmt::format(
+        "<svg xmlns=\"http://www.w3.org/2000/svg\" class=\"{6}\" role=\"img\" width=\"{0}\" "
+        "height=\"{1}\" viewBox=\"0 0 {0} {1}\">\n<title>{2}</title>\n{3}"
+        "<style>\n{4}</style>\n"
+        "<rect class=\"sheet\" width=\"{0}\" height=\"{1}\"/>\n{5}</svg>\n",
+        width, height, escaped(sheet.title), description, css, body, scope);
 }
 
 /// The shapes of a drawing, each written.
@@ -278,7 +286,8 @@ Result<std::string> svg_of(const Drawing& drawing, Theme theme) {
     const std::string body = joined_from(written_shapes(drawing, writer), 0);
     if (auto problem = too_many(writer.shapes()))
         return *std::move(problem);
-    return document(drawing, style_sheet(writer.roles_used(), theme), body);
+    const std::string scope = scope_of(body, theme);
+    return document(drawing, scope, style_sheet(writer.roles_used(), theme, scope), body);
 }
 
 Result<std::string> animated_svg_of(std::span<const Drawing> frames, double seconds, Theme theme) {
@@ -303,13 +312,15 @@ Result<std::string> animated_svg_of(std::span<const Drawing> frames, double seco
                             i + 1 == frames.size() ? " last" : "",
                             decimal(-static_cast<double>(frames.size() - i) * seconds),
                             joined_from(written[i], common));
-    std::string css = style_sheet(writer.roles_used(), theme);
-    css += fmt::format(".frame{{visibility:hidden}}\n.last{{visibility:visible}}\n"
-                       "@keyframes turn{{0%{{visibility:visible}}{:.4f}%{{visibility:hidden}}}}\n"
-                       "@media (prefers-reduced-motion:no-preference){{.frame{{animation:turn {}s "
-                       "step-end infinite}}}}\n",
-                       100 / count, decimal(count * seconds));
-    return document(frames.back(), css, body);
+    const std::string scope = scope_of(body, theme);
+    std::string css = style_sheet(writer.roles_used(), theme, scope);
+    css += fmt::format(
+        ".{2} .frame{{visibility:hidden}}\n.{2} .last{{visibility:visible}}\n"
+        "@keyframes turn-{2}{{0%{{visibility:visible}}{0:.4f}%{{visibility:hidden}}}}\n"
+        "@media (prefers-reduced-motion:no-preference){{.{2} .frame{{animation:turn-{2} {1}s "
+        "step-end infinite}}}}\n",
+        100 / count, decimal(count * seconds), scope);
+    return document(frames.back(), scope, css, body);
 }
 
 } // namespace rastertrace

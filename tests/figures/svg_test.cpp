@@ -11,6 +11,8 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <set>
+#include <sstream>
 #include <string>
 
 namespace rastertrace {
@@ -20,13 +22,27 @@ using testing::HasSubstr;
 using testing::Not;
 
 TEST(Svg, IsXmlWhateverTheTexts) {
+    std::set<std::string> scopes;
     for (const Theme theme : {Theme::automatic, Theme::light, Theme::dark, Theme::print}) {
         const auto svg = svg_of(hostile_drawing(), theme);
         ASSERT_TRUE(svg);
         EXPECT_EQ(xml_fault(svg.value()), "");
         EXPECT_EQ(svg.value(), svg_of(hostile_drawing(), theme).value());
+
+        // Its rules are about itself alone: another figure in the same page has another class.
+        const std::string& text = svg.value();
+        const std::size_t begin = text.find("class=\"") + 7;
+        const std::string scope = text.substr(begin, text.find('"', begin) - begin);
+        scopes.insert(scope);
+        const std::size_t style = text.find("<style>\n") + 8;
+        std::istringstream rules(text.substr(style, text.find("</style>") - style));
+        for (std::string rule; std::getline(rules, rule);)
+            EXPECT_TRUE(rule == "}" || rule.starts_with("@media") ||
+                        rule.starts_with("." + scope + " ."))
+                << rule;
         EXPECT_THAT(svg.value(), Not(HasSubstr("<script")));
     }
+    EXPECT_EQ(scopes.size(), 4U);
     const std::array frames{hostile_drawing(), hostile_drawing(), hostile_drawing()};
     const auto animated = animated_svg_of(frames, 0.5, Theme::automatic);
     ASSERT_TRUE(animated);
