@@ -75,10 +75,9 @@ std::vector<NamedVertex> vertices_of(const Panel& panel) {
         const auto positions = text_rows(step.at);
         const Path corners = places_of(panel, primitive);
         for (std::size_t i = 0; i < std::min(names.size(), corners.size()); ++i) {
-            if (!panel.parts.has(FigurePart::hidden_edges) &&
-                !visibility.is_seen(primitive, corners[i]))
-                continue;
             if (!panel.lattice.frame().has(corners[i]) ||
+                (!panel.parts.has(FigurePart::hidden_edges) &&
+                 !visibility.is_seen(primitive, corners[i])) ||
                 !known.insert({names[i], {corners[i].x, corners[i].y}}).second)
                 continue;
             // Vertices at one place share their words.

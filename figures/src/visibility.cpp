@@ -26,7 +26,8 @@ std::optional<std::array<double, 3>> depths_over(const Path& corners,
 
 } // namespace
 
-Visibility::Visibility(const Panel& panel) : cell_(panel.lattice.cell) {
+Visibility::Visibility(const Panel& panel)
+    : frame_(panel.lattice.frame()), cell_(panel.lattice.cell) {
     const Trace& trace = panel.trace();
     const std::string depth = trace.method_value("depth");
     is_painted_ = depth == "painter";
@@ -51,7 +52,29 @@ Visibility::Visibility(const Panel& panel) : cell_(panel.lattice.cell) {
             surface.depth = *over;
         }
         surfaces_.push_back(std::move(surface));
+        add_to_fields(surfaces_.size() - 1);
     }
+}
+
+int Visibility::column_of(double x) const {
+    return static_cast<int>(
+        std::clamp((x - frame_.corner.x) / frame_.width * most_fields, 0.0, most_fields - 1.0));
+}
+
+int Visibility::row_of(double y) const {
+    return static_cast<int>(
+        std::clamp((y - frame_.corner.y) / frame_.height * most_fields, 0.0, most_fields - 1.0));
+}
+
+void Visibility::add_to_fields(std::size_t surface) {
+    const Path& corners = surfaces_[surface].corners;
+    const auto [left, right] = std::minmax_element(
+        corners.begin(), corners.end(), [](const Place& a, const Place& b) { return a.x < b.x; });
+    const auto [top, bottom] = std::minmax_element(
+        corners.begin(), corners.end(), [](const Place& a, const Place& b) { return a.y < b.y; });
+    for (int row = row_of(top->y); row <= row_of(bottom->y); ++row)
+        for (int column = column_of(left->x); column <= column_of(right->x); ++column)
+            fields_[static_cast<std::size_t>(row * most_fields + column)].push_back(surface);
 }
 
 bool Visibility::Surface::has(Place at) const {
@@ -82,13 +105,17 @@ bool Visibility::is_before(const Surface& other, const Surface& own, Place at) c
 }
 
 bool Visibility::is_seen(std::size_t primitive, Place at) const {
-    const auto own = std::find_if(surfaces_.begin(), surfaces_.end(), [=](const Surface& surface) {
-        return surface.step == primitive;
+    const auto own = std::lower_bound(
+        surfaces_.begin(), surfaces_.end(), primitive,
+        [](const Surface& surface, std::size_t step) { return surface.step < step; });
+    if (own == surfaces_.end() || own->step != primitive)
+        return true;
+    const auto& near =
+        fields_[static_cast<std::size_t>(row_of(at.y) * most_fields + column_of(at.x))];
+    return std::none_of(near.begin(), near.end(), [&](std::size_t i) {
+        const Surface& other = surfaces_[i];
+        return other.step != primitive && other.has(at) && is_before(other, *own, at);
     });
-    return own == surfaces_.end() ||
-           std::none_of(surfaces_.begin(), surfaces_.end(), [&](const Surface& other) {
-               return &other != &*own && other.has(at) && is_before(other, *own, at);
-           });
 }
 
 std::vector<Path> Visibility::parts_of(std::size_t primitive, const Path& side, bool seen) const {

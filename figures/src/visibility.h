@@ -16,7 +16,7 @@ public:
     /// Of the primitives so far. Nothing is hidden in a picture without a depth buffer and without a painter.
     explicit Visibility(const Panel& panel);
 
-    /// False if a face in front of a primitive has that place of the sheet.
+    /// False if a face in front of a primitive has that place of the panel.
     bool is_seen(std::size_t primitive, Place at) const;
 
     /// The parts of a side of a primitive that are seen; or, without `seen`, those that are not.
@@ -38,8 +38,17 @@ private:
 
     bool is_before(const Surface& other, const Surface& own, Place at) const;
 
+    /// The panel is cut into so many columns and rows, each of which knows the surfaces that may be in it.
+    static constexpr int most_fields = 64;
+    int column_of(double x) const;
+    int row_of(double y) const;
+    void add_to_fields(std::size_t surface);
+
     std::vector<Surface> surfaces_; ///< in the order of their steps
-    bool is_painted_ = false;       ///< by a painter: the later one is in front
+    std::vector<std::vector<std::size_t>> fields_ =
+        std::vector<std::vector<std::size_t>>(most_fields * most_fields);
+    Rectangle frame_;
+    bool is_painted_ = false; ///< by a painter: the later one is in front
     bool larger_is_nearer_ = false;
     double cell_;
 };
