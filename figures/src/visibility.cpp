@@ -36,7 +36,7 @@ Visibility::Visibility(const Panel& panel)
     larger_is_nearer_ = larger_is_nearer(trace);
     for (const std::size_t step : panel.replay.primitives()) {
         const auto primitive = trace.step(step).as<PrimitiveStep>();
-        Surface surface{step, {}, {}};
+        Surface surface{step, is_filled(primitive.kind), {}, {}};
         for (const Point& corner : corners_of(primitive))
             surface.corners.push_back(panel.lattice.place_of(corner.x, corner.y));
         std::vector<double> depths;
@@ -52,7 +52,8 @@ Visibility::Visibility(const Panel& panel)
             surface.depth = *over;
         }
         surfaces_.push_back(std::move(surface));
-        add_to_fields(surfaces_.size() - 1);
+        if (surfaces_.back().is_filled)
+            add_to_fields(surfaces_.size() - 1);
     }
 }
 
@@ -91,7 +92,7 @@ bool Visibility::Surface::has(Place at) const {
         if ((a.y <= at.y) != (b.y <= at.y) && (side > 0) == (b.y > a.y))
             is_inside = !is_inside;
     }
-    return is_inside && corners.size() > 2;
+    return is_inside;
 }
 
 bool Visibility::is_before(const Surface& other, const Surface& own, Place at) const {

@@ -26,6 +26,7 @@ private:
     /// A primitive on the sheet.
     struct Surface {
         std::size_t step;
+        bool is_filled; ///< what is not hides nothing
         Path corners;
         std::array<double, 3>
             depth; ///< a x + b y + c, in what the depth buffer holds; 0 for a painter

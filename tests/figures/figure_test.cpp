@@ -393,13 +393,15 @@ TEST(Figures, TextsHaveTheSignsOfAPrinter) {
 }
 
 /// The length of what is seen of the edge AB, and of what is not, in pixels. DEF covers all of it but x = 0 to 4.
-std::pair<double, double> seen_and_hidden(const std::string& depth, const std::string& z_of_cover) {
+std::pair<double, double> seen_and_hidden(const std::string& depth, const std::string& z_of_cover,
+                                          const std::string& kind_of_cover = "triangles") {
     const Trace trace = trace_of_scene(
         fmt::format(R"({{"canvas": {{"width": 12, "height": 12, "origin": "top-left"}},
         "vertices": {{"A": [0, 5, 9], "B": [10, 5, 9], "C": [5, 10, 9],
                       "D": [4, 0, {0}], "E": [4, 11, {0}], "F": [60, 5, {0}]}},
-        "triangles": ["ABC", "DEF"], "method": {{"scalar": "exact", "depth": "{1}"}}}})",
-                    z_of_cover, depth));
+        "triangles": ["ABC"{2}"DEF"], "method": {{"scalar": "exact", "depth": "{1}"}}}})",
+                    z_of_cover, depth,
+                    kind_of_cover == "triangles" ? ", " : "], \"" + kind_of_cover + "\": ["));
     Replay replay(trace, {.depths = true});
     replay.go_to(trace.size());
     const FaceGroups groups;
@@ -432,6 +434,7 @@ TEST(Figures, EdgesAreSeenWhereNothingNearerIs) {
     for (const auto& [depth, z] : {std::pair("linear-z", "20"), std::pair("inverse-z", "20"),
                                    std::pair("linear-z", "9"), std::pair("none", "2")})
         EXPECT_EQ(seen_and_hidden(depth, z), std::pair(10.0, 0.0)) << depth << " " << z;
+    EXPECT_EQ(seen_and_hidden("linear-z", "2", "outlines"), std::pair(10.0, 0.0));
 }
 
 /// What is plotted at the end of a trace.
