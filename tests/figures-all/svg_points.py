@@ -25,7 +25,7 @@ def rules_in(css):
     rules = {}
     for classes, body in re.findall(r"([^{}]+)\{([^{}]*)\}", css):
         for name in classes.split(","):
-            rules.setdefault(name.strip()[1:], {}).update(declarations(body))
+            rules.setdefault(name.rpartition(".")[2].strip(), {}).update(declarations(body))
     return rules
 
 
