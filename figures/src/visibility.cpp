@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "visibility.h"
 
+#include "clip.h"
+
 #include <rastertrace/figures/corners.h>
 #include <rastertrace/trace/record/traced_steps.h>
 
@@ -36,7 +38,7 @@ Visibility::Visibility(const Panel& panel)
     larger_is_nearer_ = larger_is_nearer(trace);
     for (const std::size_t step : panel.replay.primitives()) {
         const auto primitive = trace.step(step).as<PrimitiveStep>();
-        Surface surface{step, is_filled(primitive.kind), {}, {}};
+        Surface surface{step, {}, {}};
         for (const Point& corner : corners_of(primitive))
             surface.corners.push_back(panel.lattice.place_of(corner.x, corner.y));
         std::vector<double> depths;
@@ -52,7 +54,7 @@ Visibility::Visibility(const Panel& panel)
             surface.depth = *over;
         }
         surfaces_.push_back(std::move(surface));
-        if (surfaces_.back().is_filled)
+        if (is_filled(primitive.kind))
             add_to_fields(surfaces_.size() - 1);
     }
 }
@@ -84,7 +86,7 @@ bool Visibility::Surface::has(Place at) const {
         const Place a = corners[i];
         const Place b = corners[(i + 1) % corners.size()];
         const double length = std::hypot(b.x - a.x, b.y - a.y);
-        const double side = (b.x - a.x) * (at.y - a.y) - (b.y - a.y) * (at.x - a.x);
+        const double side = doubled_area(a, b, at);
         const double along = (b.x - a.x) * (at.x - a.x) + (b.y - a.y) * (at.y - a.y);
         constexpr double on_edge = 1e-6; // units of the sheet
         if (std::abs(side) <= on_edge * length && 0 <= along && along <= length * length)

@@ -26,7 +26,6 @@ private:
     /// A primitive on the sheet.
     struct Surface {
         std::size_t step;
-        bool is_filled; ///< what is not hides nothing
         Path corners;
         std::array<double, 3>
             depth; ///< a x + b y + c, in what the depth buffer holds; 0 for a painter
@@ -39,7 +38,8 @@ private:
 
     bool is_before(const Surface& other, const Surface& own, Place at) const;
 
-    /// The panel is cut into so many columns and rows, each of which knows the surfaces that may be in it.
+    /// The panel is cut into so many columns and rows, each of which knows the filled surfaces that may be in it: the
+    /// others hide nothing.
     static constexpr int most_fields = 64;
     int column_of(double x) const;
     int row_of(double y) const;

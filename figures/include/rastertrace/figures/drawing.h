@@ -172,10 +172,9 @@ struct Label {
     double size = 10; ///< of the letters, in units, from the top of an A to the bottom of a g
     Anchor anchor = Anchor::start;
     bool is_bold = false;
-    bool is_fixed_width =
-        false; ///< letters below one another, as on a terminal; otherwise it is typeset
-    bool is_turned = false; ///< it runs upward
-    bool has_rim = false;   ///< in the color of the paper, to be read over lines
+    bool is_fixed_width = false; ///< as on a terminal; otherwise it is typeset
+    bool is_turned = false;      ///< it runs upward
+    bool has_rim = false;        ///< in the color of the paper, to be read over lines
 };
 
 using Shape = std::variant<Areas, Lines, Polygons, Dots, Pixels, Label>;
@@ -205,10 +204,11 @@ void add_arrow(Place from, Place to, Role role, double head_length, std::vector<
 /// in words stay.
 std::string typeset(std::string_view text);
 
-/// What a label says on the sheet.
+/// The text that a label shows: typeset, unless its letters are of fixed width.
 std::string shown_text(const Label& label);
 
-/// How wide a line of text is when it is typeset, in units, in letters that need not be of fixed width. (Those of TeX are narrower.)
+/// How wide a line of text is when it is typeset, in units, in letters that need not be of fixed width. (Those of TeX are
+/// narrower.)
 double width_of(std::string_view typed, double size, bool is_bold = false);
 
 /// How many letters of a text have room in a line, at least one; of fixed width, or as wide on the average.
