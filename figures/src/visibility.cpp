@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "visibility.h"
 
-#include "clip.h"
-
 #include <rastertrace/figures/corners.h>
 #include <rastertrace/trace/record/traced_steps.h>
+#include <rastertrace/trace/tell/formula.h>
 
 #include <algorithm>
 #include <cmath>
