@@ -527,6 +527,19 @@ function tellStep() {
 }
 
 /** The steps around this one. */
+/** The picture in space: what all steps have, and over it what this one adds. */
+function drawSpace() {
+  const {space} = trace.data;
+  by("space-section").hidden = !space;
+  if (!space) return;
+  if (by("space").dataset.frame !== String(frame)) {
+    by("space").dataset.frame = frame;
+    by("space").setAttribute("viewBox", `0 0 ${space.width} ${space.height}`);
+    by("space").innerHTML = space.all + "<g></g>";
+  }
+  by("space").lastElementChild.innerHTML = step > 0 ? trace.words[space.steps[step - 1]] : "";
+}
+
 function tellSteps() {
   const shown = 15, before = 6;
   const first = Math.max(0, Math.min(step - before, trace.count - shown + 1)), last = Math.min(trace.count, first + shown - 1);
@@ -657,6 +670,7 @@ function goTo(n) {
   if (view === "depth" || view === "writes") drawCells(changed.length > 1000 ? undefined : changed);
   drawLegend();
   drawMarks();
+  drawSpace();
   tellStep();
   tellSteps();
   if (hovered >= 0 || cursor >= 0) tellPixel();
@@ -972,6 +986,7 @@ function show(data, atStep) {
   lay();
   drawLegend();
   tellConventions();
+  drawSpace();
   tellStep();
   tellSteps();
   tellPixel();

@@ -110,7 +110,7 @@ void set_parts(const FigureOptions& options, Panel& panel) {
     set(FigurePart::coordinates, panel.parts.has(FigurePart::vertices));
 
     for (const FigurePart part :
-         {FigurePart::errors, FigurePart::scene, FigurePart::plot, FigurePart::working})
+         {FigurePart::errors, FigurePart::space, FigurePart::plot, FigurePart::working})
         set(part, false);
 }
 

@@ -4,7 +4,7 @@
 #include "depth_plot.h"
 #include "error_bars.h"
 #include "panel.h"
-#include "scene_panel.h"
+#include "space_drawing.h"
 #include "words.h"
 
 #include <rastertrace/figures/corners.h>
@@ -176,10 +176,23 @@ void check_parts(const std::vector<FigurePart>& with, const Trace& trace) {
             throw problem_of("", std::string(needed.message), std::string(needed.hint));
 }
 
+/// Refuses a part that is about pixels.
+void check_parts_in_space(const std::vector<FigurePart>& with) {
+    constexpr std::array in_space{FigurePart::title, FigurePart::step, FigurePart::caption,
+                                  FigurePart::working};
+    for (const FigurePart part : with)
+        if (std::find(in_space.begin(), in_space.end(), part) == in_space.end())
+            throw problem_of("",
+                             fmt::format("--with {}: expected title, step, caption or working in "
+                                         "the picture in space, found a part of pixels",
+                                         figure_parts()[static_cast<std::size_t>(part)].name),
+                             "--with space shows that picture beside the pixels");
+}
+
 /// What stands beside the pixels, or below.
 struct Beside {
     std::optional<Decisions> decisions = {};
-    const SpatialScene* space = nullptr;
+    std::optional<Drawing> space = {};
     std::vector<Plot> plots = {};
 
     bool has_bars_at_right() const { return decisions && decisions->is_steep; }
@@ -189,9 +202,8 @@ struct Beside {
     static double side_of_scene(const Lattice& lattice) {
         return std::max(lattice.height(), smallest_scene);
     }
-    double width_at_right(const Lattice& lattice) const {
-        return (has_bars_at_right() ? error_bars_size : 0) +
-               (space != nullptr ? side_of_scene(lattice) : 0);
+    double width_at_right() const {
+        return (has_bars_at_right() ? error_bars_size : 0) + (space ? space->width : 0);
     }
     double width_below() const {
         double width = 0;
@@ -215,8 +227,9 @@ Problem problem_of_plot(const Trace& trace) {
                       "--depth linear-z --keep depth tests a triangle that no other one can hide");
 }
 
-/// What was asked for. Throws a Problem if the only frame has nothing of it; one of many goes without.
-Beside beside_of(const Panel& panel, const SpatialScene* space, bool is_only) {
+/// What was asked for, but for the picture in space. Throws a Problem if the only frame has nothing of it; one of many
+/// goes without.
+Beside beside_of(const Panel& panel, bool is_only) {
     Beside beside;
     if (panel.parts.has(FigurePart::errors)) {
         beside.decisions = decisions_of(panel.replay);
@@ -230,12 +243,6 @@ Beside beside_of(const Panel& panel, const SpatialScene* space, bool is_only) {
         if (beside.plots.empty() && is_only)
             throw problem_of_plot(panel.trace());
     }
-    if (panel.parts.has(FigurePart::scene)) {
-        beside.space = space;
-        if (space == nullptr)
-            throw problem_of("", "--with scene: expected vertices in space, found a scene that is "
-                                 "typed in pixels, or in clip space");
-    }
     return beside;
 }
 
@@ -245,11 +252,12 @@ double add_at_right(const Beside& beside, const Lattice& lattice, double left, D
         add_error_bars(*beside.decisions, lattice, left, sheet.shapes);
         left += error_bars_size;
     }
-    if (beside.space == nullptr)
+    if (!beside.space)
         return 0;
-    const double side = Beside::side_of_scene(lattice);
-    place(scene_drawing(*beside.space, side, side), {left, lattice.corner.y}, sheet);
-    return side;
+    Drawing space = *beside.space;
+    const double height = space.height;
+    place(std::move(space), {left, lattice.corner.y}, sheet);
+    return height;
 }
 
 /// Draws what stands below; returns how high it is.
@@ -293,15 +301,51 @@ FigureMaker::FigureMaker(const Trace& trace, std::vector<FigureFrame> frames, Fi
             painted.push_back(n);
     }
     groups_ = face_groups(trace, std::move(painted), order, most_groups);
-    if (is_in(options_.with, FigurePart::scene))
-        if (auto space = space_of(trace))
-            space_ = std::make_unique<const SpatialScene>(*std::move(space));
+    if (options_.is_in_space || is_in(options_.with, FigurePart::space)) {
+        auto space = space_of(trace);
+        if (!space)
+            throw problem_of("", fmt::format("{} space: expected vertices in space, found a scene "
+                                             "that is typed in pixels, or in clip space",
+                                             options_.is_in_space ? "--view" : "--with"));
+        space_ = std::make_unique<const SpatialScene>(*std::move(space));
+    }
+    if (options_.is_in_space)
+        check_parts_in_space(options_.with);
     check_parts(options_.with, trace);
     if (options_.against != nullptr)
         against_ = frame_after(*options_.against, options_.against->size());
 }
 
 FigureMaker::~FigureMaker() = default;
+
+Drawing FigureMaker::drawing_in_space(const Panel& panel, std::pair<double, double> size) const {
+    if (!panel.is_step())
+        return space_drawing(*space_, trace_, options_.eye, size, nullptr);
+    Replay at_step(trace_);
+    at_step.go_to(panel.frame.steps.first);
+    return space_drawing(*space_, trace_, options_.eye, size, &at_step);
+}
+
+Drawing FigureMaker::figure_in_space(const Panel& panel, const std::string& caption,
+                                     const std::vector<std::string>& working) const {
+    constexpr std::pair size{480.0, 360.0};
+    const FigureParts& parts = panel.parts;
+    Drawing sheet{.width = size.first + 2 * margin_of_sheet,
+                  .title = options_.title.value_or(trace_.title)};
+    const Column column{margin_of_sheet, sheet.width - margin_of_sheet};
+    double y = margin_of_sheet;
+    if (parts.has(FigurePart::title))
+        y += add_title(sheet.title, panel, column, y, sheet.shapes);
+    place(drawing_in_space(panel, size), {margin_of_sheet, y}, sheet);
+    y += size.second;
+    if (parts.has(FigurePart::caption))
+        y += add_caption(caption, column, y, sheet.shapes);
+    if (parts.has(FigurePart::working))
+        y += add_working(working, column, y, sheet.shapes);
+    sheet.height = std::ceil(y + margin_of_sheet);
+    sheet.description = "The scene in space." + (caption.empty() ? "" : " " + caption);
+    return sheet;
+}
 
 Drawing FigureMaker::figure(std::size_t n) {
     Panel panel{.replay = replay_,
@@ -330,7 +374,13 @@ Drawing FigureMaker::figure(std::size_t n) {
     const FigureParts& parts = panel.parts;
     // One of many frames may have nothing of what was asked for.
     const bool is_only = frames_.size() == 1;
-    const Beside beside = beside_of(panel, space_.get(), is_only);
+    if (options_.is_in_space)
+        return figure_in_space(panel, caption, working);
+    Beside beside = beside_of(panel, is_only);
+    if (parts.has(FigurePart::space)) {
+        const double side = Beside::side_of_scene(panel.lattice);
+        beside.space = drawing_in_space(panel, {side, side});
+    }
 
     // The width of the sheet is that of the pixels, of the numbers at their left, and of what is beside them.
     Lattice& lattice = panel.lattice;
@@ -340,7 +390,7 @@ Drawing FigureMaker::figure(std::size_t n) {
     Drawing sheet{.title = options_.title.value_or(trace_.title)};
     const double beside_left = lattice.corner.x + lattice.width();
     const double right =
-        std::max(beside_left + beside.width_at_right(lattice), margin + beside.width_below());
+        std::max(beside_left + beside.width_at_right(), margin + beside.width_below());
     sheet.width = std::ceil(std::max(right + margin, has_words(parts) ? narrowest_for_words : 0));
     const Column column{margin, sheet.width - margin};
 

@@ -54,9 +54,8 @@ constexpr std::array parts{
                   "never"},
     FigurePartRow{FigurePart::errors, "errors",
                   "below or beside Bresenham's line, d at each of its decisions", "never"},
-    FigurePartRow{FigurePart::scene, "scene",
-                  "beside the picture, the scene in space: wireframe, eye, view plane, normals",
-                  "never"},
+    FigurePartRow{FigurePart::space, "space",
+                  "beside the pixels, the picture in space, as --view space has it", "never"},
     FigurePartRow{FigurePart::plot, "plot",
                   "below, depths along the row: as drawn, and the true curve", "never"},
     FigurePartRow{FigurePart::title, "title", "the title of the scene", "always"},
@@ -70,6 +69,13 @@ constexpr std::array parts{
 };
 static_assert(parts.size() == figure_part_count);
 
+struct NamedEye {
+    std::string_view name;
+    SpaceEye eye;
+};
+constexpr std::array<NamedEye, 4> eyes{
+    {{"corner", {}}, {"front", {{0, 0, 1}}}, {"side", {{1, 0, 0}}}, {"top", {{0, 1, 0}}}}};
+
 constexpr std::array<std::string_view, 2> palettes{"distinct", "scene"};
 
 } // namespace
@@ -82,6 +88,19 @@ std::optional<FigurePart> figure_part_named(std::string_view name) {
     const auto found = std::find_if(parts.begin(), parts.end(),
                                     [name](const FigurePartRow& row) { return row.name == name; });
     return found == parts.end() ? std::nullopt : std::optional(found->part);
+}
+
+std::vector<std::string_view> space_eye_names() {
+    std::vector<std::string_view> names;
+    for (const NamedEye& eye : eyes)
+        names.push_back(eye.name);
+    return names;
+}
+
+std::optional<SpaceEye> space_eye_named(std::string_view name) {
+    const auto found = std::find_if(eyes.begin(), eyes.end(),
+                                    [name](const NamedEye& eye) { return eye.name == name; });
+    return found == eyes.end() ? std::nullopt : std::optional(found->eye);
 }
 
 std::vector<std::string_view> face_palette_names() {

@@ -133,7 +133,7 @@ std::string page_of(std::span<const PageFrame> frames, const PageOptions& option
     const std::array<std::pair<std::string_view, std::string>, 7> parts{
         {{"title", title},
          {"colors", colors_of(options.theme)},
-         {"style", page_css()},
+         {"style", page_css() + rules_of_roles("in-space")},
          {"options", in_script(options_text(options))},
          {"data", compressed(data_text(frames))},
          {"module", options.module.empty() || options.scene.empty()

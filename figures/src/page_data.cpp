@@ -21,16 +21,20 @@
 //     rows              of each scanline step: row, x of both ends, columns of both pixels; the ends as words
 //     edges             of each edge step the places of its two corners in its primitive; -1: not known
 //     rejects           of each reject step the columns and rows that it drops: from, to, from, to
+//     space             the picture in space: its width and height, the elements of all steps, and of each step a word for
+//                       what it adds; the key is left out if the scene is not one in space
 //     write_grays       how light a pixel is that was written once, twice, ...
 //     answers           of each pixel; null: the canvas is too large. See add_answers.
 
 #include <rastertrace/figures/page.h>
 
 #include "grays.h"
+#include "space_drawing.h"
 
 #include <rastertrace/figures/corners.h>
 #include <rastertrace/figures/face_groups.h>
 #include <rastertrace/figures/shown_steps.h>
+#include <rastertrace/figures/svg.h>
 #include <rastertrace/trace/explain/explain_pixels.h>
 #include <rastertrace/trace/record/told_samples.h>
 #include <rastertrace/trace/record/traced_steps.h>
@@ -167,9 +171,14 @@ PageLimits limits_of(PageDetail detail) {
 /// Puts the data of a page together.
 class PageData {
 public:
-    PageData(const Trace& trace, PageDetail detail)
+    PageData(const Trace& trace, PageDetail detail, const SpaceEye& eye)
         : trace_(trace), grays_(trace), replay_(trace, {.writes = false, .depths = true}),
-          limits_(limits_of(detail)), has_working_(trace.size() <= limits_.steps_with_working) {}
+          limits_(limits_of(detail)), has_working_(trace.size() <= limits_.steps_with_working) {
+        if (detail == PageDetail::all) // who moves vertices moves them in pixels
+            space_ = space_of(trace);
+        if (space_)
+            space_of_steps_.emplace(*space_, trace, eye, size_of_space);
+    }
 
     std::string text() {
         add_groups();
@@ -197,6 +206,11 @@ public:
         put("edges", edges_.text());
         put("rejects", rejects_.text());
         put("answers", answers);
+        if (space_of_steps_)
+            put("space", fmt::format("{{\"width\":{},\"height\":{},\"all\":{},\"steps\":{}}}",
+                                     size_of_space.first, size_of_space.second,
+                                     json_quoted(svg_elements(space_of_steps_->of_all())),
+                                     in_space_.text()));
         JsonList write_grays;
         for (std::uint32_t count = 1; count <= most_writes_told; ++count)
             write_grays.add(int{gray(share_of_writes(count)).red()});
@@ -339,8 +353,33 @@ private:
             at_.add(trace_.canvas.offset_of(*pixel));
         else
             at_.add(-1);
+        if (space_of_steps_)
+            add_space(kind);
         if (kind)
             add_what_is_drawn(step, *kind);
+    }
+
+    /// In a long trace, pixels have what their primitive has: that is written once.
+    void add_space(std::optional<StepKind> kind) {
+        const bool is_of_primitive = trace_.size() > most_steps_with_sight && kind &&
+                                     kind_of_pixel(*kind) && replay_.primitive() != 0;
+        if (!is_of_primitive || replay_.primitive() != in_space_of_) {
+            in_space_word_ = word(svg_elements(space_of_steps_->of_step(
+                is_of_primitive ? replay_at(replay_.primitive()) : replay_)));
+            in_space_of_ = is_of_primitive ? replay_.primitive() : 0;
+        }
+        in_space_.add(in_space_word_);
+    }
+
+    /// True if steps of a kind are about single pixels.
+    static bool kind_of_pixel(StepKind kind) {
+        return kind == StepKind::pixel || kind == StepKind::depth || kind == StepKind::sample ||
+               kind == StepKind::decide || kind == StepKind::along || kind == StepKind::reject;
+    }
+
+    const Replay& replay_at(std::size_t n) {
+        replay_of_primitive_.go_to(n);
+        return replay_of_primitive_;
     }
 
     /// The pixel that a step is about. That of an `along` is the one that its value is rounded to.
@@ -524,6 +563,13 @@ private:
     PageLimits limits_;
     bool has_working_;
     Words words_;
+    static constexpr std::pair<double, double> size_of_space{480, 360};
+    std::optional<SpatialScene> space_;
+    std::optional<SpaceOfSteps> space_of_steps_;
+    Replay replay_of_primitive_{trace_};
+    JsonList in_space_;
+    std::size_t in_space_word_ = 0;
+    std::size_t in_space_of_ = 0; ///< the primitive that the last word is of; 0: of another step
     std::size_t primitive_count_ = 0;
     std::size_t group_count_ = 0;
     std::string heading_;
@@ -552,8 +598,8 @@ std::optional<Problem> too_large_for_page(const Trace& trace) {
     return std::nullopt;
 }
 
-std::string page_data(const Trace& trace, PageDetail detail) {
-    return PageData(trace, detail).text();
+std::string page_data(const Trace& trace, PageDetail detail, const SpaceEye& eye) {
+    return PageData(trace, detail, eye).text();
 }
 
 } // namespace rastertrace

@@ -167,23 +167,17 @@ std::string scope_of(std::string_view body, Theme theme) {
     return fmt::format("r{:08x}", hash);
 }
 
-/// The rules for the roles that are used, and for the kinds of shape.
-std::string rules(const std::set<Role>& used, Theme theme, std::string_view scope) {
-    std::string css;
-    for (const Role role : used) {
-        const Paint paint = paint_of(role, theme);
-        css += fmt::format(".{} .{}{{{};{};stroke-width:{}", scope, name_of(role),
-                           paint_css("fill", paint.color), paint_css("stroke", paint.color),
-                           decimal(paint.width));
-        if (!paint.dashes.empty()) {
-            std::string dashes;
-            for (const double dash : paint.dashes)
-                dashes += (dashes.empty() ? "" : " ") + decimal(dash);
-            css += ";stroke-dasharray:" + dashes;
-        }
-        css += "}\n";
-    }
-    css += fmt::format(".{1} .line{{fill:none;stroke-linejoin:round}}\n"
+/// The width and dashes of a role's lines.
+std::string line_css(const Paint& paint) {
+    std::string css = "stroke-width:" + decimal(paint.width);
+    for (std::size_t i = 0; i < paint.dashes.size(); ++i)
+        css += (i == 0 ? ";stroke-dasharray:" : " ") + decimal(paint.dashes[i]);
+    return css;
+}
+
+/// The rules for the kinds of shape.
+std::string rules_of_kinds(std::string_view paper, std::string_view scope) {
+    return fmt::format(".{1} .line{{fill:none;stroke-linejoin:round}}\n"
                        ".{1} .area,.{1} .shape,.{1} .label{{stroke:none}}\n"
                        ".{1} .area{{shape-rendering:crispEdges}}\n"
                        ".{1} .sheet{{fill:{0}}}\n"
@@ -191,8 +185,19 @@ std::string rules(const std::set<Role>& used, Theme theme, std::string_view scop
                        "stroke-dasharray:none;paint-order:stroke}}\n"
                        ".{1} .label{{font-family:\"DejaVu Sans\",Verdana,sans-serif}}\n"
                        ".{1} .fixed{{font-family:\"DejaVu Sans Mono\",Menlo,Consolas,monospace}}\n",
-                       hex(paint_of(Role::paper, theme).color), scope);
-    return css;
+                       paper, scope);
+}
+
+/// The rules for the roles that are used, and for the kinds of shape.
+std::string rules(const std::set<Role>& used, Theme theme, std::string_view scope) {
+    std::string css;
+    for (const Role role : used) {
+        const Paint paint = paint_of(role, theme);
+        css += fmt::format(".{} .{}{{{};{};{}}}\n", scope, name_of(role),
+                           paint_css("fill", paint.color), paint_css("stroke", paint.color),
+                           line_css(paint));
+    }
+    return css + rules_of_kinds(hex(paint_of(Role::paper, theme).color), scope);
 }
 
 std::string style_sheet(const std::set<Role>& used, Theme theme, std::string_view scope) {
@@ -321,6 +326,22 @@ Result<std::string> animated_svg_of(std::span<const Drawing> frames, double seco
         "step-end infinite}}}}\n",
         100 / count, decimal(count * seconds), scope);
     return document(frames.back(), scope, css, body);
+}
+
+std::string svg_elements(std::span<const Shape> shapes) {
+    ShapeWriter writer;
+    std::string text;
+    for (const Shape& shape : shapes)
+        text += writer.written(shape);
+    return text;
+}
+
+std::string rules_of_roles(std::string_view scope) {
+    std::string css;
+    for (const Role role : roles())
+        css += fmt::format(".{0} .{1}{{fill:var(--{1});stroke:var(--{1});{2}}}\n", scope,
+                           name_of(role), line_css(paint_of(role, Theme::light)));
+    return css + rules_of_kinds("var(--paper)", scope);
 }
 
 } // namespace rastertrace

@@ -1,16 +1,14 @@
 // SPDX-License-Identifier: MIT
 // What figures show, read back from their shapes. Numbers are those of the texts (docs/sources.md).
 #include "depth_plot.h"
+#include "drawings.h"
 #include "error_bars.h"
 #include "label_places.h"
 #include "lattice.h"
-#include "scene_panel.h"
-#include "traces.h"
 #include "visibility.h"
 
 #include <rastertrace/figures/figure.h>
 #include <rastertrace/figures/theme.h>
-#include <rastertrace/trace/record/selector.h>
 
 #include <fmt/core.h>
 #include <gmock/gmock.h>
@@ -31,48 +29,6 @@ const std::string first_triangle = R"({"title": "First triangle",
     "canvas": {"width": 17, "height": 14},
     "vertices": {"A": [2, 5], "B": [-4, -3], "C": [5, -3]},
     "triangles": ["ABC"], "method": {"scalar": "exact"}})";
-
-/// The trace of a scene, with its title, as the program has it.
-Trace trace_of_scene(const std::string& text) {
-    Trace trace = trace_of(scene_in(text));
-    trace.title = scene_in(text).title;
-    return trace;
-}
-
-/// The first step that a selector means.
-std::size_t step_of(const Trace& trace, const std::string& selector) {
-    const auto parsed = parse_selector({"test", selector}, trace);
-    return matching_steps(parsed.value(), trace).value().front();
-}
-
-Drawing figure_of(const Trace& trace, FigureFrame frame, FigureOptions options = {}) {
-    return FigureMaker(trace, {frame}, std::move(options)).figure(0);
-}
-
-/// The figure of a step with what belongs to it.
-Drawing figure_at(const Trace& trace, const std::string& selector, FigureOptions options = {}) {
-    const std::size_t n = step_of(trace, selector);
-    return figure_of(trace, {.steps = {n, end_of(trace, n)}}, std::move(options));
-}
-
-Drawing whole_figure(const Trace& trace, FigureOptions options = {}) {
-    return figure_of(trace, {.steps = {0, trace.size()}}, std::move(options));
-}
-
-template <typename Kind> std::vector<Kind> shapes_of(const Drawing& drawing, Role role) {
-    std::vector<Kind> found;
-    for (const Shape& shape : drawing.shapes)
-        if (const auto* const one = std::get_if<Kind>(&shape); one != nullptr && one->role == role)
-            found.push_back(*one);
-    return found;
-}
-
-std::vector<std::string> texts_of(const Drawing& drawing, Role role) {
-    std::vector<std::string> texts;
-    for (const Label& label : shapes_of<Label>(drawing, role))
-        texts.push_back(label.text);
-    return texts;
-}
 
 bool has(const Rectangle& rectangle, Place place) {
     return rectangle.corner.x < place.x && place.x < rectangle.corner.x + rectangle.width &&
@@ -516,81 +472,6 @@ TEST(Figures, DepthsInARowAreAsDrawnAndTrue) {
     }
 }
 
-TEST(Figures, SidesOfCulledFacesAreDashed) {
-    // The cube of the first text: two of twelve triangles are drawn, which have five sides.
-    const Trace trace = trace_of_scene(R"({"canvas": {"width": 10, "height": 10},
-        "meshes": [{"vertices": {"A": [-1, 1, 3], "B": [1, 1, 3], "C": [1, -1, 3], "D": [-1, -1, 3],
-                                 "E": [-1, 1, 5], "F": [1, 1, 5], "G": [1, -1, 5], "H": [-1, -1, 5]},
-                    "faces": ["ABC", "ACD", "ADE", "DHE", "BFG", "BGC", "AEF", "AFB", "DCG", "DGH",
-                              "EHG", "EGF"]}],
-        "projection": {"type": "pinhole", "distance": 1}, "viewport": {"pixels_per_unit": 10},
-        "method": {"scalar": "exact", "cull": "back"}})");
-    const auto space = space_of(trace);
-    ASSERT_TRUE(space);
-    EXPECT_EQ(space->seen.size(), 5U);
-    EXPECT_EQ(space->culled.size(), 13U);
-    ASSERT_TRUE(space->viewer);
-    EXPECT_EQ(space->viewer->eye, (Position{0, 0, 0}));
-    // A plane of 1 x 1 at z = 1: ten pixels, from -5.5 to 4.5 of them.
-    EXPECT_EQ(space->viewer->view_plane[0], (Position{-0.55, 0.55, 1}));
-    EXPECT_EQ(space->viewer->view_plane[2], (Position{0.45, -0.45, 1}));
-}
-
-TEST(Figures, AnEyeInTheWorldIsWhereTheCameraStands) {
-    const Trace trace = trace_of_scene(R"({"canvas": {"width": 8, "height": 8},
-        "vertices": {"A": [0, 0, 0], "B": [1, 0, 0], "C": [0, 1, 0]}, "triangles": ["ABC"],
-        "camera": {"position": [3, 4, 12], "look_at": [0, 0, 0], "up": [0, 1, 0]},
-        "projection": {"type": "view-plane", "distance": 2}})");
-    const auto space = space_of(trace);
-    ASSERT_TRUE(space && space->viewer);
-    const std::array<double, 3> position{3, 4, 12};
-    for (std::size_t i = 0; i < 3; ++i)
-        EXPECT_NEAR(space->viewer->eye[i], position[i], 1e-12);
-    // The middle of the plane lies 2 of 13 units on the way to what is looked at.
-    for (std::size_t i = 0; i < 3; ++i) {
-        double middle = 0;
-        for (const Position& corner : space->viewer->view_plane)
-            middle += corner[i] / 4;
-        EXPECT_NEAR(middle, position[i] * 11 / 13, 0.3) << "half a pixel beside the middle";
-    }
-}
-
-/// The boxes of bold labels, at least.
-std::vector<Rectangle> boxes_of(const Drawing& drawing, Role role) {
-    std::vector<Rectangle> boxes;
-    for (const Label& label : shapes_of<Label>(drawing, role)) {
-        const double width = width_of(label.text, label.size);
-        const double left = label.at.x - (label.anchor == Anchor::end      ? width
-                                          : label.anchor == Anchor::middle ? width / 2
-                                                                           : 0);
-        boxes.push_back({{left, label.at.y - 0.8 * label.size}, width, 0.8 * label.size});
-    }
-    return boxes;
-}
-
-TEST(Figures, NamesInSpaceCoverNoOthers) {
-    // Vertices in the middle that are ever nearer to one another, and four far away.
-    for (const double distance : {2.0, 0.5, 0.1, 0.01, 0.0}) {
-        SpatialScene space;
-        for (int i = 0; i < 20; ++i)
-            space.vertices["V" + std::to_string(i)] = {distance * (i % 5), distance * (i / 5), 0};
-        space.vertices["A"] = {-9, 0, 0};
-        space.vertices["B"] = {9, 0, 0};
-        space.vertices["C"] = {0, -9, 0};
-        space.vertices["D"] = {0, 9, 0};
-        space.viewer = Viewer{.eye = {0, 0, 0}, .view_plane = {}};
-        const Drawing drawing = scene_drawing(space, 300, 300);
-        std::vector<Rectangle> boxes = boxes_of(drawing, Role::strong_text);
-        const auto names = texts_of(drawing, Role::strong_text);
-        EXPECT_THAT(names, testing::IsSupersetOf({"A", "B", "C", "D"})) << "those that have room";
-        EXPECT_EQ(names.size() == 24, distance == 2.0) << distance;
-        boxes.push_back(boxes_of(drawing, Role::eye).front());
-        for (std::size_t i = 0; i < boxes.size(); ++i)
-            for (std::size_t j = 0; j < i; ++j)
-                EXPECT_FALSE(boxes[i].meets(boxes[j])) << distance << " " << i << " " << j;
-    }
-}
-
 TEST(Figures, WordsThatDoNotFitOnTheSheetAreAtTheOtherSideOfTheirPoint) {
     // B and E lie on the upper right corner of the pixels: their words are as wide as an eighth of these.
     const Drawing corner = whole_figure(trace_of_scene(R"({
@@ -602,21 +483,9 @@ TEST(Figures, WordsThatDoNotFitOnTheSheetAreAtTheOtherSideOfTheirPoint) {
     EXPECT_THAT(texts_of(corner, Role::strong_text),
                 testing::IsSupersetOf({"A, D(0, 0)", "B, E(64, 0)", "C, F(0, 64)"}));
 
-    // The last normal points to the right, and ends at the border of the scene in space.
-    const Drawing normals = whole_figure(trace_of_scene(R"({
-        "canvas": {"width": 15, "height": 13},
-        "vertices": {"P": [0, -2, 3], "Q": [-2, -2, 3], "R": [0, 1, 4], "S": [2, 1, 3]},
-        "triangles": ["PRQ", "PQS", "PSR", "QRS"],
-        "projection": {"type": "pinhole", "distance": 1}, "viewport": {"pixels_per_unit": 8},
-        "method": {"scalar": "exact", "cull": "back", "shade": "faces"}})"),
-                                         {.with = {FigurePart::scene}});
-    EXPECT_THAT(texts_of(normals, Role::normal), testing::Contains("157.6\u00b0"));
-
-    for (const Drawing* const drawing : {&corner, &normals})
-        for (const Role role : {Role::strong_text, Role::normal})
-            for (const Rectangle& box : boxes_of(*drawing, role))
-                EXPECT_TRUE((Rectangle{{}, drawing->width, drawing->height}).has(box))
-                    << box.left() << " to " << box.right() << " of " << drawing->width;
+    for (const Rectangle& box : boxes_of(corner, Role::strong_text))
+        EXPECT_TRUE((Rectangle{{}, corner.width, corner.height}).has(box))
+            << box.left() << " to " << box.right() << " of " << corner.width;
 }
 
 TEST(Figures, WordsThatFitNowhereOnTheSheetAreLeftOut) {
@@ -649,7 +518,7 @@ TEST(Figures, WithoutPixelsThereAreNoPatterns) {
 
 TEST(Figures, PartsThatASceneCannotHaveAreRefused) {
     const Trace trace = trace_of_scene(first_triangle);
-    for (const FigurePart part : {FigurePart::scene, FigurePart::errors, FigurePart::plot})
+    for (const FigurePart part : {FigurePart::space, FigurePart::errors, FigurePart::plot})
         EXPECT_THROW(whole_figure(trace, {.with = {part}}), Problem);
 }
 

@@ -359,6 +359,24 @@ async function checkPatterns() {
   await page.close();
 }
 
+/** The picture in space follows the steps; a scene typed in pixels has none. */
+async function checkSpace() {
+  const page = await open(pageOf(example("t4-pipeline/six-spaces")));
+  const texts = () => page.$$eval("#space > g text", all => all.map(text => text.textContent));
+  const goTo = async n => { await page.fill("#number", String(n)); await page.keyboard.press("Enter"); };
+  expectSame(await page.isVisible("#space"), true, "the picture in space is there");
+  await goTo(6); // vertex A in world space
+  expectSame((await texts()).includes("(0, 2, 1)"), true, "the numbers of the step, found " + await texts());
+  const height = await page.$eval("#space text", text => text.getBoundingClientRect().height);
+  expectSame(height >= 8, true, "letters that can be read, found " + height);
+  await goTo(0);
+  expectSame((await texts()).length, 0, "nothing of a step before the first");
+  await page.close();
+  const flat = await open(pageOf(example("t0-fill/first-triangle")));
+  expectSame(await flat.isVisible("#space"), false, "no picture in space of a scene typed in pixels");
+  await flat.close();
+}
+
 /** The frames of a scene whose numbers vary. */
 async function checkFrames() {
   const page = await open(pageOf(example("t0-fill/first-triangle"), "--vary", "/vertices/A/0=2:3:4"));
@@ -566,7 +584,7 @@ async function main() {
   const checks = [
     ...["t0-fill/first-triangle", "t0-hidden/two-depths", "t2-lines/bresenham", "t3-sweep-and-box/barycentric", "t3-sweep-and-box/top-left", "t4-fan/fan", "t0-hidden/cube-culled"].map(name => [name, () => checkSteps(name)]),
     ...[["t0-fill/first-triangle", 1], ["t2-lines/bresenham", 1], ["t2-lines/octants", 7], ["t3-sweep-and-box/barycentric", 5], ["t3-sweep-and-box/top-left", 2], ["t0-hidden/two-depths", 2], ["t0-hidden/cube-inverse-z", 3]].map(([name, every]) => [`pixels of ${name}`, () => checkPixels(name, every)]),
-    ["keys", checkKeys], ["key table", checkKeyTable], ["hostile", checkHostile], ["damaged", checkDamaged], ["patterns", checkPatterns], ["frames", checkFrames], ["language", checkLanguage], ["moving", checkMoving], ["fixed", checkFixed], ["large", checkLarge],
+    ["keys", checkKeys], ["key table", checkKeyTable], ["hostile", checkHostile], ["damaged", checkDamaged], ["patterns", checkPatterns], ["space", checkSpace], ["frames", checkFrames], ["language", checkLanguage], ["moving", checkMoving], ["fixed", checkFixed], ["large", checkLarge],
     ["access", () => checkAccess("t0-fill/first-triangle")], ["access of a cube", () => checkAccess("t0-hidden/cube-inverse-z")],
   ];
   const wanted = process.argv[4] ?? ""; // a part of a name

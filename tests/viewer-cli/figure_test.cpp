@@ -97,7 +97,7 @@ TEST_F(FigureTest, WhatIsNoPlaceForAFile) {
 
 TEST_F(FigureTest, AnOlderFileIsKeptUntilTheNewOneIsWhole) {
     write("x.svg", "older\n");
-    figure("--with scene -o x.svg");
+    figure("--with space -o x.svg");
     figure("--step \"scanline y=99\" -o x.svg");
     EXPECT_EQ(shell("ulimit -f 1; trap '' XFSZ; $rastertrace figure "
                     "$examples/t0-fill/first-triangle.json -o x.svg")
@@ -141,15 +141,40 @@ TEST_F(FigureTest, Parts) {
               "rastertrace: --with: expected parts out of "
               "grid,axes,edges,hidden-edges,vertices,coordinates,samples,row,"
               "pixels,current,rejected,order,depths,writes,weights,patterns,half-planes,errors,"
-              "scene,plot,title,step,legend,caption,working, found \"eges\"\n"
+              "space,plot,title,step,legend,caption,working, found \"eges\"\n"
               "hint: did you mean edges?\n");
     EXPECT_EQ(refusal("--with grid,edges --without edges -o x.svg"),
               "rastertrace: --without: expected parts that are not in --with, found \"edges\"\n");
 }
 
+TEST_F(FigureTest, ThePictureInSpaceHasNoPixels) {
+    const std::string beside = "hint: --with space shows the picture in space beside the pixels\n";
+    EXPECT_EQ(refusal("--view space --region 0,0,3,3 -o x.svg"),
+              "rastertrace: --view space: expected no --region, found one\n" + beside);
+    EXPECT_EQ(refusal("--view space --bare -o x.svg"),
+              "rastertrace: --view space: expected no --bare, found one\n" + beside);
+    EXPECT_EQ(shell("$rastertrace figure $examples/t4-pipeline/six-spaces.json --view space --with "
+                    "row -o x.svg")
+                  .err,
+              "rastertrace: --with row: expected title, step, caption or working in the picture in "
+              "space, found a part of pixels\n"
+              "hint: --with space shows that picture beside the pixels\n");
+    EXPECT_EQ(refusal("--view space -o x.html"),
+              "rastertrace: --view space: expected one of svg, png, tex, gif, found html\n"
+              "hint: a page has the picture in space beside the pixels\n");
+    for (const std::string eye : {"0,0,0", "1,2", "back", "1,2,nan"})
+        EXPECT_EQ(refusal("--view space --eye " + eye + " -o x.svg"),
+                  "rastertrace: --eye: expected corner, front, side, top, or a direction x,y,z "
+                  "other than 0,0,0, found \"" +
+                      eye + "\"\n");
+}
+
 TEST_F(FigureTest, PartsThatTheSceneCannotHave) {
-    EXPECT_EQ(refusal("--with scene -o x.svg"),
-              "rastertrace: --with scene: expected vertices in space, found a scene that is typed "
+    EXPECT_EQ(refusal("--with space -o x.svg"),
+              "rastertrace: --with space: expected vertices in space, found a scene that is typed "
+              "in pixels, or in clip space\n");
+    EXPECT_EQ(refusal("--view space -o x.svg"),
+              "rastertrace: --view space: expected vertices in space, found a scene that is typed "
               "in pixels, or in clip space\n");
     EXPECT_EQ(refusal("--with errors -o x.svg"),
               "rastertrace: --with errors: expected a frame of Bresenham's line, found another\n"

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The working of a vertex that clipping made: where an edge meets a plane of the view.
 
+#include "meeting_point.h"
 #include "sheet.h"
 
 #include <rastertrace/core/draw/list/geometry.h>
@@ -144,18 +145,35 @@ std::string distance_from(const Plane& plane, const Place* at = nullptr) {
     return sum;
 }
 
-/// Writes how the plane cuts the edge from p, inside, to q, outside. Returns false, and writes nothing, if that is not
-/// where the trace has the vertex.
-bool put_meeting(Sheet& sheet, const std::string& plane_name, const Plane& plane,
-                 const ClipCorner& p, const ClipCorner& q, const ClipCorner& met) {
+/// An edge from p, inside of a plane, to q, outside, and its end that the plane made.
+struct Meeting {
+    std::string plane_name;
+    Plane plane;
+    ClipCorner p;
+    ClipCorner q;
+    ClipCorner met;
+    Rational d1; ///< of p
+    Rational d2; ///< of q
+    Rational t;  ///< d1/(d1 - d2)
+};
+
+/// Nothing if the edge does not meet the plane where the trace has the vertex.
+std::optional<Meeting> meeting_at(const Sheet& sheet, const std::string& plane_name,
+                                  const Plane& plane, const ClipCorner& p, const ClipCorner& q,
+                                  const ClipCorner& met) {
     const Rational d1 = plane.value_at(vector_of(p.at));
     const Rational d2 = plane.value_at(vector_of(q.at));
     if (sgn(d1) <= 0 || sgn(d2) >= 0)
-        return false;
+        return std::nullopt;
     const Rational t = d1 / (d1 - d2);
     for (std::size_t i = 0; i < 4; ++i)
         if (!sheet.agrees(p.at[i] + t * (q.at[i] - p.at[i]), met.at[i]))
-            return false;
+            return std::nullopt;
+    return Meeting{plane_name, plane, p, q, met, d1, d2, t};
+}
+
+void put_meeting(Sheet& sheet, const Meeting& meeting) {
+    const auto& [plane_name, plane, p, q, met, d1, d2, t] = meeting;
     sheet.put(
         said({"{} plane: d = {}, inside where d >= 0", "plano {}: d = {}, dentro onde d >= 0"},
              in_language_of_steps(plane_name), distance_from(plane)));
@@ -168,15 +186,13 @@ bool put_meeting(Sheet& sheet, const std::string& plane_name, const Plane& plane
     for (std::size_t i = 0; i < 4; ++i)
         sheet.put(fmt::format("{} = {} + {} ({} {}) = {}", letters[i], text(p.at[i]), text(t),
                               text(q.at[i]), minus(text(p.at[i])), text(met.at[i])));
-    return true;
 }
 
-} // namespace
-
-void write_meeting_point(Sheet& sheet) {
+/// How the vertex of the current step came about; nothing if clipping did not make it.
+std::optional<Meeting> meeting_of(const Sheet& sheet) {
     const auto vertex = sheet.step.as<VertexStep>();
     if (vertex.space != Space::clip || sheet.replay.primitive() == 0)
-        return;
+        return std::nullopt;
     const auto at = numbers_in<4>(vertex.at.texts());
     const std::string& type = sheet.trace().projection;
     const bool is_typed_in_clip_space = type.starts_with("clip-space");
@@ -184,7 +200,7 @@ void write_meeting_point(Sheet& sheet) {
                                                    : matrix_named(sheet, "projection");
     const auto [planes, corners] = cut_before(sheet);
     if (!at || !projection || planes.empty())
-        return;
+        return std::nullopt;
     const ClipCorner met{vertex.name.text(), *at};
     // Any edge through the vertex meets a plane there whose distance is taken from it: such a one comes last, and only
     // if there are no two of them.
@@ -198,9 +214,27 @@ void write_meeting_point(Sheet& sheet) {
             const Plane plane = plane_named(sheet, name, *projection, *at);
             for (const ClipCorner& p : corners)
                 for (const ClipCorner& q : corners)
-                    if (put_meeting(sheet, name, plane, p, q, met))
-                        return;
+                    if (auto meeting = meeting_at(sheet, name, plane, p, q, met))
+                        return meeting;
         }
+    return std::nullopt;
+}
+
+} // namespace
+
+void write_meeting_point(Sheet& sheet) {
+    if (const auto meeting = meeting_of(sheet))
+        put_meeting(sheet, *meeting);
+}
+
+std::optional<MeetingPoint> meeting_point_of(const Replay& replay) {
+    const auto meeting = meeting_of({.replay = replay,
+                                     .number = replay.step(),
+                                     .step = replay.trace().step(replay.step()),
+                                     .primitive = {}});
+    if (!meeting)
+        return std::nullopt;
+    return MeetingPoint{meeting->plane_name, meeting->p.name, meeting->q.name, meeting->t};
 }
 
 } // namespace rastertrace

@@ -337,6 +337,25 @@ void check_options_of_page(const FigureCommand& command) {
     refuse_if(options.region.has_value(), "--region");
 }
 
+/// Refuses what is about pixels where the picture in space is asked for.
+void check_options_in_space(const FigureCommand& command, FigureFormat format) {
+    using enum FigureFormat;
+    if (format == html)
+        throw problem_of("", "--view space: expected one of svg, png, tex, gif, found html",
+                         "a page has the picture in space beside the pixels");
+    check_option(true, "--view space", format, {svg, png, tex, gif});
+    const FigureOptions& options = command.options;
+    const auto refuse_if = [](bool is_there, std::string_view option) {
+        if (is_there)
+            throw problem_of("", fmt::format("--view space: expected no {}, found one", option),
+                             "--with space shows the picture in space beside the pixels");
+    };
+    refuse_if(options.region.has_value(), "--region");
+    refuse_if(command.is_bare, "--bare");
+    refuse_if(options.cell.has_value(), "--cell");
+    refuse_if(!command.against.empty(), "--against");
+}
+
 /// Refuses a format that cannot have what was asked for.
 void check_format(const FigureCommand& command, FigureFormat format) {
     const bool is_text = format == FigureFormat::txt || format == FigureFormat::cast;
@@ -358,6 +377,8 @@ void check_format(const FigureCommand& command, FigureFormat format) {
                                      "found {}",
                                      name_of(format)));
     using enum FigureFormat;
+    if (command.options.is_in_space)
+        check_options_in_space(command, format);
     if (format == html)
         check_options_of_page(command);
     check_option(command.style.scale.has_value() && !command.is_bare, "--scale", format,

@@ -12,6 +12,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <cmath>
 #include <memory>
 #include <optional>
 #include <string>
@@ -76,9 +77,14 @@ public:
         options.option(
             "--view", view_,
             fmt::format("What the color of a pixel means: {}; if none is given, what the scene "
-                        "is about",
-                        joined(figure_views(), ", ")),
+                        "is about; or space: the scene in space, with its camera, in the place of "
+                        "the pixels",
+                        joined(cell_views(), ", ")),
             "NAME");
+        options.option("--eye", eye_,
+                       fmt::format("From where the picture in space is seen: {}, or a direction",
+                                   joined(space_eye_names(), ", ")),
+                       "NAME|x,y,z");
         options.option("--against", command_.against,
                        "Compare the pixels with those of another trace or scene, or of the same "
                        "scene by another METHOD (key=value,...)",
@@ -125,9 +131,14 @@ public:
             options.caption.reset();
             options.without.push_back(FigurePart::caption);
         }
-        options.view = value_of("--view", view_, figure_views(), view_named);
-        if (options.view == View::coverage) // tells numbers, not colors
-            refuse_value("--view", fmt::format("one of {}", joined(figure_views(), ", ")), view_);
+        options.is_in_space = view_ == "space";
+        if (!options.is_in_space) {
+            auto names = cell_views();
+            names.push_back("space");
+            options.view = value_of("--view", view_, names, cell_view_named);
+        }
+        if (!eye_.empty())
+            options.eye = eye_in(eye_);
         options.region = region_of(region_);
         options.palette = value_of("--palette", palette_, face_palette_names(), face_palette_named)
                               .value_or(FacePalette::distinct);
@@ -178,12 +189,35 @@ private:
         return value;
     }
 
-    /// The views that have colors.
-    static std::vector<std::string_view> figure_views() {
+    /// The views of pixels that have colors: coverage tells numbers.
+    static std::optional<View> cell_view_named(std::string_view name) {
+        const auto view = view_named(name);
+        return view == View::coverage ? std::nullopt : view;
+    }
+    static std::vector<std::string_view> cell_views() {
         std::vector<std::string_view> names = view_names();
-        std::erase_if(names,
-                      [](std::string_view name) { return view_named(name) == View::coverage; });
+        std::erase_if(names, [](std::string_view name) { return !cell_view_named(name); });
         return names;
+    }
+
+    static SpaceEye eye_in(const std::string& text) {
+        if (const auto eye = space_eye_named(text))
+            return *eye;
+        const auto numbers = split_at(text, ',');
+        constexpr double most = 1e6;
+        SpaceEye eye{.direction = {}, .is_named = false};
+        bool is_direction = numbers.size() == 3;
+        for (std::size_t i = 0; is_direction && i < 3; ++i) {
+            const auto number = nearest_double_in(numbers[i]);
+            is_direction = number && std::abs(*number) <= most;
+            eye.direction[i] = number.value_or(0);
+        }
+        if (!is_direction || eye.direction == std::array{0.0, 0.0, 0.0})
+            refuse_value("--eye",
+                         fmt::format("{}, or a direction x,y,z other than 0,0,0",
+                                     joined(space_eye_names(), ", ")),
+                         text);
+        return eye;
     }
 
     FigureCommand command_;
@@ -194,6 +228,7 @@ private:
     std::string with_;
     std::string without_;
     std::string view_;
+    std::string eye_;
     std::string region_;
     std::string palette_;
     std::string theme_;

@@ -96,7 +96,7 @@ ExitStatus write_page(const FigureCommand& command) {
         if (frames.empty())
             set_options(command, input, trace, options);
         frames.push_back({.label = input.is_sequence() ? input.label(frame) : std::string(),
-                          .data = page_data(trace),
+                          .data = page_data(trace, PageDetail::all, command.options.eye),
                           .file = input_of_page(command, input, frame)});
     }
     const std::string page = page_of(frames, options);

@@ -53,6 +53,8 @@ enum class Role : std::uint8_t {
     axis,       ///< where x or y is 0
     true_edge,  ///< of the primitive that the step is about
     other_edge, ///< of another one
+    pale_edge,  ///< in space, of what the step is not about
+    image_edge, ///< on the view plane
     vertex,     ///< its dot
     sample,     ///< where a pixel is tested
     row,        ///< the line at the y that a row is about
@@ -69,7 +71,12 @@ enum class Role : std::uint8_t {
     bar_below,  ///< a negative one
     eye,
     view_plane,
+    window, ///< what of it is in the picture
     normal,
+    culled_normal, ///< of a face that is turned away
+    ray,           ///< from the eye to a vertex
+    sight,         ///< the one that the step is about
+    light_ray,
     text,
     strong_text,
     cell_text,  ///< in a pixel

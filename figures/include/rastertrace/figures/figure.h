@@ -10,6 +10,7 @@
 #include <rastertrace/figures/drawing.h>
 #include <rastertrace/figures/face_groups.h>
 #include <rastertrace/figures/shown_steps.h>
+#include <rastertrace/figures/space_eye.h>
 #include <rastertrace/figures/view.h>
 #include <rastertrace/trace/record/frame.h>
 #include <rastertrace/trace/record/trace_options.h>
@@ -22,10 +23,12 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace rastertrace {
 
+struct Panel;
 struct SpatialScene;
 
 /// What a figure can show beside the pixels. figure_parts() tells of each what it is.
@@ -48,7 +51,7 @@ enum class FigurePart : std::uint8_t {
     patterns,
     half_planes,
     errors,
-    scene,
+    space,
     plot,
     title,
     step,
@@ -91,6 +94,8 @@ struct FigureOptions {
     std::vector<FigurePart> with = {};    ///< more than would be there
     std::vector<FigurePart> without = {}; ///< less
     std::optional<View> view = {}; ///< what the color of a pixel means; none: the trace's default
+    bool is_in_space = false;      ///< the picture in space takes the place of the pixels
+    SpaceEye eye = {};             ///< of that, and of the part `space`
     std::optional<Region> region = {}; ///< of the canvas; none: all of it
     std::optional<double> cell = {};   ///< the side of a pixel, in units; none: by the canvas
     FacePalette palette = FacePalette::distinct;
@@ -121,6 +126,10 @@ public:
     Drawing figure(std::size_t n);
 
 private:
+    Drawing drawing_in_space(const Panel& panel, std::pair<double, double> size) const;
+    Drawing figure_in_space(const Panel& panel, const std::string& caption,
+                            const std::vector<std::string>& working) const;
+
     const Trace& trace_;
     std::vector<FigureFrame> frames_;
     FigureOptions options_;

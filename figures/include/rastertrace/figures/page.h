@@ -9,6 +9,7 @@
 // page_data() is also what the program compiled for browsers answers a changed scene with, so that a page shows that
 // in place of what it was made with.
 
+#include <rastertrace/figures/space_eye.h>
 #include <rastertrace/figures/theme.h>
 #include <rastertrace/figures/view.h>
 #include <rastertrace/trace/record/trace.h>
@@ -36,6 +37,9 @@ inline constexpr std::size_t most_steps_with_working = 50'000;
 inline constexpr int largest_side_with_why_not = 128;
 inline constexpr std::size_t most_why_not_asked = 300'000;
 
+/// The picture in space shows the line of sight of a pixel in traces of at most so many steps.
+inline constexpr std::size_t most_steps_with_sight = 5'000;
+
 /// A scene with more primitives than this has no vertices that can be moved.
 inline constexpr std::size_t most_primitives_to_move = 10;
 
@@ -49,8 +53,9 @@ enum class PageDetail : std::uint8_t {
 };
 
 /// What a page needs of a trace, as a JSON object: page_data.cpp says what is in it. The same trace makes the same
-/// bytes.
-std::string page_data(const Trace& trace, PageDetail detail = PageDetail::all);
+/// bytes. The picture in space is seen from `eye`.
+std::string page_data(const Trace& trace, PageDetail detail = PageDetail::all,
+                      const SpaceEye& eye = {});
 
 /// A frame of a page: of a scene whose numbers vary, or the only one.
 struct PageFrame {

@@ -30,4 +30,11 @@ Result<std::string> svg_of(const Drawing& drawing, Theme theme);
 /// animations, or a reader who wants none, sees the last one.
 Result<std::string> animated_svg_of(std::span<const Drawing> frames, double seconds, Theme theme);
 
+/// The elements of shapes, to stand in an SVG of a document that has rules_of_roles().
+std::string svg_elements(std::span<const Shape> shapes);
+
+/// The rules for all roles and kinds of shape, within elements of a class; colors are the variables --grid, ... of a style
+/// sheet.
+std::string rules_of_roles(std::string_view scope);
+
 } // namespace rastertrace

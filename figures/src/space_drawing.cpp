@@ -1,0 +1,171 @@
+// SPDX-License-Identifier: MIT
+#include "space_drawing.h"
+
+#include <rastertrace/trace/text/text.h>
+
+#include <fmt/core.h>
+
+#include <glm/geometric.hpp>
+
+#include <algorithm>
+#include <set>
+
+namespace rastertrace {
+
+namespace {
+
+constexpr std::size_t most_names = 24;   ///< of vertices that are told
+constexpr std::size_t most_rays = 12;    ///< of sight that are drawn
+constexpr std::size_t most_images = 100; ///< of primitives, on the view plane
+constexpr std::size_t most_angles = 4;
+constexpr std::size_t most_culled = 60; ///< sides of culled faces
+
+/// The sides of primitives, each once, whichever way round.
+using Sides = std::set<std::pair<std::string, std::string>>;
+
+void add_sides(const SpatialPrimitive& primitive, Sides& sides) {
+    const std::size_t count = primitive.corners.size();
+    for (std::size_t i = 0; i + (primitive.is_closed ? 0 : 1) < count && count > 1; ++i)
+        sides.insert(std::minmax(primitive.corners[i], primitive.corners[(i + 1) % count]));
+}
+
+void add_edges(SpaceWeight weight, SpaceSheet& sheet) {
+    Sides seen;
+    Sides culled;
+    for (const SpatialPrimitive& primitive : sheet.space().primitives)
+        if (!primitive.is_part)
+            add_sides(primitive, primitive.is_culled ? culled : seen);
+    const auto& vertices = sheet.space().vertices;
+    const Role role = weight == SpaceWeight::strong ? Role::true_edge : Role::pale_edge;
+    for (const auto& [a, b] : culled)
+        if (culled.size() <= most_culled && !seen.contains({a, b}))
+            sheet.line(vertices.at(a), vertices.at(b), Role::other_edge);
+    for (const auto& [a, b] : seen)
+        sheet.line(vertices.at(a), vertices.at(b), role);
+}
+
+/// What is on the view plane: the images of primitives.
+void add_images(SpaceSheet& sheet) {
+    const SpatialScene& space = sheet.space();
+    Sides sides;
+    std::size_t count = 0;
+    for (const SpatialPrimitive& primitive : space.primitives)
+        if (!primitive.is_culled && ++count <= most_images)
+            add_sides(primitive, sides);
+    if (count > most_images)
+        return;
+    const auto image_of = [&](const std::string& name) {
+        const auto found = space.images.find(name);
+        return found == space.images.end() ? std::optional<Position>()
+                                           : space.camera->at(found->second, sheet.plane_z());
+    };
+    for (const auto& [a, b] : sides)
+        if (const auto from = image_of(a), to = image_of(b); from && to)
+            sheet.line(*from, *to, Role::image_edge);
+}
+
+/// The eye, the plane that it looks through, and how far: from the plane on, the sides of what is in view.
+void add_camera(SpaceSheet& sheet) {
+    const ToldCamera& camera = *sheet.space().camera;
+    const auto window = sheet.window_at(sheet.plane_z());
+    const auto end = sheet.window_at(sheet.sides_z());
+    for (std::size_t i = 0; i < window.size(); ++i)
+        sheet.line(camera.eye().value_or(window[i]), end[i], Role::leader);
+    if (sheet.shows_far_plane()) {
+        sheet.outline(end, Role::leader);
+        sheet.words(end[1], sheet.all().middle(), "far", Role::quiet_text, 9);
+    }
+    sheet.polygon(window, Role::window, Role::view_plane);
+    add_images(sheet);
+    if (const auto eye = camera.eye()) {
+        // d is the name of the distance to a plane of one's own; a frustum's is near.
+        const Position foot = Position(camera.to_world() * glm::dvec4(0, 0, sheet.plane_z(), 1));
+        sheet.line(*eye, foot, Role::ray);
+        sheet.dot(*eye, Role::eye, 4);
+        sheet.words(*eye, foot, "eye", Role::eye);
+        if (!camera.near_z())
+            sheet.words((*eye + foot) / 2.0, (*eye + foot) / 2.0,
+                        fmt::format("d = {}", decimal(glm::length(foot - *eye))), Role::quiet_text,
+                        9);
+    }
+    sheet.words(window[0], (window[0] + window[2]) / 2.0,
+                camera.near_z() && camera.is_perspective() ? "near" : "view plane",
+                Role::view_plane, 9);
+}
+
+void add_rays(SpaceSheet& sheet) {
+    const SpatialScene& space = sheet.space();
+    if (!space.camera || space.images.size() > most_rays)
+        return;
+    for (const auto& [name, image] : space.images)
+        if (const auto vertex = space.vertices.find(name); vertex != space.vertices.end())
+            sheet.line(sheet.sight_at(image).first, vertex->second, Role::ray);
+}
+
+void add_normals(SpaceSheet& sheet) {
+    const SpatialScene& space = sheet.space();
+    if (space.faces.size() > most_normals_in_space)
+        return;
+    const bool has_angles = space.faces.size() <= most_angles;
+    for (const FaceTest& face : space.faces) {
+        const Position middle = space.middle_of(space.primitives[face.primitive]);
+        sheet.arrow(middle, sheet.tip_of(face, face.normal),
+                    face.is_culled ? Role::culled_normal : Role::normal);
+        if (has_angles && face.other && face.cosine) {
+            if (!face.is_light)
+                sheet.line(middle, middle + *face.other, Role::other_edge);
+            sheet.angle(middle, face.normal, *face.other, *face.cosine);
+        }
+    }
+}
+
+} // namespace
+
+void add_space(SpaceWeight weight, SpaceSheet& sheet) {
+    const SpatialScene& space = sheet.space();
+    if (sheet.all().grown(0.02).has({}))
+        sheet.axes(glm::dmat4(1), Role::leader);
+    if (weight == SpaceWeight::strong)
+        add_rays(sheet);
+    if (space.camera)
+        add_camera(sheet);
+    add_edges(weight, sheet);
+    if (const auto light = sheet.light()) {
+        sheet.arrow(light->first, light->second, Role::light_ray);
+        sheet.words(light->first, light->second, "light", Role::light_ray);
+    }
+    if (weight == SpaceWeight::strong)
+        add_normals(sheet);
+    if (space.vertices.size() > most_names)
+        return;
+    const Position middle = sheet.vertices().middle();
+    for (const auto& [name, position] : space.vertices)
+        sheet.words(position, middle, printable(name), Role::strong_text, 10, true);
+}
+
+Drawing space_drawing(const SpatialScene& space, const Trace& trace, const SpaceEye& eye,
+                      std::pair<double, double> size, const Replay* replay) {
+    SpaceSheet sheet(space, trace, eye, size.first, size.second);
+    add_space(replay != nullptr ? SpaceWeight::pale : SpaceWeight::strong, sheet);
+    if (replay != nullptr)
+        add_step_in_space(*replay, sheet);
+    return {.width = size.first,
+            .height = size.second,
+            .title = "The scene in space",
+            .shapes = std::move(sheet.shapes)};
+}
+
+SpaceOfSteps::SpaceOfSteps(const SpatialScene& space, const Trace& trace, const SpaceEye& eye,
+                           std::pair<double, double> size)
+    : sheet_(space, trace, eye, size.first, size.second) {
+    add_space(SpaceWeight::pale, sheet_);
+}
+
+std::vector<Shape> SpaceOfSteps::of_step(const Replay& replay) const {
+    SpaceSheet sheet = sheet_;
+    sheet.shapes.clear();
+    add_step_in_space(replay, sheet);
+    return std::move(sheet.shapes);
+}
+
+} // namespace rastertrace
