@@ -78,6 +78,20 @@ bool is_drawn_alike(const std::string& name, const Source& source) {
     return true;
 }
 
+TEST(ModelRasterizer, WalksNoLineOfAThousandMillionPixels) {
+    const auto scene = [](const std::string& more) {
+        return scene_in(R"({"canvas": {"width": 9, "height": 9}, "lines": ["AB"],
+            "vertices": {"A": [0, 0, 0], "B": [3, 4, 1e9]})" +
+                        more + "}");
+    };
+    EXPECT_TRUE(has_model(scene("")));
+    EXPECT_FALSE(has_model(scene(R"(, "model": [{"rotate": {"axis": "x", "degrees": 90}}])")));
+    EXPECT_FALSE(has_model(scene(R"(, "model": [{"scale": [1e5, 1, 1]}])")));
+    EXPECT_TRUE(has_model(scene(R"(, "model": [{"scale": [100, 1, 1]}])")));
+    EXPECT_FALSE(has_model(scene(R"(, "camera": {"position": [1, 0, 0]},
+                                      "projection": {"type": "none"})")));
+}
+
 TEST(ModelRasterizer, DrawsTheExamplesAsTheBookDoes) {
     int drawn = 0;
     for (const auto& entry : std::filesystem::recursive_directory_iterator(RASTERTRACE_EXAMPLES)) {

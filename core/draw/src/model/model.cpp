@@ -313,14 +313,34 @@ private:
 
 } // namespace
 
+namespace {
+
+/// True if no line of a scene is so long that it could not be walked pixel by pixel: 100,000 pixels, in the world and as
+/// typed. Behind a camera a z can be one of them.
+bool is_walkable(const Scene& scene) {
+    const auto is_near = [](const Rational& x) { return abs(x) <= 100'000; };
+    const Matrix<Rational> as_typed = identity<Rational>();
+    auto object = scene.objects.begin();
+    for (std::size_t i = 0; i < scene.vertices.size(); ++i) {
+        while (object != scene.objects.end() && object->end_vertex <= i)
+            ++object;
+        const SceneVertex& typed = scene.vertices[i];
+        const Vec<Rational, 4> world =
+            (object == scene.objects.end() ? as_typed : object->model.matrix()) *
+            Vec<Rational, 4>{typed.x.exact(), typed.y.exact(), typed.z.exact(), 1};
+        if (!is_near(typed.x.exact()) || !is_near(typed.y.exact()) || !is_near(world.x) ||
+            !is_near(world.y) || (scene.camera && !is_near(world.z)))
+            return false;
+    }
+    return true;
+}
+
+} // namespace
+
 bool has_model(const Scene& scene) {
-    const auto is_near = [](const Number& x) { return abs(x.exact()) <= 100'000; };
     return !scene.has_tested_lines() && !scene.has(PrimitiveKind::polygon) &&
            !scene.has(PrimitiveKind::circle) && scene.method.fill != Fill::fan &&
-           scene.method.line != LineMethod::diamond_exit &&
-           std::all_of(
-               scene.vertices.begin(), scene.vertices.end(),
-               [&](const SceneVertex& vertex) { return is_near(vertex.x) && is_near(vertex.y); });
+           scene.method.line != LineMethod::diamond_exit && is_walkable(scene);
 }
 
 Image draw_by(const ModelRules& rules, const Listener& listener) {

@@ -141,7 +141,7 @@ struct ModelRules {
 };
 
 /// True if the model draws such scenes: no depth buffer that points or lines are tested against, and
-/// coordinates of at most 100,000.
+/// coordinates of at most 100,000, as typed and in the world.
 bool has_model(const Scene& scene);
 
 /// Draws a scene by these rules, and tells the listener what is decided by them.
