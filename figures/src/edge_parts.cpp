@@ -16,6 +16,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
 #include <optional>
 #include <set>
 #include <string>
@@ -100,7 +101,44 @@ std::vector<NamedVertex> vertices_of(const Panel& panel) {
 
 } // namespace
 
+namespace {
+
+/// Of a step that tells the painter's order, the primitives in it, which come after that step; else none.
+std::vector<std::size_t> in_painters_order(const Panel& panel) {
+    const Trace& trace = panel.trace();
+    const std::size_t step = panel.frame.steps.first;
+    std::vector<std::size_t> primitives;
+    if (!panel.is_step() || trace.kind_of(step) != StepKind::order)
+        return primitives;
+    std::map<std::string, std::size_t> by_name;
+    for (std::size_t n = step + 1; n <= trace.size(); ++n)
+        if (trace.kind_of(n) == StepKind::primitive)
+            by_name.emplace(trace.step(n).as<PrimitiveStep>().name.text(), n);
+    for (const std::string& name : trace.step(step).as<OrderStep>().names.texts())
+        if (const auto found = by_name.find(name); found != by_name.end())
+            primitives.push_back(found->second);
+    return primitives;
+}
+
+/// The place of each in the painter's order, in its middle.
+void add_painters_order(const Panel& panel, std::vector<Shape>& shapes) {
+    std::size_t place = 0;
+    for (const std::size_t primitive : in_painters_order(panel))
+        if (const Path corners = places_of(panel, primitive); !corners.empty())
+            shapes.push_back(Label{.role = Role::normal,
+                                   .at = middle_of(corners),
+                                   .text = fmt::format("{}.", ++place),
+                                   .size = 12,
+                                   .anchor = Anchor::middle,
+                                   .is_bold = true,
+                                   .has_rim = true});
+}
+
+} // namespace
+
 std::vector<std::size_t> primitives_with_edges(const Panel& panel) {
+    if (auto sorted = in_painters_order(panel); !sorted.empty())
+        return sorted;
     const auto all = panel.replay.primitives();
     const std::size_t current = panel.replay.primitive();
     if (panel.has_all_edges || current == 0)
@@ -119,6 +157,7 @@ void add_edges(const Panel& panel, std::vector<Shape>& shapes) {
                     .paths.push_back(std::move(part));
     shapes.push_back(std::move(others));
     shapes.push_back(std::move(current));
+    add_painters_order(panel, shapes);
 }
 
 void add_hidden_edges(const Panel& panel, std::vector<Shape>& shapes) {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "space.h"
 
+#include <rastertrace/figures/view.h>
+
 #include <glm/matrix.hpp>
 
 #include <algorithm>
@@ -66,6 +68,14 @@ double ToldCamera::plane_z() const {
     return (projection_[0][0] - projection_[3][3]) / projection_[2][3];
 }
 
+bool ToldCamera::canonical_z_grows() const {
+    const auto canonical = [this](double z) {
+        return (projection_[2][2] * z + projection_[3][2]) /
+               (projection_[2][3] * z + projection_[3][3]);
+    };
+    return canonical(2 * forward()) > canonical(forward());
+}
+
 double ToldCamera::forward() const {
     return is_perspective() && projection_[2][3] > 0 ? 1 : -1;
 }
@@ -110,6 +120,13 @@ std::optional<Position> position_in(const TracedList<TracedNumber>& list) {
         position[i] = *number;
     }
     return position;
+}
+
+std::string tuple_of(const TracedList<TracedNumber>& list) {
+    std::string text;
+    for (const TracedNumber& number : list.values())
+        text += (text.empty() ? "(" : ", ") + short_number(number.text());
+    return text + ")";
 }
 
 std::optional<glm::dmat4> matrix_in(const MatrixStep& step) {
@@ -160,6 +177,8 @@ public:
                     space_.vertices[name] = *position;
         if (space_.vertices.empty())
             return std::nullopt;
+        if (space_.camera)
+            space_.handedness = -space_.camera->forward();
         std::map<std::string, std::size_t> by_name;
         for (SpatialPrimitive& primitive : primitives_) {
             const bool has_places = std::all_of(

@@ -14,10 +14,13 @@
 #include <glm/mat4x4.hpp>
 #include <glm/vec3.hpp>
 
+#include <array>
 #include <cstddef>
 #include <map>
 #include <optional>
 #include <string>
+#include <string_view>
+#include <utility>
 #include <vector>
 
 namespace rastertrace {
@@ -48,6 +51,9 @@ public:
 
     /// z of the plane where a point of the scene is as far from the middle as it is on the screen; of a perspective.
     double plane_z() const;
+
+    /// True if what is farther away has a larger z in canonical space.
+    bool canonical_z_grows() const;
 
     /// From the eye to what is seen: +1 if a larger z is farther away, else -1.
     double forward() const;
@@ -95,10 +101,14 @@ struct FaceTest {
 /// What a trace tells of the world.
 struct SpatialScene {
     std::map<std::string, Position> vertices;
-    std::map<std::string, Place> images; ///< of vertices, on the screen
-    std::vector<SpatialPrimitive> primitives;
-    std::vector<FaceTest> faces;
-    std::optional<ToldCamera> camera; ///< nothing if no matrix tells it
+    std::map<std::string, Place> images = {}; ///< of vertices, on the screen
+    std::vector<SpatialPrimitive> primitives = {};
+    std::vector<FaceTest> faces = {};
+    std::optional<ToldCamera> camera = {}; ///< nothing if no matrix tells it
+    double handedness = 1; ///< -1 of a space whose z points away from who looks along it
+    std::array<std::string_view, 3> axis_names{"x", "y", "z"}; ///< "" for none
+    std::vector<std::pair<Position, Position>> guides =
+        {}; ///< lines that stand for what is in view
 
     /// The middle of a primitive's corners.
     Position middle_of(const SpatialPrimitive& primitive) const;
@@ -106,6 +116,9 @@ struct SpatialScene {
 
 /// The three numbers, or more, of a place; nothing if one is not finite.
 std::optional<Position> position_in(const TracedList<TracedNumber>& list);
+
+/// "(0, 2/3, -2/3)", of the numbers that a step tells.
+std::string tuple_of(const TracedList<TracedNumber>& list);
 
 /// A `matrix` step's; nothing if it is not one of four rows and columns.
 std::optional<glm::dmat4> matrix_in(const MatrixStep& step);

@@ -123,7 +123,9 @@ void add_normals(SpaceSheet& sheet) {
 
 void add_space(SpaceWeight weight, SpaceSheet& sheet) {
     const SpatialScene& space = sheet.space();
-    if (sheet.all().grown(0.02).has({}))
+    for (const auto& [from, to] : space.guides)
+        sheet.line(from, to, Role::view_plane);
+    if (!space.axis_names[0].empty() && sheet.all().grown(0.02).has({}))
         sheet.axes(glm::dmat4(1), Role::leader);
     if (weight == SpaceWeight::strong)
         add_rays(sheet);

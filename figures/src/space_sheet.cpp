@@ -98,7 +98,7 @@ SpaceSheet::SpaceSheet(const SpatialScene& space, const Trace& trace, const Spac
     : space_(space), trace_(trace), middle_(pixels_begin_at_integers(trace) ? 0.5 : 0) {
     const auto& camera = space.camera;
     // z of the eye's direction is toward where the camera stands; one that looks along +z has a left-handed space.
-    const double handedness = camera ? -camera->forward() : 1;
+    const double handedness = space.handedness;
     Position toward = glm::normalize(Position{eye.direction[0], eye.direction[1],
                                               eye.direction[2] * (eye.is_named ? handedness : 1)});
     constexpr double open_enough = 0.15;
@@ -160,6 +160,8 @@ SpaceSheet::SpaceSheet(const SpatialScene& space, const Trace& trace, const Spac
     if (space.faces.size() <= most_normals_in_space)
         for (const FaceTest& face : space.faces)
             shown.push_back(tip_of(face, face.normal));
+    for (const auto& [from, to] : space.guides)
+        shown.insert(shown.end(), {from, to});
     if (const auto sun = light())
         shown.push_back(sun->first);
     Place least = flat(shown.front());
@@ -278,7 +280,6 @@ void SpaceSheet::words(const Position& mark, const Position& inside, std::string
 
 void SpaceSheet::axes(const glm::dmat4& basis, Role role) {
     constexpr double part = 0.22; // of the whole scene
-    constexpr std::array<std::string_view, 3> names{"x", "y", "z"};
     const Position origin(basis[3]);
     for (int i = 0; i < 3; ++i) {
         const Position axis(basis[i]);
@@ -286,7 +287,7 @@ void SpaceSheet::axes(const glm::dmat4& basis, Role role) {
             continue;
         const Position tip = origin + part * size() * glm::normalize(axis);
         arrow(origin, tip, role);
-        words(tip, origin, names[static_cast<std::size_t>(i)], role);
+        words(tip, origin, space_.axis_names[static_cast<std::size_t>(i)], role);
     }
 }
 

@@ -25,14 +25,6 @@ namespace {
 
 constexpr double strong_dot = 3.2;
 
-/// "(0, 2/3, -2/3)", of the numbers that a step tells.
-std::string tuple(const TracedList<TracedNumber>& list) {
-    std::string text;
-    for (const TracedNumber& number : list.values())
-        text += (text.empty() ? "(" : ", ") + short_number(number.text());
-    return text + ")";
-}
-
 const SpatialPrimitive* primitive_at(std::size_t step, const SpatialScene& space) {
     const auto found = std::lower_bound(
         space.primitives.begin(), space.primitives.end(), step,
@@ -177,7 +169,7 @@ void add_vertex(const Replay& replay, SpaceSheet& sheet) {
         mark = step.space == Space::clip ? at : seen;
     }
     sheet.dot(at, Role::vertex, strong_dot);
-    sheet.words(mark, middle, tuple(step.at), Role::normal, 10, true);
+    sheet.words(mark, middle, tuple_of(step.at), Role::normal, 10, true);
 }
 
 void add_matrix(const Replay& replay, SpaceSheet& sheet) {

@@ -17,7 +17,7 @@ constexpr Color rgb(std::uint32_t hex, std::uint8_t alpha = 255) {
 }
 
 constexpr std::array<double, 2> short_dashes{4, 3};
-constexpr std::array<double, 2> dots{1.5, 2.5};
+constexpr std::array<double, 2> close_dots{1.5, 2.5};
 constexpr std::array<double, 2> long_dashes{7, 3};
 constexpr std::array<double, 4> dash_dot{9, 3, 2, 3};
 constexpr std::array<double, 2> longest_dashes{12, 3};
@@ -91,13 +91,13 @@ constexpr std::array all{
     Row{Role::quiet_text, "quiet-text", rgb(0x5a616b), rgb(0xa2abb7), rgb(0x444444)},
     Row{Role::curve_1, "curve-1", rgb(0x000000), rgb(0xffffff), rgb(0x000000), 1.3},
     Row{Role::curve_2, "curve-2", rgb(0xb3261e), rgb(0xff8a80), rgb(0x000000), 1.3, long_dashes},
-    Row{Role::curve_3, "curve-3", rgb(0x1f5fa8), rgb(0x82b7f0), rgb(0x000000), 1.3, dots},
+    Row{Role::curve_3, "curve-3", rgb(0x1f5fa8), rgb(0x82b7f0), rgb(0x000000), 1.3, close_dots},
     Row{Role::curve_4, "curve-4", rgb(0x2e7d32), rgb(0x81c784), rgb(0x000000), 1.3, dash_dot},
     Row{Role::curve_5, "curve-5", rgb(0x8a4b00), rgb(0xf0b060), rgb(0x444444), 1.3, short_dashes},
     Row{Role::curve_6, "curve-6", rgb(0x6a1b9a), rgb(0xce93d8), rgb(0x444444), 1.3, longest_dashes},
     Row{Role::curve_7, "curve-7", rgb(0x00707a), rgb(0x6fd3dc), rgb(0x444444), 1.3, far_dots},
     Row{Role::curve_8, "curve-8", rgb(0x9c1f5c), rgb(0xf48fb1), rgb(0x444444), 1.3, dash_dot_dot},
-    Row{Role::curve_9, "curve-9", rgb(0x444444), rgb(0xbbbbbb), rgb(0x777777), 1.3, dots},
+    Row{Role::curve_9, "curve-9", rgb(0x444444), rgb(0xbbbbbb), rgb(0x777777), 1.3, close_dots},
     Row{Role::curve_10, "curve-10", rgb(0x5d6b00), rgb(0xd4dc70), rgb(0x777777), 1.3, two_dashes},
     Row{Role::curve_11, "curve-11", rgb(0x003f8f), rgb(0x90a8ff), rgb(0x777777), 1.3, short_dashes},
     Row{Role::curve_12, "curve-12", rgb(0x7a5c00), rgb(0xe0c060), rgb(0x777777), 1.3, long_dashes},

@@ -4,6 +4,7 @@
 #include "space_sheet.h"
 
 #include <rastertrace/figures/page.h>
+#include <rastertrace/figures/space_frames.h>
 
 #include <fmt/core.h>
 #include <glm/geometric.hpp>
@@ -232,6 +233,37 @@ TEST(Space, NamesWithoutRoomAreLeftOut) {
         EXPECT_THAT(names, IsSupersetOf({"A", "B", "C", "D"})) << "those that have room";
         EXPECT_EQ(names.size() == 24, apart == 2.0) << apart;
     }
+}
+
+TEST(SpaceFrames, AVertexStandsInEachOfItsSpaces) {
+    const Trace trace = trace_of_example("t4-pipeline/six-spaces");
+    const Drawing sheet = space_frames(trace, SpaceFrames::spaces, {}, {});
+    EXPECT_THAT(texts_of(sheet, Role::text),
+                testing::ElementsAre("object: A (1, 1, 1)", "world: A (0, 2, 1)",
+                                     "camera: A (0, 2, -3)", "clip: A (0, 2, -2, 3)",
+                                     "canonical: A (0, 2/3, -2/3)", "screen: A (20, 10/3)"));
+    EXPECT_EQ(shapes_of<Dots>(sheet, Role::rejected).size(), 6U);
+    const Drawing of_b =
+        space_frames(trace, SpaceFrames::spaces, step_of(trace, "vertex name=B space=screen"), {});
+    EXPECT_THAT(texts_of(of_b, Role::text), Contains("screen: B (28, 6)"));
+    EXPECT_THROW(space_frames(trace_of_example("faces/arrow"), SpaceFrames::spaces, {}, {}),
+                 Problem);
+}
+
+TEST(SpaceFrames, EarsAreTheCornersThatAreConvexAndEmpty) {
+    // The arrow is reflex at C and F; an ear takes its tip away.
+    const Trace trace = trace_of_example("faces/arrow");
+    const auto words = texts_of(space_frames(trace, SpaceFrames::ears, {}, {}), Role::text);
+    EXPECT_THAT(
+        words,
+        testing::ElementsAre(
+            "1. ABC: its corner B is convex, and it has", "no other vertex in it (reflex: C, F)",
+            "2. CDE: its corner D is convex, and it has", "no other vertex in it (reflex: F)",
+            "3. FGA: its corner G is convex, and it has", "no other vertex in it (reflex: F)",
+            "4. ACE: its corner C is convex, and it has", "no other vertex in it (reflex: none)",
+            "5. EFA: what is left", ""));
+    EXPECT_THROW(space_frames(trace, SpaceFrames::ears, step_of(trace, "primitive name=ABC"), {}),
+                 Problem);
 }
 
 TEST(Space, PagesTellOfEachStepWhatItAdds) {

@@ -169,6 +169,19 @@ TEST_F(FigureTest, ThePictureInSpaceHasNoPixels) {
                       eye + "\"\n");
 }
 
+TEST_F(FigureTest, FramesOfAStepInSpaceStandOnASheet) {
+    EXPECT_EQ(refusal("--sheet spaces -o x.svg"),
+              "rastertrace: --sheet spaces: expected a vertex step, found none\n");
+    EXPECT_EQ(refusal("--sheet ears --step 1 -o x.svg"),
+              "rastertrace: --sheet ears: expected a triangulate step, found another\n");
+    EXPECT_EQ(refusal("--sheet ears -o x.txt").substr(0, 46),
+              "rastertrace: --sheet: expected a format of dra");
+    const Outcome told = shell("$rastertrace figure $examples/faces/arrow.json --sheet ears "
+                               "--format svg -o -");
+    EXPECT_EQ(told.status, 0);
+    EXPECT_THAT(told.out, HasSubstr(">5. EFA: what is left</text>"));
+}
+
 TEST_F(FigureTest, PartsThatTheSceneCannotHave) {
     EXPECT_EQ(refusal("--with space -o x.svg"),
               "rastertrace: --with space: expected vertices in space, found a scene that is typed "
@@ -252,7 +265,8 @@ TEST_F(FigureTest, WhatAFormatCannotShow) {
 }
 
 TEST_F(FigureTest, NumbersAndNames) {
-    const std::string sheet = "expected columns and rows, like 3x4, each from 1 to 100, found ";
+    const std::string sheet =
+        "expected columns and rows, like 3x4, each from 1 to 100, or spaces or ears, found ";
     EXPECT_EQ(refusal("--sheet 0x4 -o x.svg"), "rastertrace: --sheet: " + sheet + "\"0x4\"\n");
     EXPECT_EQ(refusal("--sheet 4 -o x.svg"), "rastertrace: --sheet: " + sheet + "\"4\"\n");
     EXPECT_EQ(refusal("--sheet 101x1 -o x.svg"), "rastertrace: --sheet: " + sheet + "\"101x1\"\n");

@@ -11,6 +11,7 @@
 #include "terminal_text.h"
 
 #include <rastertrace/figures/figure.h>
+#include <rastertrace/figures/space_frames.h>
 #include <rastertrace/figures/view.h>
 #include <rastertrace/trace/audit/stats.h>
 #include <rastertrace/trace/check/schema.h>
@@ -118,6 +119,7 @@ struct FigureCommand {
     FigureOptions options;
     FigureStyle style;
     std::optional<Sheet> sheet;
+    std::optional<SpaceFrames> frames_in_space; ///< in the place of all other pictures
     bool is_animated = false; ///< all frames in one .svg
     bool is_bare = false;     ///< only the pixels
     std::string against;      ///< METHOD, or a file: see FigureOptions

@@ -361,7 +361,7 @@ void check_format(const FigureCommand& command, FigureFormat format) {
     const bool is_text = format == FigureFormat::txt || format == FigureFormat::cast;
     const bool moves =
         format == FigureFormat::svg || format == FigureFormat::gif || format == FigureFormat::cast;
-    if (command.sheet && is_text)
+    if ((command.sheet || command.frames_in_space) && is_text)
         throw problem_of("",
                          fmt::format("--sheet: expected a format of drawings (svg, png, tex, gif), "
                                      "found {}",
@@ -462,6 +462,32 @@ private:
     std::size_t count_ = 0;
 };
 
+/// The frames of one step in space, on a sheet.
+ExitStatus write_space_frames(const FigureCommand& command, FigureFormat format,
+                              InputFrames& input) {
+    using enum FigureFormat;
+    check_option(true, "--sheet", format, {svg, png, tex, gif});
+    if (input.is_sequence())
+        throw problem_of("", "--sheet: expected one scene, found a sequence",
+                         "--frame N takes one");
+    const Trace trace = input.trace(input.first());
+    std::optional<std::size_t> step;
+    if (command.which == FigureCommand::Which::step) {
+        const Selector selector =
+            value_or_throw(parse_selector({"--step", command.selector}, trace));
+        step = value_or_throw(matching_step(selector, trace, "say which"));
+    }
+    const ExitStatus status = report_damage(trace);
+    const std::string bytes =
+        figure_in(format, space_frames(trace, *command.frames_in_space, step, command.options.eye),
+                  command.style);
+    if (command.output == "-")
+        print(bytes);
+    else
+        write_file(command.output, bytes, opened_files());
+    return status;
+}
+
 } // namespace
 
 int run(const FigureCommand& asked) {
@@ -474,6 +500,8 @@ int run(const FigureCommand& asked) {
                                       .limits = command.input,
                                       .frames = command.frames,
                                       .tells_steps = true});
+    if (command.frames_in_space)
+        return write_space_frames(command, format, input);
     // A sequence is a film already.
     if (command.which == FigureCommand::Which::last && !command.sheet &&
         is_animation(command, format) && !input.is_sequence())

@@ -61,8 +61,12 @@ public:
                      "After every such step: a file for each, but for --sheet, --animate, .gif "
                      "and .cast",
                      "STEP");
-        options.option("--sheet", sheet_, "Frames side by side, like 3x4: 3 columns, 4 rows",
-                       "CxR");
+        options.option(
+            "--sheet", sheet_,
+            fmt::format("Frames side by side, like 3x4: 3 columns, 4 rows; or those of a "
+                        "step in space: {}",
+                        joined(space_frames_names(), ", ")),
+            "CxR|NAME");
         options.flag("--animate", command_.is_animated, "All frames in one .svg, which moves");
         options.option("--seconds", seconds_,
                        "How long each frame is seen; by default all of them take 20, and one at "
@@ -167,9 +171,11 @@ public:
             style.scale = style.scale.value_or(1);
         }
         command_.format = value_of("--format", format_, figure_format_names(), figure_format_named);
-        if (!sheet_.empty()) {
+        command_.frames_in_space = space_frames_named(sheet_);
+        if (!sheet_.empty() && !command_.frames_in_space) {
             const auto [columns, rows] = size_in_option(
-                "--sheet", "columns and rows, like 3x4, each from 1 to 100", sheet_, 100);
+                "--sheet", "columns and rows, like 3x4, each from 1 to 100, or spaces or ears",
+                sheet_, 100);
             command_.sheet = {columns, rows};
         }
         drawing_.read_into(command_);
