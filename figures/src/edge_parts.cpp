@@ -35,14 +35,44 @@ Path places_of(const Panel& panel, std::size_t primitive) {
     return places;
 }
 
-/// The sides of a primitive, as far as they are inside.
-std::vector<Path> sides_of(const Panel& panel, std::size_t primitive) {
+/// Where faces were cut into triangles: sides that two triangles of a face have.
+class Diagonals {
+public:
+    Diagonals(const Panel& panel, const std::vector<std::size_t>& primitives) {
+        for (const std::size_t primitive : primitives) {
+            const auto step = panel.trace().step(primitive).as<PrimitiveStep>();
+            const auto names = step.vertices.texts();
+            for (std::size_t i = 0; step.face && i < names.size(); ++i)
+                ++times_[key(step.face.text(), names[i], names[(i + 1) % names.size()])];
+        }
+    }
+    bool has(const PrimitiveStep& step, const std::string& a, const std::string& b) const {
+        const auto found = step.face ? times_.find(key(step.face.text(), a, b)) : times_.end();
+        return found != times_.end() && found->second > 1;
+    }
+
+private:
+    using Key = std::array<std::string, 3>;
+    static Key key(const std::string& face, const std::string& a, const std::string& b) {
+        return {face, std::min(a, b), std::max(a, b)};
+    }
+    std::map<Key, int> times_;
+};
+
+/// The sides of a primitive, as far as they are inside, without the diagonals of its face.
+std::vector<Path> sides_of(const Panel& panel, std::size_t primitive,
+                           const Diagonals* diagonals = nullptr) {
     const Path corners = places_of(panel, primitive);
+    const auto step = panel.trace().step(primitive).as<PrimitiveStep>();
+    const auto names = step.vertices.texts();
     std::vector<Path> sides;
     const std::size_t count = corners.size() == 2 ? 1 : corners.size();
     for (std::size_t i = 0; i < count && corners.size() > 1; ++i)
-        if (const auto side =
-                clipped(corners[i], corners[(i + 1) % corners.size()], panel.lattice.frame()))
+        if (diagonals != nullptr && names.size() == corners.size() &&
+            diagonals->has(step, names[i], names[(i + 1) % names.size()]))
+            continue;
+        else if (const auto side =
+                     clipped(corners[i], corners[(i + 1) % corners.size()], panel.lattice.frame()))
             sides.push_back({side->first, side->second});
     return sides;
 }
@@ -150,8 +180,10 @@ void add_edges(const Panel& panel, std::vector<Shape>& shapes) {
     const Visibility visibility(panel);
     Lines others{.role = Role::other_edge};
     Lines current{.role = Role::true_edge};
-    for (const std::size_t primitive : primitives_with_edges(panel))
-        for (const Path& side : sides_of(panel, primitive))
+    const auto primitives = primitives_with_edges(panel);
+    const Diagonals diagonals(panel, primitives);
+    for (const std::size_t primitive : primitives)
+        for (const Path& side : sides_of(panel, primitive, &diagonals))
             for (Path& part : visibility.parts_of(primitive, side, true))
                 (primitive == panel.replay.primitive() || !panel.is_step() ? current : others)
                     .paths.push_back(std::move(part));
@@ -163,8 +195,10 @@ void add_edges(const Panel& panel, std::vector<Shape>& shapes) {
 void add_hidden_edges(const Panel& panel, std::vector<Shape>& shapes) {
     const Visibility visibility(panel);
     Lines hidden{.role = Role::other_edge};
-    for (const std::size_t primitive : primitives_with_edges(panel))
-        for (const Path& side : sides_of(panel, primitive))
+    const auto primitives = primitives_with_edges(panel);
+    const Diagonals diagonals(panel, primitives);
+    for (const std::size_t primitive : primitives)
+        for (const Path& side : sides_of(panel, primitive, &diagonals))
             for (Path& part : visibility.parts_of(primitive, side, false))
                 hidden.paths.push_back(std::move(part));
     shapes.push_back(std::move(hidden));

@@ -36,7 +36,7 @@ struct Grouping {
     std::string (*group_of)(const PrimitiveStep& primitive);
 };
 constexpr std::array<Grouping, 3> groupings{
-    {{"", name_of_whole}, {"meshes: ", mesh_of}, {"colors: ", color_of}}};
+    {{"", name_of_face}, {"meshes: ", mesh_of}, {"colors: ", color_of}}};
 
 /// Puts primitives in the scene's order: that in which they are drawn, unless the painter has sorted them.
 void sort_as_listed(std::vector<std::size_t>& primitives, const Trace& trace, std::size_t order) {

@@ -339,7 +339,7 @@ Drawing FigureMaker::figure_in_space(const Panel& panel, const std::string& capt
     place(drawing_in_space(panel, size), {margin_of_sheet, y}, sheet);
     y += size.second;
     if (parts.has(FigurePart::caption))
-        y += add_caption(caption, column, y, sheet.shapes);
+        y += add_caption(caption, !options_.caption, column, y, sheet.shapes);
     if (parts.has(FigurePart::working))
         y += add_working(working, column, y, sheet.shapes);
     sheet.height = std::ceil(y + margin_of_sheet);
@@ -408,7 +408,7 @@ Drawing FigureMaker::figure(std::size_t n) {
     if (parts.has(FigurePart::legend))
         y += add_legend(panel, options_.against_name, column, y, sheet.shapes);
     if (parts.has(FigurePart::caption))
-        y += add_caption(caption, column, y, sheet.shapes);
+        y += add_caption(caption, !options_.caption, column, y, sheet.shapes);
     if (parts.has(FigurePart::working))
         y += add_working(working, column, y, sheet.shapes);
     sheet.height = std::ceil(y + margin);

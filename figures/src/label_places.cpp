@@ -117,6 +117,7 @@ Label strong_label_in(const Rectangle& box, const WordsWish& wish) {
             .size = wish.size,
             .anchor = anchor,
             .is_bold = true,
+            .names_points = true,
             .has_rim = true};
 }
 

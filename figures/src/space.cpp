@@ -232,6 +232,7 @@ private:
         primitives_.push_back(
             {.step = n,
              .name = step.name.text(),
+             .face = step.face.text(),
              .corners = step.vertices.texts(),
              .is_closed = !(step.kind == PrimitiveKind::line || step.kind == PrimitiveKind::point),
              .is_filled = is_filled(step.kind),

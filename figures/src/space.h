@@ -78,6 +78,7 @@ private:
 struct SpatialPrimitive {
     std::size_t step; ///< of the trace, where it begins
     std::string name;
+    std::string face = {}; ///< of more than three corners, that it is a part of; "" for none
     std::vector<std::string> corners; ///< keys of SpatialScene::vertices
     bool is_closed = true;            ///< the last corner is joined to the first
     bool is_filled = true;

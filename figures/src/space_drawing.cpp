@@ -8,6 +8,7 @@
 #include <glm/geometric.hpp>
 
 #include <algorithm>
+#include <map>
 #include <set>
 
 namespace rastertrace {
@@ -23,18 +24,36 @@ constexpr std::size_t most_culled = 60; ///< sides of culled faces
 /// The sides of primitives, each once, whichever way round.
 using Sides = std::set<std::pair<std::string, std::string>>;
 
-void add_sides(const SpatialPrimitive& primitive, Sides& sides) {
+std::vector<std::pair<std::string, std::string>> sides_of(const SpatialPrimitive& primitive) {
+    std::vector<std::pair<std::string, std::string>> sides;
     const std::size_t count = primitive.corners.size();
     for (std::size_t i = 0; i + (primitive.is_closed ? 0 : 1) < count && count > 1; ++i)
-        sides.insert(std::minmax(primitive.corners[i], primitive.corners[(i + 1) % count]));
+        sides.emplace_back(std::minmax(primitive.corners[i], primitive.corners[(i + 1) % count]));
+    return sides;
+}
+
+/// Adds sides, but for those where a face was cut into triangles.
+void add_sides(const std::vector<const SpatialPrimitive*>& primitives, Sides& sides) {
+    std::map<std::string, std::map<std::pair<std::string, std::string>, int>> times; // in a face
+    for (const SpatialPrimitive* primitive : primitives)
+        for (const auto& side : sides_of(*primitive))
+            ++times[primitive->face][side];
+    for (const auto& [face, all] : times)
+        for (const auto& [side, count] : all)
+            if (face.empty() || count == 1)
+                sides.insert(side);
 }
 
 void add_edges(SpaceWeight weight, SpaceSheet& sheet) {
-    Sides seen;
-    Sides culled;
+    std::vector<const SpatialPrimitive*> of_seen;
+    std::vector<const SpatialPrimitive*> of_culled;
     for (const SpatialPrimitive& primitive : sheet.space().primitives)
         if (!primitive.is_part)
-            add_sides(primitive, primitive.is_culled ? culled : seen);
+            (primitive.is_culled ? of_culled : of_seen).push_back(&primitive);
+    Sides seen;
+    Sides culled;
+    add_sides(of_seen, seen);
+    add_sides(of_culled, culled);
     const auto& vertices = sheet.space().vertices;
     const Role role = weight == SpaceWeight::strong ? Role::true_edge : Role::pale_edge;
     for (const auto& [a, b] : culled)
@@ -47,13 +66,14 @@ void add_edges(SpaceWeight weight, SpaceSheet& sheet) {
 /// What is on the view plane: the images of primitives.
 void add_images(SpaceSheet& sheet) {
     const SpatialScene& space = sheet.space();
-    Sides sides;
-    std::size_t count = 0;
+    std::vector<const SpatialPrimitive*> shown;
     for (const SpatialPrimitive& primitive : space.primitives)
-        if (!primitive.is_culled && ++count <= most_images)
-            add_sides(primitive, sides);
-    if (count > most_images)
+        if (!primitive.is_culled)
+            shown.push_back(&primitive);
+    if (shown.size() > most_images)
         return;
+    Sides sides;
+    add_sides(shown, sides);
     const auto image_of = [&](const std::string& name) {
         const auto found = space.images.find(name);
         return found == space.images.end() ? std::optional<Position>()

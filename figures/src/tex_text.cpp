@@ -123,8 +123,61 @@ std::string written(char32_t character, std::string_view bytes, TexFont font) {
         return std::string(*spelling);
     if (is_ascii || is_known_letter(character))
         return std::string(bytes);
-    return fmt::format("{{\\fontsize{{8}}{{8}}\\selectfont U+{:04X}\\,}}",
-                       static_cast<unsigned>(character));
+    return fmt::format("{{\\scriptsize U+{:04X}\\,}}", static_cast<unsigned>(character));
+}
+
+} // namespace
+
+namespace {
+
+bool is_digit(char c) {
+    return '0' <= c && c <= '9';
+}
+bool is_capital(char c) {
+    return 'A' <= c && c <= 'Z';
+}
+bool is_letter(char c) {
+    return is_capital(c) || ('a' <= c && c <= 'z') || static_cast<unsigned char>(c) >= 0x80;
+}
+
+/// How many characters a text begins with that are all of a kind.
+std::size_t length_of(std::string_view text, bool (*is_of_kind)(char)) {
+    return static_cast<std::size_t>(std::find_if_not(text.begin(), text.end(), is_of_kind) -
+                                    text.begin());
+}
+
+/// What a text begins with that is mathematics, and how it is set.
+struct Mathematics {
+    std::size_t length = 0; ///< 0: it begins with none
+    std::string tex = {};
+};
+
+/// "25/8", but not "1/2/3"; and of a text with names "A", "ABC", "P1", "x".
+Mathematics mathematics_in(std::string_view text, char before, TexFont font) {
+    const std::size_t above = length_of(text, is_digit);
+    if (above > 0 && above < text.size() && text[above] == '/' && !is_digit(before) &&
+        !is_letter(before) && before != '/' && before != '.') {
+        const std::size_t below = length_of(text.substr(above + 1), is_digit);
+        const std::size_t length = above + 1 + below;
+        const char after = length < text.size() ? text[length] : ' ';
+        if (below > 0 && !is_letter(after) && after != '/' &&
+            !(after == '.' && length + 1 < text.size() && is_digit(text[length + 1])))
+            return {length, fmt::format("$\\frac{{{}}}{{{}}}$", text.substr(0, above),
+                                        text.substr(above + 1, below))};
+    }
+    if (font != TexFont::with_names || is_letter(before) || is_digit(before))
+        return {};
+    constexpr std::size_t longest_name = 4;
+    constexpr std::string_view coordinates = "xyzwdt";
+    const std::size_t letters =
+        coordinates.find(text.front()) != std::string_view::npos ? 1 : length_of(text, is_capital);
+    const std::size_t digits = length_of(text.substr(letters), is_digit);
+    const std::size_t length = letters + digits;
+    if (letters == 0 || letters > longest_name || (length < text.size() && is_letter(text[length])))
+        return {};
+    return {length, digits == 0 ? fmt::format("${}$", text.substr(0, letters))
+                                : fmt::format("${}_{{{}}}$", text.substr(0, letters),
+                                              text.substr(letters, digits))};
 }
 
 } // namespace
@@ -133,10 +186,22 @@ std::string tex_escaped(std::string_view text, TexFont font) {
     const std::string shown = printable(text);
     std::string tex;
     bool was_blank = true; // TeX passes over blanks at the beginning, and over the second of two
+    char before = ' ';
     for (std::string_view rest = shown; !rest.empty();) {
+        if (const auto set =
+                font == TexFont::fixed_width ? Mathematics() : mathematics_in(rest, before, font);
+            set.length > 0) {
+            tex += set.tex;
+            before = rest[set.length - 1];
+            rest.remove_prefix(set.length);
+            was_blank = false;
+            continue;
+        }
         const CodePoint character = first_code_point(rest);
         const std::string_view bytes = rest.substr(0, character.length);
         rest.remove_prefix(character.length);
+        const bool is_sign = bytes.size() > 1 && spelling_of(character.value);
+        before = is_sign ? ' ' : bytes.front();
         const bool is_blank = character.value == U' ';
         if (is_blank)
             tex += was_blank || rest.empty() ? "\\ " : " ";

@@ -9,6 +9,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <set>
 #include <span>
@@ -48,6 +49,18 @@ std::string hex(Color color) {
     return fmt::format("{:02X}{:02X}{:02X}", color.red(), color.green(), color.blue());
 }
 
+/// The document's letters that come nearest to so many points where its text has 10; none smaller than \scriptsize, which
+/// can be read. What TeX has no name for is scaled.
+struct TexSize {
+    double at_most; ///< points
+    std::string_view command;
+};
+constexpr std::array tex_sizes{TexSize{7.5, "\\scriptsize"}, TexSize{8.5, "\\footnotesize"},
+                               TexSize{9.5, "\\small"},      TexSize{11, "\\normalsize"},
+                               TexSize{13.2, "\\large"},     TexSize{15.8, "\\Large"},
+                               TexSize{18.9, "\\LARGE"},     TexSize{22.8, "\\huge"}};
+constexpr TexSize largest_tex_size{24.88, "\\Huge"};
+
 /// A comment of one line.
 std::string comment(std::string_view text) {
     return text.empty() ? "" : fmt::format("% {}\n", printable(text));
@@ -62,11 +75,13 @@ public:
                                                           sheet.height + 2 * widest_line},
           largest_radius_(2 * (sheet.width + sheet.height)) {}
 
-    void write(const Shape& shape) {
+    /// The commands of a shape.
+    std::string written(const Shape& shape) {
+        body_.clear();
         std::visit([this](const auto& one) { write(one); }, shape);
+        return std::move(body_);
     }
 
-    const std::string& body() const { return body_; }
     std::size_t places() const { return places_; }
 
     /// Colors and lines of the roles that have been used.
@@ -234,35 +249,39 @@ private:
         places_ += 20;
         if (!clip_.has(label.at) || label.size <= 0 || label.text.empty() || is_too_much())
             return;
-        std::string options =
-            fmt::format("rt-label,text={},scale={}", color_name(label.role, label.color),
-                        number(scale_of(label.size), 4));
+        const double points = points_of(label.size);
+        const auto named =
+            std::find_if(tex_sizes.begin(), tex_sizes.end(),
+                         [points](const TexSize& one) { return points <= one.at_most; });
+        const TexSize& size = named == tex_sizes.end() ? largest_tex_size : *named;
+        std::string options = fmt::format("rt-label,text={}", color_name(label.role, label.color));
+        if (named == tex_sizes.end())
+            options += fmt::format(",scale={}", number(points / largest_tex_size.at_most, 4));
         if (label.is_turned)
             options += ",rotate=90";
         constexpr double rim_units = 1.5;
         if (label.has_rim)
             options += fmt::format(",fill={},inner sep={}", color_name(Role::paper, std::nullopt),
-                                   in_mm(rim_units / scale_of(label.size)));
+                                   in_mm(rim_units));
         options += fmt::format(",anchor=base{}", label.anchor == Anchor::start ? " west"
                                                  : label.anchor == Anchor::end ? " east"
                                                                                : "");
-        std::string fonts;
+        std::string fonts = fmt::format("{} ", size.command);
         if (label.is_fixed_width)
             fonts += "\\ttfamily ";
         if (label.is_bold)
             fonts += "\\bfseries ";
-        body_ += fmt::format("\\node[{}] at {} {{{}{}}};\n", options, text_of(label.at), fonts,
-                             tex_escaped(shown_text(label), label.is_fixed_width
-                                                                ? TexFont::fixed_width
+        body_ += fmt::format(
+            "\\node[{}] at {} {{{}{}}};\n", options, text_of(label.at), fonts,
+            tex_escaped(shown_text(label), label.is_fixed_width ? TexFont::fixed_width
+                                           : label.names_points ? TexFont::with_names
                                                                 : TexFont::proportional));
     }
 
-    /// What letters of 10 points are enlarged by. (TeX has letters of any size only so.)
-    double scale_of(double size) const {
+    double points_of(double size) const {
         constexpr double points_per_mm = 72.27 / 25.4;
-        constexpr double points = 10;
-        constexpr double largest = 500;
-        return std::min(size * mm_per_unit_ * points_per_mm / points, largest);
+        constexpr double largest = 5000;
+        return std::min(size * mm_per_unit_ * points_per_mm, largest);
     }
 
     bool is_too_much() const { return places_ > most_tikz_places; }
@@ -281,6 +300,11 @@ private:
 } // namespace
 
 Result<std::string> tikz_of(const Drawing& drawing, Theme theme, double width_mm) {
+    return tikz_of(std::span(&drawing, 1), theme, width_mm);
+}
+
+Result<std::string> tikz_of(std::span<const Drawing> frames, Theme theme, double width_mm) {
+    const Drawing& drawing = frames.back();
     const double mm_per_unit = width_mm / drawing.width;
     const double height_mm = drawing.height * mm_per_unit;
     if (!(drawing.width > 0 && drawing.height > 0 && width_mm > 0 && width_mm <= most_mm &&
@@ -295,8 +319,15 @@ Result<std::string> tikz_of(const Drawing& drawing, Theme theme, double width_mm
                                       most_units, decimal(drawing.width), decimal(drawing.height)),
                           "a .png holds any picture; --region takes a part of it");
     TikzWriter writer(drawing, theme, mm_per_unit);
-    for (const Shape& shape : drawing.shapes)
-        writer.write(shape);
+    std::string body;
+    for (std::size_t i = 0; i < frames.size(); ++i) {
+        if (frames.size() > 1)
+            body += fmt::format("\\only<{}>{{%\n", i + 1);
+        for (const Shape& shape : frames[i].shapes)
+            body += writer.written(shape);
+        if (frames.size() > 1)
+            body += "}%\n";
+    }
     if (writer.places() > most_tikz_places)
         return problem_of("",
                           fmt::format("expected a picture that fits into TeX's memory, found more "
@@ -318,10 +349,11 @@ Result<std::string> tikz_of(const Drawing& drawing, Theme theme, double width_mm
                "\\begin{{tikzpicture}}[x={0},y=-{0},line join=round]\n"
                "{1}"
                "\\tikzset{{rt-label/.style={{inner sep=0pt,outer sep=0pt,"
-               "font=\\normalfont\\sffamily\\fontsize{{10}}{{12}}\\selectfont}}}}\n"
+               "font=\\normalfont}}}}\n"
+               "\\ifcsname rastertracestyle\\endcsname\\csname rastertracestyle\\endcsname\\fi\n"
                "\\clip {2};\n\\fill[rt-paper] {2};\n"
                "{3}\\end{{tikzpicture}}%\n\\endgroup\n",
-               number(mm_per_unit, 6) + "mm", writer.definitions(), sheet, writer.body());
+               number(mm_per_unit, 6) + "mm", writer.definitions(), sheet, body);
 }
 
 } // namespace rastertrace

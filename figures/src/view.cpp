@@ -117,7 +117,7 @@ View default_view(const Trace& trace) {
             continue;
         colors.insert(primitive.color.text());
         if (faces.size() <= face_letters.size())
-            faces.insert(name_of_whole(primitive));
+            faces.insert(name_of_face(primitive));
     }
     if (faces.size() < 2)
         return View::plotted;

@@ -199,7 +199,7 @@ double add_legend(const Panel& panel, const std::string& against, const Column& 
     return y + legend_line - top;
 }
 
-double add_caption(const std::string& caption, const Column& column, double y,
+double add_caption(const std::string& caption, bool is_of_step, const Column& column, double y,
                    std::vector<Shape>& shapes) {
     const double top = y;
     y += gap;
@@ -212,8 +212,10 @@ double add_caption(const std::string& caption, const Column& column, double y,
         rest = end == std::string::npos ? std::string()
                                         : std::string(without_blanks(rest.substr(end)));
         for (const std::string& line : wrapped(part, letters_in(column.width(), caption_size))) {
-            shapes.push_back(Label{
-                .at = {column.left, y + 0.85 * caption_size}, .text = line, .size = caption_size});
+            shapes.push_back(Label{.at = {column.left, y + 0.85 * caption_size},
+                                   .text = line,
+                                   .size = caption_size,
+                                   .names_points = is_of_step});
             y += caption_line;
         }
     }

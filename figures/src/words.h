@@ -29,7 +29,7 @@ double add_legend(const Panel& panel, const std::string& against, const Column& 
                   std::vector<Shape>& shapes);
 
 /// What the step says.
-double add_caption(const std::string& caption, const Column& column, double y,
+double add_caption(const std::string& caption, bool is_of_step, const Column& column, double y,
                    std::vector<Shape>& shapes);
 
 /// How its numbers come of one another.

@@ -14,6 +14,7 @@ import math
 import os
 import random
 import re
+import shutil
 import subprocess
 import sys
 import tempfile
@@ -437,6 +438,25 @@ def check_tikz(figures, points_of, folder):
         check_points(f"{figure.name}.tex by pdfTeX", image_of(picture + ".png"), points, scale=2, tolerance=2)
 
 
+def check_slides(scene, folder):
+    """Overlays of beamer, in the style of the document: a page for each frame, and edges in its color."""
+    rastertrace("figure", scene, "--every", "scanline", "--animate", "-o", os.path.join(folder, "rows.tex"))
+    shutil.copy(os.path.join(SOURCE, "examples", "figures", "rastertrace.sty"), folder)
+    with open(os.path.join(folder, "slides.tex"), "w", encoding="utf-8") as file:
+        file.write(r"\documentclass{beamer}\usepackage{rastertrace}\rastertrace{rt-line true-edge/.append style={draw=green}}"
+                   r"\begin{document}\begin{frame}\input{rows}\end{frame}\end{document}")
+    run("pdflatex", "-interaction=nonstopmode", "-halt-on-error", "slides.tex", cwd=folder)
+    with open(os.path.join(folder, "rows.tex"), encoding="utf-8") as file:
+        frames = file.read().count(r"\only<")
+    run("pdftoppm", "-png", "-r", "72", os.path.join(folder, "slides.pdf"), os.path.join(folder, "slide"))
+    pages = sorted(name for name in os.listdir(folder) if name.startswith("slide-"))
+    if len(pages) != frames or frames != 9:
+        fail(f"beamer: expected 9 pages, found {len(pages)} of {frames} frames")
+    for page in pages:
+        if not any(green > 200 and red < 100 and blue < 100 for red, green, blue in image_of(os.path.join(folder, page)).getdata()):
+            fail(f"beamer: {page}: expected edges in the color of the style, found none")
+
+
 # --- casts ----------------------------------------------------------------------------------------------------------
 
 
@@ -497,6 +517,7 @@ def main():
         check_animated_svg(folder)
         check_gif(folder)
         check_tikz(figures, points_of, folder)
+        check_slides(os.path.join(SOURCE, "examples", "t0-fill", "first-triangle.json"), folder)
         check_casts(SOURCE, folder)
     print(", ".join(f"{number} {what}" for what, number in counted.items()))
     for message in failures[:40]:

@@ -501,6 +501,30 @@ TEST(Figures, WordsThatFitNowhereOnTheSheetAreLeftOut) {
     EXPECT_EQ(shapes_of<Dots>(figure, Role::vertex).front().centers.size(), 3U);
 }
 
+TEST(Figures, AFaceThatIsCutHasOneColorAndNoDiagonal) {
+    const auto quads = [](const std::string& faces) {
+        return trace_of_scene(R"({"canvas": {"width": 20, "height": 9},
+            "meshes": [{"vertices": {"A": [-8, -3, 0], "B": [-2, -3, 0], "C": [-2, 3, 0], "D": [-8, 3, 0],
+                                     "E": [2, -3, 0], "F": [8, -3, 0], "G": [8, 3, 0], "H": [2, 3, 0]},
+                        "faces": )" +
+                              faces + R"(}], "method": {"scalar": "exact"}})");
+    };
+    const auto sides_in = [](const Drawing& figure) {
+        std::size_t sides = 0;
+        for (const Lines& lines : shapes_of<Lines>(figure, Role::true_edge))
+            sides += lines.paths.size();
+        return sides;
+    };
+    const Drawing two = whole_figure(quads(R"(["ABCD", "EFGH"])"));
+    EXPECT_EQ(sides_in(two), 8U);
+    EXPECT_TRUE(shapes_of<Areas>(two, Role::face_3).empty());
+    EXPECT_THAT(texts_of(two, Role::text), testing::ElementsAre("ABCD", "EFGH"));
+    // Triangles of their own stay what they are.
+    const Drawing four = whole_figure(quads(R"(["ABC", "ACD", "EFG", "EGH"])"));
+    EXPECT_EQ(sides_in(four), 12U);
+    EXPECT_FALSE(shapes_of<Areas>(four, Role::face_4).empty());
+}
+
 TEST(Figures, WithoutPixelsThereAreNoPatterns) {
     const Trace trace =
         trace_of_scene(R"({"canvas": {"width": 7, "height": 7, "origin": "bottom-left"},

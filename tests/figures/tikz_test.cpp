@@ -55,11 +55,12 @@ TEST(Tikz, IsAPictureToPutIn) {
 \definecolor{rt-other-edge}{HTML}{444A52}
 \definecolor{rt-text}{HTML}{111111}
 \tikzset{rt-line other-edge/.style={draw=rt-other-edge,line width=2mm,dash pattern=on 8mm off 6mm}}
-\tikzset{rt-label/.style={inner sep=0pt,outer sep=0pt,font=\normalfont\sffamily\fontsize{10}{12}\selectfont}}
+\tikzset{rt-label/.style={inner sep=0pt,outer sep=0pt,font=\normalfont}}
+\ifcsname rastertracestyle\endcsname\csname rastertracestyle\endcsname\fi
 \clip (0,0) rectangle (40,20);
 \fill[rt-paper] (0,0) rectangle (40,20);
 \draw[rt-line other-edge] (0,0) -- (40,20);
-\node[rt-label,text=rt-text,scale=5.6906,anchor=base west] at (1.5,19) {50 \%};
+\node[rt-label,text=rt-text,scale=2.2872,anchor=base west] at (1.5,19) {\Huge 50 \%};
 \end{tikzpicture}%
 \endgroup
 )");
@@ -101,10 +102,10 @@ TEST(Tikz, HasAllShapes) {
                    .is_turned = true,
                    .has_rim = true},
              Label{.at = {1, 2}, .text = "a  <", .anchor = Anchor::end, .is_fixed_width = true}})),
-        "\\node[rt-label,text=rt-strong-text,scale=2.8453,rotate=90,fill=rt-paper,"
-        "inner sep=1.0544mm,anchor=base] at (1,2) {\\bfseries a};\n"
-        "\\node[rt-label,text=rt-text,scale=5.6906,anchor=base east] at (1,2) "
-        "{\\ttfamily a \\ \\char60{}};\n");
+        "\\node[rt-label,text=rt-strong-text,scale=1.1436,rotate=90,fill=rt-paper,"
+        "inner sep=3mm,anchor=base] at (1,2) {\\Huge \\bfseries a};\n"
+        "\\node[rt-label,text=rt-text,scale=2.2872,anchor=base east] at (1,2) "
+        "{\\Huge \\ttfamily a \\ \\char60{}};\n");
 }
 
 TEST(Tikz, LeavesOutWhatIsNotOnTheSheet) {
@@ -167,14 +168,47 @@ TEST(TexEscaped, ObeysNothing) {
         {"\u202Ex", "$<$U+202E$>$x"},
         {"é ñ Ç ß", "é ñ Ç ß"},
         {"½ × 3 ≤ −1", "$\\frac12$ $\\times$ 3 $\\leq$ $-$1"},
-        {"א", "{\\fontsize{8}{8}\\selectfont U+05D0\\,}"},
-        {"\U0001F600", "{\\fontsize{8}{8}\\selectfont U+1F600\\,}"},
-        {"α", "{\\fontsize{8}{8}\\selectfont U+03B1\\,}"},
+        {"א", "{\\scriptsize U+05D0\\,}"},
+        {"\U0001F600", "{\\scriptsize U+1F600\\,}"},
+        {"α", "{\\scriptsize U+03B1\\,}"},
         {" a  b ", "\\ a \\ b\\ "},
         {"", ""},
     };
     for (const auto& [text, expected] : texts)
         EXPECT_EQ(tex_escaped(text), expected);
+}
+
+TEST(TexEscaped, FractionsAreMathematicsAndSoAreNames) {
+    EXPECT_EQ(tex_escaped("x = 2 \u2212 25/8 = \u22129/8"),
+              "x = 2 $-$ $\\frac{25}{8}$ = $-$$\\frac{9}{8}$");
+    EXPECT_EQ(tex_escaped("1/2/3, a1/2, 1/2a, 0.1/2, 1/2.5, 1/, /2"),
+              "1/2/3,{} a1/2,{} 1/2a,{} 0.1/2,{} 1/2.5,{} 1/,{} /2");
+    EXPECT_EQ(tex_escaped("AB, P1: x=3, max XYZW", TexFont::with_names),
+              "$AB$,{} $P_{1}$: $x$=3,{} max $XYZW$");
+    EXPECT_EQ(tex_escaped("First Ab aB B2b TRIANGLE xy", TexFont::with_names),
+              "First Ab aB B2b TRIANGLE xy");
+    EXPECT_EQ(tex_escaped("AB 1/2", TexFont::fixed_width), "AB 1/2");
+}
+
+TEST(Tikz, LettersAreThoseOfTheDocument) {
+    const Drawing drawing = sheet({Label{.at = {1, 2}, .text = "a", .size = 10}});
+    for (const auto& [width_mm, command] :
+         {std::pair(1.0, "\\scriptsize "), std::pair(40 * 8.0 / 10 / 2.8453, "\\footnotesize "),
+          std::pair(40 / 2.8453, "\\normalsize "), std::pair(40 * 1.2 / 2.8453, "\\large ")}) {
+        const auto tex = tikz_of(drawing, Theme::light, width_mm);
+        ASSERT_TRUE(tex);
+        EXPECT_THAT(tex.value(), HasSubstr(std::string("] at (1,2) {") + command + "a};"));
+    }
+}
+
+TEST(Tikz, FramesAreOverlays) {
+    const std::vector<Drawing> frames{sheet({Label{.at = {1, 2}, .text = "a"}}),
+                                      sheet({Label{.at = {1, 2}, .text = "b"}})};
+    const auto tex = tikz_of(frames, Theme::light, 40);
+    ASSERT_TRUE(tex);
+    EXPECT_THAT(tex.value(), HasSubstr("\\only<1>{%\n\\node"));
+    EXPECT_THAT(tex.value(), HasSubstr(" a};\n}%\n\\only<2>{%\n\\node"));
+    EXPECT_THAT(tex.value(), HasSubstr(" b};\n}%\n\\end{tikzpicture}"));
 }
 
 TEST(TexEscaped, InFixedWidthAllSignsAreAsWideAsLetters) {
@@ -187,9 +221,10 @@ TEST(TexEscaped, InFixedWidthAllSignsAreAsWideAsLetters) {
 // Whatever comes in, TeX gets letters that it knows, and braces and dollars in pairs.
 TEST(TexEscaped, LeavesNoCommandOfTheText) {
     const std::regex harmless(
-        R"((\\[a-zA-Z]+|\\[%&#_{}$ ,]|[A-Za-z0-9 .:;=+*/()@\[\]'`,?!-]|[{}$^<>|]|[\xC2-\xC5][\x80-\xBF])*)");
+        R"((\\[a-zA-Z]+|\\[%&#_{}$ ,]|[A-Za-z0-9 .:;=+*/()@\[\]'`,?!-]|[{}$^<>|_]|[\xC2-\xC5][\x80-\xBF])*)");
     for (const std::string& text : hostile_texts())
-        for (const TexFont font : {TexFont::proportional, TexFont::fixed_width}) {
+        for (const TexFont font :
+             {TexFont::proportional, TexFont::with_names, TexFont::fixed_width}) {
             const std::string tex = tex_escaped(text, font);
             EXPECT_TRUE(std::regex_match(tex, harmless)) << tex;
             EXPECT_THAT(tex, Not(HasSubstr("\\end")));

@@ -251,8 +251,9 @@ TEST_F(FigureTest, PartsThatTheSceneCannotHave) {
 }
 
 TEST_F(FigureTest, WhatAFormatCannotShow) {
-    EXPECT_EQ(refusal("--animate -o x.png"),
-              "rastertrace: --animate: expected a format that moves (svg, gif, cast), found png\n");
+    EXPECT_EQ(
+        refusal("--animate -o x.png"),
+        "rastertrace: --animate: expected a format that moves (svg, gif, cast, tex), found png\n");
     EXPECT_EQ(refusal("--every scanline --sheet 2x2 -o x.txt"),
               "rastertrace: --sheet: expected a format of drawings (svg, png, tex, gif), found "
               "txt\n"

@@ -176,7 +176,8 @@ void StepWriter::operator()(const PrimitiveBegan<Quantity>& step) {
         ListIfAny{step.depths, [](const Quantity& depth) { return Exactly{depth}; }},
         ColorText(step.color), ListIfAny{step.colors, [](Color color) { return ColorText(color); }},
         only_if(step.octant != 0, step.octant), only_if(step.is_part, is_part),
-        only_if(!step.is_painted, is_painted), only_if(is_circle_, step.radius));
+        only_if(!step.is_painted, is_painted), only_if(is_circle_, step.radius),
+        only_if(!step.face.empty(), Quoted{step.face}));
 }
 
 void StepWriter::operator()(const FaceTested<Quantity>& step) {

@@ -139,6 +139,10 @@ std::string name_of_whole(const PrimitiveStep& primitive) {
     return primitive.part.is_true() ? name.substr(0, name.rfind('/')) : name;
 }
 
+std::string name_of_face(const PrimitiveStep& primitive) {
+    return primitive.face ? primitive.face.text() : name_of_whole(primitive);
+}
+
 namespace {
 
 TracedText text_field(const StepView& step, std::string_view name) {

@@ -288,6 +288,7 @@ struct PrimitiveStep {
     TracedFlag part;
     TracedFlag painted;
     std::optional<Index> radius;
+    TracedText face;
 
     using Fields = FieldTable<
         field::Told<"kind", &PrimitiveStep::kind, field::required>,
@@ -299,7 +300,7 @@ struct PrimitiveStep {
         field::Reason<"colors", &PrimitiveStep::colors>,
         field::Decision<"octant", &PrimitiveStep::octant>,
         field::Told<"part", &PrimitiveStep::part>, field::Told<"painted", &PrimitiveStep::painted>,
-        field::Reason<"radius", &PrimitiveStep::radius>>;
+        field::Reason<"radius", &PrimitiveStep::radius>, field::Told<"face", &PrimitiveStep::face>>;
 };
 
 /// A face is tested.
@@ -564,6 +565,9 @@ using AnyStep = std::variant<TriangulateStep, MatrixStep, VertexStep, OrderStep,
 
 /// The name of the primitive that a part was cut from: ABC of ABC/1. Of one that is no part, its own.
 std::string name_of_whole(const PrimitiveStep& primitive);
+
+/// The face that a primitive is of: ABCD, of the triangles that it was cut into; else the whole primitive.
+std::string name_of_face(const PrimitiveStep& primitive);
 
 class StepView;
 

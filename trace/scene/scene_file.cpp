@@ -405,9 +405,9 @@ private:
     }
 
     /// Whatever is drawn of a face beside its triangles: the sides of one that only hides, each once in its
-    /// mesh, whose names begin with `prefix`. Returns what tells its triangles from those of others.
-    std::uint32_t begin_face(std::span<const std::size_t> corners, const std::string& prefix,
-                             const ScenePrimitive& like) {
+    /// mesh, whose names begin with `prefix`.
+    void begin_face(std::span<const std::size_t> corners, const std::string& prefix,
+                    const ScenePrimitive& like) {
         for (std::size_t i = 0; !like.is_painted && i < corners.size(); ++i) {
             const std::size_t from = corners[i];
             const std::size_t to = corners[(i + 1) % corners.size()];
@@ -424,7 +424,6 @@ private:
             };
             side.name = prefix + joined_names(std::array{name_of(from), name_of(to)});
         }
-        return corners.size() > 3 ? ++polygons_ : 0;
     }
 
     /// Adds a face: as a polygon; or its triangles, a fan or ears, and its sides if they are drawn.
@@ -439,7 +438,11 @@ private:
             face.name = name_of_face();
             return;
         }
-        const std::uint32_t polygon = begin_face(corners, prefix, like);
+        begin_face(corners, prefix, like);
+        if (corners.size() > 3)
+            scene_.face_names.push_back(name_of_face());
+        const auto polygon =
+            static_cast<std::uint32_t>(corners.size() > 3 ? scene_.face_names.size() : 0);
         const auto add = [&](std::size_t a, std::size_t b, std::size_t c, std::size_t k) {
             ScenePrimitive& face = faces_.emplace_back(like);
             face.vertices = {corners[a], corners[b], corners[c]};
@@ -1194,7 +1197,6 @@ private:
         place_of_hidden_lines_; ///< offset of the first mesh that asks for them
     std::unordered_set<std::uint64_t>
         sides_;                         ///< of the mesh that is read, by the vertices at their ends
-    std::uint32_t polygons_ = 0;        ///< faces of more than three corners, so far
     std::vector<ScenePrimitive> faces_; ///< of meshes, until they are drawn in their turn
     std::vector<std::size_t> places_of_ears_; ///< in `faces_`: the first of each face that was cut
     std::vector<Problem> remarks_on_meshes_;

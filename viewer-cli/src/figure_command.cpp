@@ -359,8 +359,8 @@ void check_options_in_space(const FigureCommand& command, FigureFormat format) {
 /// Refuses a format that cannot have what was asked for.
 void check_format(const FigureCommand& command, FigureFormat format) {
     const bool is_text = format == FigureFormat::txt || format == FigureFormat::cast;
-    const bool moves =
-        format == FigureFormat::svg || format == FigureFormat::gif || format == FigureFormat::cast;
+    const bool moves = format == FigureFormat::svg || format == FigureFormat::gif ||
+                       format == FigureFormat::cast || format == FigureFormat::tex;
     if ((command.sheet || command.frames_in_space) && is_text)
         throw problem_of("",
                          fmt::format("--sheet: expected a format of drawings (svg, png, tex, gif), "
@@ -372,10 +372,10 @@ void check_format(const FigureCommand& command, FigureFormat format) {
         throw problem_of("", "--animate: expected no --sheet, found both",
                          "--animate shows frames one after the other, --sheet side by side");
     if (command.is_animated && !moves)
-        throw problem_of("",
-                         fmt::format("--animate: expected a format that moves (svg, gif, cast), "
-                                     "found {}",
-                                     name_of(format)));
+        throw problem_of(
+            "", fmt::format("--animate: expected a format that moves (svg, gif, cast, tex), "
+                            "found {}",
+                            name_of(format)));
     using enum FigureFormat;
     if (command.options.is_in_space)
         check_options_in_space(command, format);

@@ -82,6 +82,14 @@ FigureFrames of_one_size(std::size_t count, std::function<Drawing(std::size_t)> 
             }};
 }
 
+namespace {
+
+double width_mm_of(const Drawing& drawing, const FigureStyle& style) {
+    return style.width_mm.value_or(std::min(widest_mm, drawing.width * mm_per_unit));
+}
+
+} // namespace
+
 std::string figure_in(FigureFormat format, const Drawing& drawing, const FigureStyle& style) {
     switch (format) {
     case FigureFormat::svg:
@@ -90,9 +98,7 @@ std::string figure_in(FigureFormat format, const Drawing& drawing, const FigureS
         return value_or_throw(
             png_of(checked_bitmap(drawing, style.theme, style.scale.value_or(png_scale))));
     case FigureFormat::tex:
-        return value_or_throw(
-            tikz_of(drawing, style.theme,
-                    style.width_mm.value_or(std::min(widest_mm, drawing.width * mm_per_unit))));
+        return value_or_throw(tikz_of(drawing, style.theme, width_mm_of(drawing, style)));
     case FigureFormat::gif:
         return animation_in(format, {1, [&drawing](std::size_t) { return drawing; }}, style);
     case FigureFormat::txt:
@@ -126,6 +132,8 @@ std::string animation_in(FigureFormat format, const FigureFrames& frames,
     std::vector<Drawing> drawings;
     for (std::size_t i = 0; i < frames.count; ++i)
         drawings.push_back(frames.at(i));
+    if (format == FigureFormat::tex)
+        return value_or_throw(tikz_of(drawings, style.theme, width_mm_of(drawings.back(), style)));
     return value_or_throw(animated_svg_of(drawings, seconds, style.theme));
 }
 

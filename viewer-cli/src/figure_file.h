@@ -58,7 +58,7 @@ FigureFrames of_one_size(std::size_t count, std::function<Drawing(std::size_t)> 
 /// The bytes of a file with one drawing: .svg, .png, .tex, .gif. Throws a Problem.
 std::string figure_in(FigureFormat format, const Drawing& drawing, const FigureStyle& style);
 
-/// The bytes of a file with all of them, one after the other: .svg, .gif. Throws a Problem.
+/// The bytes of a file with all of them, one after the other: .svg, .gif, .tex (overlays of beamer). Throws a Problem.
 std::string animation_in(FigureFormat format, const FigureFrames& frames, const FigureStyle& style);
 
 /// How long each of so many frames is seen, if nothing else was asked for: all of them for 20 seconds, one for a second

@@ -67,7 +67,9 @@ public:
                         "step in space: {}",
                         joined(space_frames_names(), ", ")),
             "CxR|NAME");
-        options.flag("--animate", command_.is_animated, "All frames in one .svg, which moves");
+        options.flag(
+            "--animate", command_.is_animated,
+            "All frames in one .svg, which moves, or in one .tex: the overlays of a beamer frame");
         options.option("--seconds", seconds_,
                        "How long each frame is seen; by default all of them take 20, and one at "
                        "most 1",

@@ -291,7 +291,8 @@ void tell_beginning(const Piece<Scalar>& piece, const PieceNames& names, const P
         .is_part = piece.is_part,
         .depths = std::span(told.depths).first(has_depths ? piece.count : 0),
         .is_painted = plan.stages.pixels[piece.primitive].is_painted,
-        .radius = piece.radius});
+        .radius = piece.radius,
+        .face = drawing.scene.face_of(drawing.scene.primitives[piece.primitive])});
 }
 
 /// Draws a point, a line or an outline, with or without depth tests.

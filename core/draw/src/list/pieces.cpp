@@ -314,7 +314,8 @@ void tell_pieces(const Scene& scene, const ScreenList<Scalar>& list, std::size_t
                                 .positions = {},
                                 .color = found.color,
                                 .colors = {},
-                                .radius = primitive.radius});
+                                .radius = primitive.radius,
+                                .face = scene.face_of(primitive)});
     if (!tell_face(found.face, sink))
         return;
     int made = 0;

@@ -130,7 +130,8 @@ private:
                                        .vertices = {},
                                        .positions = {},
                                        .color = color,
-                                       .colors = {}});
+                                       .colors = {},
+                                       .face = scene_.face_of(primitive)});
         if (!tell_face(face, sink_))
             return;
         const bool is_outline = primitive.kind == PrimitiveKind::outline;
@@ -191,7 +192,8 @@ private:
                                        .color = color,
                                        .colors = colors,
                                        .is_part = is_part,
-                                       .depths = depths});
+                                       .depths = depths,
+                                       .face = scene_.face_of(primitive)});
         if (tell_face(face, sink_))
             draw_({kind, std::move(on_screen), color});
     }

@@ -72,7 +72,7 @@ template <typename Scalar> void tell(const PrimitiveBegan<Scalar>& step, const L
     const std::vector<Quantity> depths(step.depths.begin(), step.depths.end());
     listener(PrimitiveBegan<Quantity>{step.kind, step.name, step.vertices, positions, step.color,
                                       step.colors, step.octant, step.is_part, depths,
-                                      step.is_painted, step.radius});
+                                      step.is_painted, step.radius, step.face});
 }
 
 template <typename Scalar> void tell(const EdgeSetUp<Scalar>& step, const Listener& listener) {

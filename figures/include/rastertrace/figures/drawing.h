@@ -180,6 +180,7 @@ struct Label {
     Anchor anchor = Anchor::start;
     bool is_bold = false;
     bool is_fixed_width = false; ///< as on a terminal; otherwise it is typeset
+    bool names_points = false;   ///< its capitals, and x, y, z, w, d, t, are names of the scene
     bool is_turned = false;      ///< it runs upward
     bool has_rim = false;        ///< in the color of the paper, to be read over lines
 };

@@ -2,7 +2,8 @@
 #pragma once
 
 // A drawing for LaTeX: a bare `tikzpicture`, to be put into a document with \input. The document needs
-// \usepackage{tikz} and nothing else. Text is set in the document's sans serif font, scaled with the drawing.
+// \usepackage{tikz} and nothing else. Text is set in the document's font, and in the one of its sizes that comes nearest
+// to that of the drawing, at least \scriptsize; fractions are set as mathematics.
 //
 //     tikz_of(drawing, Theme::print, 80);  // % To be used with \usepackage{tikz}: \input{FILE}
 
@@ -12,6 +13,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <string>
 #include <string_view>
 
@@ -21,7 +23,11 @@ namespace rastertrace {
 /// beside a document. A rectangle counts as two places, a dot as four, a label as twenty.
 inline constexpr std::size_t most_tikz_places = 40'000;
 
-enum class TexFont : std::uint8_t { proportional, fixed_width };
+enum class TexFont : std::uint8_t {
+    proportional,
+    with_names, ///< words of capital letters, and x, y, z, w, d, t, are names: mathematics
+    fixed_width,
+};
 
 /// A text as LaTeX sets it, letter by letter. What cannot be seen is shown, as printable() does; characters that
 /// pdflatex does not know are shown as their number, U+05D0, in small letters.
@@ -29,5 +35,8 @@ std::string tex_escaped(std::string_view text, TexFont font = TexFont::proportio
 
 /// The picture, `width_mm` millimeters wide; or why there is none: it would be too large for pdflatex.
 Result<std::string> tikz_of(const Drawing& drawing, Theme theme, double width_mm);
+
+/// The same of drawings of one size, one after the other: the overlays of a frame of beamer.
+Result<std::string> tikz_of(std::span<const Drawing> frames, Theme theme, double width_mm);
 
 } // namespace rastertrace

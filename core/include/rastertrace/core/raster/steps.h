@@ -111,6 +111,8 @@ template <typename Scalar> struct PrimitiveBegan {
     std::span<const DepthOf<Scalar>> depths = {}; ///< of the vertices, if there is a depth buffer
     bool is_painted = true; ///< false: a triangle that hides what lies behind it, and is not seen
     Index radius = 0;       ///< of a circle, in pixels; else 0
+    std::string_view face =
+        {}; ///< of more than three corners, that the triangle is a part of; "" if there is none
 };
 
 /// Two vertices of the current primitive, by their place in PrimitiveBegan::vertices.

@@ -44,7 +44,8 @@ struct ScenePrimitive {
     std::string name;
     std::array<std::size_t, 3> vertices{}; ///< indices in Scene::vertices, in the author's order
     Color color = {};
-    std::uint32_t polygon = 0; ///< successive triangles with the same number above 0 make a face
+    std::uint32_t polygon =
+        0; ///< successive triangles with the same number above 0 make a face, see Scene::face_of
 
     std::int32_t radius = 0; ///< of a circle around its vertex, in pixels
     std::vector<std::size_t> ring =
@@ -87,6 +88,8 @@ struct Scene {
     std::vector<ScenePrimitive> primitives; ///< drawn in this order
     Method method;
 
+    std::vector<std::string>
+        face_names; ///< of those that were cut into triangles, by ScenePrimitive::polygon from 1
     std::vector<CutFace> cut_faces;
     std::vector<SceneObject> objects; ///< none: no vertex has a model
     std::optional<Camera> camera;     ///< none: world space is camera space
@@ -150,6 +153,11 @@ struct Scene {
     /// True if `keep` names a stage that moves vertices.
     bool keeps_transforms() const {
         return keep.has(Stage::model) || keep.has(Stage::view) || keep.has(Stage::divide);
+    }
+
+    /// The name of the face that a triangle is a part of; "" if it is one of its own.
+    std::string_view face_of(const ScenePrimitive& primitive) const {
+        return primitive.polygon == 0 ? std::string_view() : face_names[primitive.polygon - 1];
     }
 
     /// True if it has a primitive of this kind.
