@@ -73,6 +73,33 @@ void add_weights(const Replay& replay, CellTexts& texts) {
     }
 }
 
+/// What is told of each pixel that is drawn, and of the step that drew it.
+template <typename Tell> void add_of_drawn(const Replay& replay, CellTexts& texts, Tell&& tell) {
+    const auto& drawn_by = replay.frame().drawn_by;
+    for (std::size_t offset = 0; offset < drawn_by.size(); ++offset)
+        if (drawn_by[offset] != 0)
+            tell(offset, drawn_by[offset], texts[offset]);
+}
+
+void add_owners(const Replay& replay, CellTexts& texts) {
+    add_of_drawn(replay, texts, [&](std::size_t, std::size_t step, auto& lines) {
+        if (const std::size_t primitive = replay.primitive_of(step); primitive != 0)
+            lines.push_back(
+                printable(name_of_face(replay.trace().step(primitive).as<PrimitiveStep>())));
+    });
+}
+
+void add_levels(const Replay& replay, CellTexts& texts) {
+    add_of_drawn(replay, texts, [&](std::size_t offset, std::size_t, auto& lines) {
+        const Color color = replay.frame().image.colors()[offset];
+        lines.push_back(std::to_string(color.red()));
+        if (color.red() == color.green() && color.green() == color.blue())
+            return;
+        lines.push_back(std::to_string(color.green()));
+        lines.push_back(std::to_string(color.blue()));
+    });
+}
+
 CellTexts cell_texts(const Replay& replay, const FigureParts& parts) {
     CellTexts texts;
     if (parts.has(FigurePart::order))
@@ -83,14 +110,20 @@ CellTexts cell_texts(const Replay& replay, const FigureParts& parts) {
         add_view(View::writes, replay, texts);
     if (parts.has(FigurePart::weights))
         add_weights(replay, texts);
+    if (parts.has(FigurePart::owners))
+        add_owners(replay, texts);
+    if (parts.has(FigurePart::levels))
+        add_levels(replay, texts);
     return texts;
 }
 
 } // namespace
 
 bool has_cell_texts(const FigureParts& parts) {
-    return parts.has(FigurePart::order) || parts.has(FigurePart::depths) ||
-           parts.has(FigurePart::writes) || parts.has(FigurePart::weights);
+    constexpr std::array in_cells{FigurePart::order,   FigurePart::depths, FigurePart::writes,
+                                  FigurePart::weights, FigurePart::owners, FigurePart::levels};
+    return std::any_of(in_cells.begin(), in_cells.end(),
+                       [&parts](FigurePart part) { return parts.has(part); });
 }
 
 double cell_for_texts(const Replay& replay, const FigureParts& parts) {

@@ -63,7 +63,8 @@ void set_parts(const FigureOptions& options, Panel& panel) {
     };
 
     // What is written in the pixels makes them as large as it needs.
-    for (const FigurePart part : {FigurePart::order, FigurePart::depths, FigurePart::weights})
+    for (const FigurePart part : {FigurePart::order, FigurePart::depths, FigurePart::weights,
+                                  FigurePart::owners, FigurePart::levels})
         set(part, false);
     set(FigurePart::writes, panel.view == View::writes && lattice.cell >= cell_for_digits);
     if (panel.view == View::depth && !wanted(options, FigurePart::depths)) {

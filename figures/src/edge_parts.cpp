@@ -297,4 +297,42 @@ void add_half_planes(const Panel& panel, std::vector<Shape>& shapes) {
     shapes.insert(shapes.end(), lines.begin(), lines.end());
 }
 
+void add_notes(const std::vector<FigureNote>& notes, const Panel& panel,
+               std::vector<Shape>& shapes) {
+    constexpr double size = 10;
+    constexpr double head = 6;
+    Obstacles obstacles{
+        .sheet = panel.sheet, .frame = panel.lattice.frame(), .sides = {}, .words = {}};
+    for (const Shape& shape : shapes)
+        if (const auto* const label = std::get_if<Label>(&shape))
+            obstacles.words.push_back(
+                {{label->at.x - (label->anchor == Anchor::end      ? 1
+                                 : label->anchor == Anchor::middle ? 0.5
+                                                                   : 0) *
+                                    width_of(label->text, label->size, label->is_bold),
+                  label->at.y - label->size},
+                 width_of(label->text, label->size, label->is_bold),
+                 label->size});
+    for (const FigureNote& note : notes) {
+        const Place at = panel.lattice.place_of(note.x, note.y);
+        const double away = std::max(2 * panel.lattice.cell, 24.0);
+        const std::string words = printable(note.text);
+        for (const auto& [right, down] : {std::pair(1, -1), {-1, -1}, {1, 1}, {-1, 1}}) {
+            const Place beside{at.x + right * away, at.y + down * away};
+            const auto box = words_beside({beside, at, words, size}, obstacles);
+            if (!box)
+                continue;
+            obstacles.words.push_back(*box);
+            add_arrow({std::clamp(at.x, box->left(), box->right()),
+                       down < 0 ? box->bottom() : box->top()},
+                      at, Role::rounding, head, shapes);
+            Label label = strong_label_in(*box, {beside, at, words, size});
+            label.role = Role::rounding;
+            label.names_points = false;
+            shapes.push_back(std::move(label));
+            break;
+        }
+    }
+}
+
 } // namespace rastertrace

@@ -365,7 +365,7 @@ Drawing FigureMaker::figure(std::size_t n) {
     if (panel.is_step()) {
         replay_.go_to(steps.first);
         if (!options_.caption)
-            caption = describe_step(replay_);
+            caption = with_six_digits(describe_step(replay_));
         working = working_of(replay_);
     }
     replay_.go_to(panel.frame.is_question ? steps.first - 1 : steps.last);
@@ -403,6 +403,7 @@ Drawing FigureMaker::figure(std::size_t n) {
     y = lattice.corner.y + lattice.height() + numbers_below;
     panel.sheet = {{}, sheet.width, y + margin};
     add_raster(panel, is_only ? options_.with : std::vector<FigurePart>(), sheet.shapes);
+    add_notes(options_.notes, panel, sheet.shapes);
     y = std::max(y, lattice.corner.y + add_at_right(beside, lattice, beside_left, sheet));
     y += add_below(beside, lattice, column, y, sheet);
     if (parts.has(FigurePart::legend))

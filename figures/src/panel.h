@@ -119,6 +119,10 @@ void add_half_planes(const Panel& panel, std::vector<Shape>& shapes);
 /// True if the frame is about a triangle.
 bool has_half_planes(const Panel& panel);
 
+/// Words, each with an arrow to its place.
+void add_notes(const std::vector<FigureNote>& notes, const Panel& panel,
+               std::vector<Shape>& shapes);
+
 // row_part.cpp
 void add_row(const Panel& panel, std::vector<Shape>& shapes);
 

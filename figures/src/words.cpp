@@ -199,6 +199,28 @@ double add_legend(const Panel& panel, const std::string& against, const Column& 
     return y + legend_line - top;
 }
 
+std::string with_six_digits(std::string_view sentence) {
+    constexpr std::string_view in_numbers = "0123456789.eE+-";
+    std::string text;
+    while (!sentence.empty()) {
+        const std::size_t begin = std::min(sentence.find_first_of("0123456789"), sentence.size());
+        text += sentence.substr(0, begin);
+        sentence.remove_prefix(begin);
+        std::size_t length = std::min(sentence.find_first_not_of(in_numbers), sentence.size());
+        while (length > 0 &&
+               std::string_view(".eE+-").find(sentence[length - 1]) != std::string_view::npos)
+            --length; // the end of the sentence
+        const std::string number(sentence.substr(0, length));
+        const auto digits = std::count_if(number.begin(), number.end(),
+                                          [](char c) { return '0' <= c && c <= '9'; });
+        const auto value = nearest_double_in(number);
+        const bool is_long = digits > 6 && number.find('.') != std::string::npos && value;
+        text += is_long ? fmt::format("{:.6g}", *value) : number;
+        sentence.remove_prefix(length);
+    }
+    return text;
+}
+
 double add_caption(const std::string& caption, bool is_of_step, const Column& column, double y,
                    std::vector<Shape>& shapes) {
     const double top = y;

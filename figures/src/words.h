@@ -28,6 +28,9 @@ double add_title(const std::string& title, const Panel& panel, const Column& col
 double add_legend(const Panel& panel, const std::string& against, const Column& column, double y,
                   std::vector<Shape>& shapes);
 
+/// A sentence whose decimals have six digits at most: it is told exactly elsewhere.
+std::string with_six_digits(std::string_view sentence);
+
 /// What the step says.
 double add_caption(const std::string& caption, bool is_of_step, const Column& column, double y,
                    std::vector<Shape>& shapes);

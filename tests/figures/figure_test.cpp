@@ -6,6 +6,7 @@
 #include "label_places.h"
 #include "lattice.h"
 #include "visibility.h"
+#include "words.h"
 
 #include <rastertrace/figures/figure.h>
 #include <rastertrace/figures/theme.h>
@@ -523,6 +524,39 @@ TEST(Figures, AFaceThatIsCutHasOneColorAndNoDiagonal) {
     const Drawing four = whole_figure(quads(R"(["ABC", "ACD", "EFG", "EGH"])"));
     EXPECT_EQ(sides_in(four), 12U);
     EXPECT_FALSE(shapes_of<Areas>(four, Role::face_4).empty());
+}
+
+TEST(Figures, PixelsCanTellWhoseTheyAreAndTheirLevels) {
+    const Trace trace =
+        trace_of_scene(R"({"canvas": {"width": 9, "height": 9, "origin": "bottom-left"},
+        "vertices": {"A": [1, 1], "B": [5, 1], "C": [7, 7]},
+        "points": [{"vertices": "A", "color": "#808080"}, {"vertices": "B", "color": "#0a1420"},
+                   {"vertices": "C", "name": "last", "color": "#ffffff"}]})");
+    EXPECT_THAT(texts_of(whole_figure(trace, {.with = {FigurePart::owners}}), Role::cell_text),
+                testing::UnorderedElementsAre("A", "B", "last"));
+    EXPECT_THAT(texts_of(whole_figure(trace, {.with = {FigurePart::levels}}), Role::cell_text),
+                testing::UnorderedElementsAre("128", "10", "20", "32", "255"));
+}
+
+TEST(Figures, ANoteHasAnArrowToItsPlaceAndCoversNoWords) {
+    const Drawing figure = whole_figure(trace_of_scene(first_triangle),
+                                        {.notes = {{2, 5, "the top"}, {-4, -3, "the left end"}}});
+    const Axes axes(figure);
+    const auto tips = shapes_of<Polygons>(figure, Role::rounding);
+    ASSERT_EQ(tips.size(), 2U);
+    EXPECT_NEAR(tips[0].paths[0][0].x, axes.of(2, 5).x, 1e-6);
+    EXPECT_NEAR(tips[1].paths[0][0].y, axes.of(-4, -3).y, 1);
+    for (const Rectangle& note : boxes_of(figure, Role::rounding))
+        for (const Rectangle& name : boxes_of(figure, Role::strong_text))
+            EXPECT_FALSE(note.meets(name));
+}
+
+TEST(Figures, CaptionsHaveSixDigitsAtMost) {
+    EXPECT_EQ(
+        with_six_digits("normal (-0.051426169613, 25/8, 1234567) . 0.12067135165399998, 1e-12."),
+        "normal (-0.0514262, 25/8, 1234567) . 0.120671, 1e-12.");
+    EXPECT_EQ(with_six_digits("0.5 and 3.25; -> 2 .. 4, v1.2.3456789"),
+              "0.5 and 3.25; -> 2 .. 4, v1.2.3456789");
 }
 
 TEST(Figures, WithoutPixelsThereAreNoPatterns) {

@@ -137,12 +137,13 @@ TEST_F(FigureTest, ASelectorThatMatchesNothing) {
 }
 
 TEST_F(FigureTest, Parts) {
-    EXPECT_EQ(refusal("--with eges -o x.svg"),
-              "rastertrace: --with: expected parts out of "
-              "grid,axes,edges,hidden-edges,vertices,coordinates,samples,row,"
-              "pixels,current,rejected,order,depths,writes,weights,patterns,half-planes,errors,"
-              "space,plot,title,step,legend,caption,working, found \"eges\"\n"
-              "hint: did you mean edges?\n");
+    EXPECT_EQ(
+        refusal("--with eges -o x.svg"),
+        "rastertrace: --with: expected parts out of "
+        "grid,axes,edges,hidden-edges,vertices,coordinates,samples,row,"
+        "pixels,current,rejected,order,depths,writes,weights,owners,levels,patterns,half-planes,"
+        "errors,space,plot,title,step,legend,caption,working, found \"eges\"\n"
+        "hint: did you mean edges?\n");
     EXPECT_EQ(refusal("--with grid,edges --without edges -o x.svg"),
               "rastertrace: --without: expected parts that are not in --with, found \"edges\"\n");
 }
@@ -167,6 +168,18 @@ TEST_F(FigureTest, ThePictureInSpaceHasNoPixels) {
                   "rastertrace: --eye: expected corner, front, side, top, or a direction x,y,z "
                   "other than 0,0,0, found \"" +
                       eye + "\"\n");
+}
+
+TEST_F(FigureTest, NotesPointToPlaces) {
+    for (const std::string note : {"3,2", "3: a", "3,2:", "a,2: b", "1e9,2: far"})
+        EXPECT_EQ(refusal("--note '" + note + "' -o x.svg"),
+                  "rastertrace: --note: expected a place and words, like \"3,2: the tie goes up\", "
+                  "found \"" +
+                      note + "\"\n");
+    const Outcome told =
+        figure("--note '-4,-3: the first: B' --note '2,5: the top' --format svg -o -");
+    EXPECT_THAT(told.out, HasSubstr(">the first: B</text>"));
+    EXPECT_THAT(told.out, HasSubstr(">the top</text>"));
 }
 
 TEST_F(FigureTest, FramesOfAStepInSpaceStandOnASheet) {

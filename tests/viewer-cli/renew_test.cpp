@@ -413,6 +413,26 @@ TEST_F(RenewTest, ACommandThatFailsIsAProblem) {
     EXPECT_EQ(shell("$rastertrace renew page.md").status, 3);
 }
 
+TEST_F(RenewTest, APageInAnotherFolderSaysWhereItsCommandsRun) {
+    std::filesystem::create_directory(folder_ / "chapter");
+    write("chapter/page.md", "```\n$ rastertrace show own.json --bare\n```\n");
+    write("chapter/own.json", R"({"vertices": {"A": [0, 0]}, "points": ["A"]})");
+    EXPECT_EQ(shell("$rastertrace renew chapter/page.md").err,
+              "rastertrace: chapter/page.md:2:1: expected a command that succeeds, found exit "
+              "status 2\n"
+              "$ rastertrace show own.json --bare\n"
+              "^\n"
+              "hint: commands run in the current folder: cd chapter before renew\n");
+    EXPECT_EQ(shell("cd chapter && $rastertrace renew page.md").status, 0);
+}
+
+// Commands that nobody sees: those of a block in a comment of the page.
+TEST_F(RenewTest, ABlockInACommentIsHiddenAndRenewed) {
+    write("page.md", "<!--\n```\n$ rastertrace --version\n```\n-->\n");
+    EXPECT_EQ(shell("$rastertrace renew page.md").status, 0);
+    EXPECT_THAT(content("page.md"), ::testing::HasSubstr("rastertrace 0."));
+}
+
 TEST_F(RenewTest, APageWithAMistakeLeavesAllAsTheyWere) {
     write("page.md", stale);
     write("other.md", "```\n$ rastertrace show scene.json > out.txt\n```\n");

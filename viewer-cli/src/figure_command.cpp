@@ -354,6 +354,7 @@ void check_options_in_space(const FigureCommand& command, FigureFormat format) {
     refuse_if(command.is_bare, "--bare");
     refuse_if(options.cell.has_value(), "--cell");
     refuse_if(!command.against.empty(), "--against");
+    refuse_if(!options.notes.empty(), "--note");
 }
 
 /// Refuses a format that cannot have what was asked for.
@@ -392,6 +393,7 @@ void check_format(const FigureCommand& command, FigureFormat format) {
     check_option(!command.against.empty(), "--against", format, {svg, png, tex, gif});
     check_option(options.title.has_value(), "--title", format, {svg, png, tex, gif, html});
     check_option(options.cell.has_value(), "--cell", format, {svg, png, tex, gif});
+    check_option(!options.notes.empty(), "--note", format, {svg, png, tex, gif});
     check_option(options.palette != FacePalette::distinct, "--palette", format,
                  {svg, png, tex, gif});
     check_option(command.style.theme != Theme::automatic, "--theme", format,

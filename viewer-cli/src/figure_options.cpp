@@ -80,6 +80,11 @@ public:
                        "TEXT");
         options.option("--caption", command_.options.caption,
                        "This text instead of the step's sentence; none for no text", "TEXT");
+        options
+            .option("--note", notes_,
+                    "These words, with an arrow to a place of the screen; may be given again",
+                    "x,y: TEXT")
+            .repeatable();
         options.option(
             "--view", view_,
             fmt::format("What the color of a pixel means: {}; if none is given, what the scene "
@@ -145,6 +150,8 @@ public:
         }
         if (!eye_.empty())
             options.eye = eye_in(eye_);
+        for (const std::string& note : notes_)
+            options.notes.push_back(note_in(note));
         options.region = region_of(region_);
         options.palette = value_of("--palette", palette_, face_palette_names(), face_palette_named)
                               .value_or(FacePalette::distinct);
@@ -208,24 +215,39 @@ private:
         return names;
     }
 
+    /// So many numbers with commas between, none beyond a million; else none at all.
+    static std::vector<double> numbers_in(std::string_view list, std::size_t count) {
+        constexpr double most = 1e6;
+        std::vector<double> numbers;
+        for (const std::string& text : split_at(list, ','))
+            if (const auto number = nearest_double_in(text); number && std::abs(*number) <= most)
+                numbers.push_back(*number);
+            else
+                return {};
+        return numbers.size() == count ? numbers : std::vector<double>();
+    }
+
+    /// "3,2: the tie goes up"
+    static FigureNote note_in(const std::string& text) {
+        const std::size_t colon = std::min(text.find(':'), text.size());
+        const auto place = numbers_in(std::string_view(text).substr(0, colon), 2);
+        const std::string words{
+            without_blanks(std::string_view(text).substr(std::min(colon + 1, text.size())))};
+        if (place.empty() || words.empty())
+            refuse_value("--note", "a place and words, like \"3,2: the tie goes up\"", text);
+        return {place[0], place[1], words};
+    }
+
     static SpaceEye eye_in(const std::string& text) {
         if (const auto eye = space_eye_named(text))
             return *eye;
-        const auto numbers = split_at(text, ',');
-        constexpr double most = 1e6;
-        SpaceEye eye{.direction = {}, .is_named = false};
-        bool is_direction = numbers.size() == 3;
-        for (std::size_t i = 0; is_direction && i < 3; ++i) {
-            const auto number = nearest_double_in(numbers[i]);
-            is_direction = number && std::abs(*number) <= most;
-            eye.direction[i] = number.value_or(0);
-        }
-        if (!is_direction || eye.direction == std::array{0.0, 0.0, 0.0})
+        const auto numbers = numbers_in(text, 3);
+        if (numbers.empty() || numbers == std::vector<double>(3))
             refuse_value("--eye",
                          fmt::format("{}, or a direction x,y,z other than 0,0,0",
                                      joined(space_eye_names(), ", ")),
                          text);
-        return eye;
+        return {.direction = {numbers[0], numbers[1], numbers[2]}, .is_named = false};
     }
 
     FigureCommand command_;
@@ -237,6 +259,7 @@ private:
     std::string without_;
     std::string view_;
     std::string eye_;
+    std::vector<std::string> notes_;
     std::string region_;
     std::string palette_;
     std::string theme_;

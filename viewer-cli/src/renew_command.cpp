@@ -58,11 +58,26 @@ std::string in_words(int exit_status) {
     return exit_status == 0 ? "success" : fmt::format("exit status {}", exit_status);
 }
 
+/// The folder of a page, if it has a file that a command names and that the current folder does not have; else "".
+std::string folder_of_files(const Source& page, const PageCommand& command) {
+    namespace fs = std::filesystem;
+    const fs::path folder = fs::path(page.name).parent_path();
+    std::error_code ignored;
+    const bool has_files =
+        std::any_of(command.words.begin(), command.words.end(), [&](const std::string& word) {
+            return !folder.empty() && fs::is_regular_file(folder / word, ignored) &&
+                   !fs::exists(word, ignored);
+        });
+    return has_files ? folder.string() : std::string();
+}
+
 /// A command that ended otherwise than its page says.
 Problem problem_of_exit(const Source& page, const PageCommand& command, const FinishedRun& run) {
     const bool has_to_succeed = command.exit_status == 0;
     std::string hint;
-    if (!run.err.empty())
+    if (const auto folder = folder_of_files(page, command); !folder.empty())
+        hint = fmt::format("commands run in the current folder: cd {} before renew", folder);
+    else if (!run.err.empty())
         hint = fmt::format("it says: {}", first_line_of(run.err));
     else if (has_to_succeed)
         hint = fmt::format("if it has to fail, write # exit {} behind it", run.exit_status);

@@ -48,6 +48,8 @@ enum class FigurePart : std::uint8_t {
     depths,
     writes,
     weights,
+    owners,
+    levels,
     patterns,
     half_planes,
     errors,
@@ -90,6 +92,13 @@ enum class FacePalette : std::uint8_t {
 std::vector<std::string_view> face_palette_names();
 std::optional<FacePalette> face_palette_named(std::string_view name);
 
+/// Words beside the picture, with an arrow to a place in it.
+struct FigureNote {
+    double x = 0; ///< in the scene's coordinates, on the screen
+    double y = 0;
+    std::string text;
+};
+
 struct FigureOptions {
     std::vector<FigurePart> with = {};    ///< more than would be there
     std::vector<FigurePart> without = {}; ///< less
@@ -99,6 +108,7 @@ struct FigureOptions {
     std::optional<Region> region = {}; ///< of the canvas; none: all of it
     std::optional<double> cell = {};   ///< the side of a pixel, in units; none: by the canvas
     FacePalette palette = FacePalette::distinct;
+    std::vector<FigureNote> notes = {};
     std::optional<std::string> title = {};   ///< none: the scene's
     std::optional<std::string> caption = {}; ///< none: what the step says
     const Trace* against = nullptr;          ///< another one, whose final pixels are compared
