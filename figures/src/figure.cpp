@@ -304,9 +304,11 @@ FigureMaker::FigureMaker(const Trace& trace, std::vector<FigureFrame> frames, Fi
     if (options_.is_in_space || is_in(options_.with, FigurePart::space)) {
         auto space = space_of(trace);
         if (!space)
-            throw problem_of("", fmt::format("{} space: expected vertices in space, found a scene "
-                                             "that is typed in pixels, or in clip space",
-                                             options_.is_in_space ? "--view" : "--with"));
+            throw problem_of("",
+                             fmt::format("{} space: expected vertices in space, found a scene "
+                                         "that is typed in pixels, or in clip space",
+                                         options_.is_in_space ? "--view" : "--with"),
+                             "of a scene whose vertices have z: --keep model tells where they are");
         space_ = std::make_unique<const SpatialScene>(*std::move(space));
     }
     if (options_.is_in_space)

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "space_sheet.h"
 
+#include "clip.h"
+
 #include <rastertrace/trace/record/told_samples.h>
 
 #include <fmt/core.h>
@@ -250,8 +252,11 @@ void SpaceSheet::polygon(const std::vector<Position>& corners, Role fill, Role b
     Path path;
     for (const Position& corner : corners)
         path.push_back(at(corner));
-    shapes.push_back(Polygons{.role = fill, .paths = {std::move(path)}});
-    outline(corners, border);
+    path = clipped(path, obstacles_.sheet); // a plane may go on beyond the sheet
+    for (std::size_t i = 0; i < path.size(); ++i)
+        obstacles_.sides.push_back({path[i], path[(i + 1) % path.size()]});
+    shapes.push_back(Polygons{.role = fill, .paths = {path}});
+    shapes.push_back(Lines{.role = border, .paths = {std::move(path)}, .are_closed = true});
 }
 
 void SpaceSheet::arrow(const Position& from, const Position& to, Role role) {

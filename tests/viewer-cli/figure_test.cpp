@@ -198,10 +198,12 @@ TEST_F(FigureTest, FramesOfAStepInSpaceStandOnASheet) {
 TEST_F(FigureTest, PartsThatTheSceneCannotHave) {
     EXPECT_EQ(refusal("--with space -o x.svg"),
               "rastertrace: --with space: expected vertices in space, found a scene that is typed "
-              "in pixels, or in clip space\n");
+              "in pixels, or in clip space\n"
+              "hint: of a scene whose vertices have z: --keep model tells where they are\n");
     EXPECT_EQ(refusal("--view space -o x.svg"),
               "rastertrace: --view space: expected vertices in space, found a scene that is typed "
-              "in pixels, or in clip space\n");
+              "in pixels, or in clip space\n"
+              "hint: of a scene whose vertices have z: --keep model tells where they are\n");
     EXPECT_EQ(refusal("--with errors -o x.svg"),
               "rastertrace: --with errors: expected a frame of Bresenham's line, found another\n"
               "hint: --step last, or another step of such a line\n");
