@@ -29,12 +29,10 @@
 #include <rastertrace/figures/page.h>
 
 #include "grays.h"
-#include "space_drawing.h"
 
 #include <rastertrace/figures/corners.h>
 #include <rastertrace/figures/face_groups.h>
 #include <rastertrace/figures/shown_steps.h>
-#include <rastertrace/figures/svg.h>
 #include <rastertrace/trace/explain/explain_pixels.h>
 #include <rastertrace/trace/record/told_samples.h>
 #include <rastertrace/trace/record/traced_steps.h>
@@ -171,14 +169,10 @@ PageLimits limits_of(PageDetail detail) {
 /// Puts the data of a page together.
 class PageData {
 public:
-    PageData(const Trace& trace, PageDetail detail, const SpaceEye& eye)
+    PageData(const Trace& trace, PageDetail detail, const StepsInSpace* in_space)
         : trace_(trace), grays_(trace), replay_(trace, {.writes = false, .depths = true}),
-          limits_(limits_of(detail)), has_working_(trace.size() <= limits_.steps_with_working) {
-        if (detail == PageDetail::all) // who moves vertices moves them in pixels
-            space_ = space_of(trace);
-        if (space_)
-            space_of_steps_.emplace(*space_, trace, eye, size_of_space);
-    }
+          limits_(limits_of(detail)), has_working_(trace.size() <= limits_.steps_with_working),
+          in_space_(in_space) {}
 
     std::string text() {
         add_groups();
@@ -206,11 +200,10 @@ public:
         put("edges", edges_.text());
         put("rejects", rejects_.text());
         put("answers", answers);
-        if (space_of_steps_)
+        if (in_space_ != nullptr)
             put("space", fmt::format("{{\"width\":{},\"height\":{},\"all\":{},\"steps\":{}}}",
-                                     size_of_space.first, size_of_space.second,
-                                     json_quoted(svg_elements(space_of_steps_->of_all())),
-                                     in_space_.text()));
+                                     in_space_->width, in_space_->height,
+                                     json_quoted(in_space_->of_all()), steps_in_space_.text()));
         JsonList write_grays;
         for (std::uint32_t count = 1; count <= most_writes_told; ++count)
             write_grays.add(int{gray(share_of_writes(count)).red()});
@@ -353,7 +346,7 @@ private:
             at_.add(trace_.canvas.offset_of(*pixel));
         else
             at_.add(-1);
-        if (space_of_steps_)
+        if (in_space_ != nullptr)
             add_space(kind);
         if (kind)
             add_what_is_drawn(step, *kind);
@@ -364,11 +357,11 @@ private:
         const bool is_of_primitive = trace_.size() > most_steps_with_sight && kind &&
                                      kind_of_pixel(*kind) && replay_.primitive() != 0;
         if (!is_of_primitive || replay_.primitive() != in_space_of_) {
-            in_space_word_ = word(svg_elements(space_of_steps_->of_step(
-                is_of_primitive ? replay_at(replay_.primitive()) : replay_)));
+            in_space_word_ = word(
+                in_space_->of_step(is_of_primitive ? replay_at(replay_.primitive()) : replay_));
             in_space_of_ = is_of_primitive ? replay_.primitive() : 0;
         }
-        in_space_.add(in_space_word_);
+        steps_in_space_.add(in_space_word_);
     }
 
     /// True if steps of a kind are about single pixels.
@@ -563,11 +556,9 @@ private:
     PageLimits limits_;
     bool has_working_;
     Words words_;
-    static constexpr std::pair<double, double> size_of_space{480, 360};
-    std::optional<SpatialScene> space_;
-    std::optional<SpaceOfSteps> space_of_steps_;
+    const StepsInSpace* in_space_;
     Replay replay_of_primitive_{trace_};
-    JsonList in_space_;
+    JsonList steps_in_space_;
     std::size_t in_space_word_ = 0;
     std::size_t in_space_of_ = 0; ///< the primitive that the last word is of; 0: of another step
     std::size_t primitive_count_ = 0;
@@ -598,8 +589,8 @@ std::optional<Problem> too_large_for_page(const Trace& trace) {
     return std::nullopt;
 }
 
-std::string page_data(const Trace& trace, PageDetail detail, const SpaceEye& eye) {
-    return PageData(trace, detail, eye).text();
+std::string page_data(const Trace& trace, PageDetail detail, const StepsInSpace* in_space) {
+    return PageData(trace, detail, in_space).text();
 }
 
 } // namespace rastertrace

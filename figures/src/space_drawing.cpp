@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "space_drawing.h"
 
+#include <rastertrace/figures/page.h>
+#include <rastertrace/figures/svg.h>
 #include <rastertrace/trace/text/text.h>
 
 #include <fmt/core.h>
@@ -177,17 +179,34 @@ Drawing space_drawing(const SpatialScene& space, const Trace& trace, const Space
             .shapes = std::move(sheet.shapes)};
 }
 
-SpaceOfSteps::SpaceOfSteps(const SpatialScene& space, const Trace& trace, const SpaceEye& eye,
-                           std::pair<double, double> size)
-    : sheet_(space, trace, eye, size.first, size.second) {
-    add_space(SpaceWeight::pale, sheet_);
-}
+namespace {
 
-std::vector<Shape> SpaceOfSteps::of_step(const Replay& replay) const {
-    SpaceSheet sheet = sheet_;
-    sheet.shapes.clear();
-    add_step_in_space(replay, sheet);
-    return std::move(sheet.shapes);
+class StepsOfScene final : public StepsInSpace {
+public:
+    StepsOfScene(SpatialScene space, const Trace& trace, const SpaceEye& eye)
+        : space_(std::move(space)), sheet_(space_, trace, eye, width, height) {
+        add_space(SpaceWeight::pale, sheet_);
+    }
+
+    std::string of_all() const override { return svg_elements(sheet_.shapes); }
+
+    std::string of_step(const Replay& replay) const override {
+        SpaceSheet sheet = sheet_;
+        sheet.shapes.clear();
+        add_step_in_space(replay, sheet);
+        return svg_elements(sheet.shapes);
+    }
+
+private:
+    SpatialScene space_;
+    SpaceSheet sheet_;
+};
+
+} // namespace
+
+std::unique_ptr<const StepsInSpace> steps_in_space(const Trace& trace, const SpaceEye& eye) {
+    auto space = space_of(trace);
+    return space ? std::make_unique<const StepsOfScene>(*std::move(space), trace, eye) : nullptr;
 }
 
 } // namespace rastertrace

@@ -10,27 +10,11 @@
 #include "space_sheet.h"
 
 #include <utility>
-#include <vector>
 
 namespace rastertrace {
 
 /// Of what the current step of a replay is about, the rest pale; without a replay, of the whole scene.
 Drawing space_drawing(const SpatialScene& space, const Trace& trace, const SpaceEye& eye,
                       std::pair<double, double> size, const Replay* replay);
-
-/// The same of many steps: what all of them have, and what each adds.
-class SpaceOfSteps {
-public:
-    SpaceOfSteps(const SpatialScene& space, const Trace& trace, const SpaceEye& eye,
-                 std::pair<double, double> size);
-
-    const std::vector<Shape>& of_all() const { return sheet_.shapes; }
-
-    /// Of the current step of a replay.
-    std::vector<Shape> of_step(const Replay& replay) const;
-
-private:
-    SpaceSheet sheet_;
-};
 
 } // namespace rastertrace

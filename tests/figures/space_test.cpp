@@ -268,7 +268,9 @@ TEST(SpaceFrames, EarsAreTheCornersThatAreConvexAndEmpty) {
 
 TEST(Space, PagesTellOfEachStepWhatItAdds) {
     const Trace trace = trace_of_example("t4-pipeline/six-spaces");
-    const auto data = nlohmann::json::parse(page_data(trace));
+    const auto in_space_of_trace = steps_in_space(trace, {});
+    const auto data =
+        nlohmann::json::parse(page_data(trace, PageDetail::all, in_space_of_trace.get()));
     const auto& space = data.at("space");
     ASSERT_EQ(space.at("steps").size(), trace.size());
     const std::string all = space.at("all");
@@ -279,8 +281,8 @@ TEST(Space, PagesTellOfEachStepWhatItAdds) {
     };
     EXPECT_THAT(added("vertex name=A space=world"), testing::HasSubstr(">(0, 2, 1)<"));
     EXPECT_THAT(added("matrix name=viewport"), testing::HasSubstr(">(40, 20)<"));
-    EXPECT_FALSE(nlohmann::json::parse(page_data(trace_of_example("t0-fill/first-triangle")))
-                     .contains("space"));
+    EXPECT_EQ(steps_in_space(trace_of_example("t0-fill/first-triangle"), {}), nullptr);
+    EXPECT_FALSE(nlohmann::json::parse(page_data(trace)).contains("space"));
 }
 
 } // namespace

@@ -96,7 +96,8 @@ ExitStatus write_page(const FigureCommand& command) {
         if (frames.empty())
             set_options(command, input, trace, options);
         frames.push_back({.label = input.is_sequence() ? input.label(frame) : std::string(),
-                          .data = page_data(trace, PageDetail::all, command.options.eye),
+                          .data = page_data(trace, PageDetail::all,
+                                            steps_in_space(trace, command.options.eye).get()),
                           .file = input_of_page(command, input, frame)});
     }
     const std::string page = page_of(frames, options);

@@ -12,11 +12,13 @@
 #include <rastertrace/figures/space_eye.h>
 #include <rastertrace/figures/theme.h>
 #include <rastertrace/figures/view.h>
+#include <rastertrace/trace/record/frame.h>
 #include <rastertrace/trace/record/trace.h>
 #include <rastertrace/trace/text/problem.h>
 
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
@@ -52,10 +54,26 @@ enum class PageDetail : std::uint8_t {
     in_motion, ///< while it is moved
 };
 
+/// The picture in space on a page. The program compiled for browsers has none, and need not have its letters.
+class StepsInSpace {
+public:
+    virtual ~StepsInSpace() = default;
+
+    double width = 480;
+    double height = 360;
+
+    /// The elements of an SVG that all steps have, and those that the current step of a replay adds.
+    virtual std::string of_all() const = 0;
+    virtual std::string of_step(const Replay& replay) const = 0;
+};
+
+/// That of a trace; nullptr if its scene is not one in space. The trace must outlive it.
+std::unique_ptr<const StepsInSpace> steps_in_space(const Trace& trace, const SpaceEye& eye);
+
 /// What a page needs of a trace, as a JSON object: page_data.cpp says what is in it. The same trace makes the same
-/// bytes. The picture in space is seen from `eye`.
+/// bytes. Without `in_space`, the page has no picture in space.
 std::string page_data(const Trace& trace, PageDetail detail = PageDetail::all,
-                      const SpaceEye& eye = {});
+                      const StepsInSpace* in_space = nullptr);
 
 /// A frame of a page: of a scene whose numbers vary, or the only one.
 struct PageFrame {
