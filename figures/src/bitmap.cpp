@@ -105,7 +105,7 @@ public:
     void paint(const Lines& lines) {
         const Paint paint = paint_of(lines.role, theme_);
         Color color = lines.color.value_or(paint.color);
-        double width = paint.width * scale_;
+        double width = lines.width.value_or(paint.width) * scale_;
         const bool is_sharp = is_furniture(lines.role) && paint.dashes.empty();
         if (is_sharp && width < 1) {
             // A fine line is a whole pixel of a fainter color.
@@ -135,15 +135,16 @@ public:
     }
 
     void paint(const Dots& dots) {
+        const Color color = dots.color.value_or(color_of(dots.role));
         // Some at a time: what all of them cover may be more than there is memory for.
         constexpr std::size_t at_a_time = 4096;
         std::size_t waiting = 0;
         for (const Place& center : dots.centers) {
             add_disc(to_pixels(center), std::min(dots.radius * scale_, farthest), coverage_);
             if (++waiting % at_a_time == 0)
-                paint_covered(color_of(dots.role));
+                paint_covered(color);
         }
-        paint_covered(color_of(dots.role));
+        paint_covered(color);
     }
 
     void paint(const Label& label) {

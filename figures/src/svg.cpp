@@ -63,12 +63,14 @@ public:
 
 private:
     /// The attributes that all shapes have.
-    std::string attributes(std::string_view kind, Role role,
-                           const std::optional<Color>& color = {}) {
+    std::string attributes(std::string_view kind, Role role, const std::optional<Color>& color,
+                           const std::optional<double>& width = {}) {
         roles_used_.insert(role);
-        const std::string_view property = kind == "line" ? "stroke" : "fill";
+        std::string style = color ? paint_css(kind == "line" ? "stroke" : "fill", *color) : "";
+        if (width)
+            style += fmt::format("{}stroke-width:{}", style.empty() ? "" : ";", decimal(*width));
         return fmt::format(R"(class="{} {}"{})", kind, name_of(role),
-                           color ? fmt::format(R"( style="{}")", paint_css(property, *color)) : "");
+                           style.empty() ? "" : fmt::format(R"( style="{}")", style));
     }
 
     std::string written(const Areas& areas) {
@@ -89,8 +91,8 @@ private:
             data += path_data(path, lines.are_closed);
         if (data.empty())
             return {};
-        return fmt::format("<path {} d=\"{}\"/>\n", attributes("line", lines.role, lines.color),
-                           data);
+        return fmt::format("<path {} d=\"{}\"/>\n",
+                           attributes("line", lines.role, lines.color, lines.width), data);
     }
 
     std::string written(const Polygons& polygons) {
@@ -114,7 +116,8 @@ private:
                                 decimal(center.x - dots.radius), decimal(center.y), radius, across);
         if (data.empty())
             return {};
-        return fmt::format("<path {} d=\"{}\"/>\n", attributes("shape", dots.role), data);
+        return fmt::format("<path {} d=\"{}\"/>\n", attributes("shape", dots.role, dots.color),
+                           data);
     }
 
     std::string written(const Pixels& pixels) {

@@ -212,6 +212,8 @@ private:
         std::string options = fmt::format("{}line {}", prefix, name_of(lines.role));
         if (lines.color)
             options += ",draw=" + color_name(lines.role, lines.color);
+        if (lines.width)
+            options += ",line width=" + in_mm(*lines.width);
         const Color painted = lines.color.value_or(paint_of(lines.role, theme_).color);
         if (painted.alpha() != 255)
             options += ",draw opacity=" + decimal(painted.alpha() / opaque);
@@ -242,7 +244,7 @@ private:
             if (clip_.has(center))
                 written.push_back(
                     fmt::format("{} circle[radius={}]", text_of(center), in_mm(radius)));
-        write_in_paths(fmt::format("\\fill[{}] ", fill_options(dots.role, std::nullopt)), written);
+        write_in_paths(fmt::format("\\fill[{}] ", fill_options(dots.role, dots.color)), written);
     }
 
     void write(const Label& label) {

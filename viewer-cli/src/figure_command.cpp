@@ -10,6 +10,7 @@
 
 #include <rastertrace/figures/figure.h>
 #include <rastertrace/figures/gif.h>
+#include <rastertrace/figures/house_style.h>
 #include <rastertrace/figures/shown_steps.h>
 #include <rastertrace/trace/record/frame.h>
 #include <rastertrace/trace/record/selector.h>
@@ -232,11 +233,18 @@ private:
     FaceGroups faces_;
 };
 
+HouseStyle style_of(const FigureCommand& command) {
+    if (command.house_style.empty())
+        return {};
+    return value_or_throw(
+        house_style_in(value_or_throw(read_named_file(command.house_style, command.input))));
+}
+
 /// All frames that were asked for: of one trace, or of each in a sequence.
 class AllFigures {
 public:
     AllFigures(const FigureCommand& command, InputFrames& input)
-        : command_(command), input_(input) {
+        : command_(command), input_(input), style_(style_of(command)) {
         bool is_empty = command.is_bare; // no frame so far has a pixel
         std::string hint;
         for (std::size_t scene = input.first(); scene <= input.last(); ++scene) {
@@ -260,7 +268,11 @@ public:
     ExitStatus status() const { return status_; }
     std::string title() { return of(input_.first()).trace().title; }
 
-    Drawing drawing(std::size_t i) { return of(places_[i].scene).drawing(places_[i].frame); }
+    Drawing drawing(std::size_t i) {
+        Drawing drawn = of(places_[i].scene).drawing(places_[i].frame);
+        apply(style_, drawn);
+        return drawn;
+    }
     TextFrame text(std::size_t i, ColorDepth colors) {
         return of(places_[i].scene).text(places_[i].frame, colors, lettered_);
     }
@@ -292,6 +304,7 @@ private:
 
     const FigureCommand& command_;
     InputFrames& input_;
+    HouseStyle style_;
     std::size_t scene_ = 0; ///< that figures_ are of
     std::unique_ptr<TraceFigures> figures_;
     std::map<std::size_t, std::unique_ptr<TraceFigures>> kept_; ///< so that no scene is drawn twice
@@ -393,6 +406,7 @@ void check_format(const FigureCommand& command, FigureFormat format) {
     check_option(!command.against.empty(), "--against", format, {svg, png, tex, gif});
     check_option(options.title.has_value(), "--title", format, {svg, png, tex, gif, html});
     check_option(options.cell.has_value(), "--cell", format, {svg, png, tex, gif});
+    check_option(!command.house_style.empty(), "--style", format, {svg, png, tex, gif});
     check_option(!options.notes.empty(), "--note", format, {svg, png, tex, gif});
     check_option(options.palette != FacePalette::distinct, "--palette", format,
                  {svg, png, tex, gif});
@@ -480,9 +494,9 @@ ExitStatus write_space_frames(const FigureCommand& command, FigureFormat format,
         step = value_or_throw(matching_step(selector, trace, "say which"));
     }
     const ExitStatus status = report_damage(trace);
-    const std::string bytes =
-        figure_in(format, space_frames(trace, *command.frames_in_space, step, command.options.eye),
-                  command.style);
+    Drawing sheet = space_frames(trace, *command.frames_in_space, step, command.options.eye);
+    apply(style_of(command), sheet);
+    const std::string bytes = figure_in(format, sheet, command.style);
     if (command.output == "-")
         print(bytes);
     else

@@ -107,6 +107,8 @@ public:
         options.option("--theme", theme_,
                        "auto (in an .svg as the reader has set it), light, dark or print (grays)",
                        "NAME");
+        options.option("--style", command_.house_style,
+                       "A file with colors, widths and marks of a document's own", "FILE");
         options.option("--cell", cell_, "The side of a pixel, in units; by default by the canvas",
                        "PX");
         options.option("--scale", scale_,

@@ -138,10 +138,11 @@ struct Areas {
 /// A line from place to place.
 using Path = std::vector<Place>;
 
-/// Lines, in the role's width and dashes.
+/// Lines, in the role's dashes.
 struct Lines {
     Role role = Role::true_edge;
     std::optional<Color> color = {};
+    std::optional<double> width = {}; ///< in the place of the role's
     std::vector<Path> paths = {};
     bool are_closed = false; ///< the last place is joined with the first
 };
@@ -155,6 +156,7 @@ struct Polygons {
 
 struct Dots {
     Role role = Role::vertex;
+    std::optional<Color> color = {};
     double radius = 2;
     std::vector<Place> centers = {};
 };
