@@ -4,7 +4,7 @@
 // What a cell of a frame shows of its pixel:
 //
 //     plotted    # where the pixel is drawn
-//     faces      a letter for each primitive, the same in all frames
+//     faces      a letter for each face, the same in all frames
 //     shade      a ramp from dark to light, or the color itself
 //     depth      what the depth buffer holds
 //     writes     how often the pixel was written
