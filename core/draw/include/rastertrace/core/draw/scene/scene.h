@@ -155,9 +155,10 @@ struct Scene {
         return keep.has(Stage::model) || keep.has(Stage::view) || keep.has(Stage::divide);
     }
 
-    /// The name of the face that a triangle is a part of; "" if it is one of its own.
+    /// The name of the face that a triangle is a part of; "" if it is one of its own, or of one without a name.
     std::string_view face_of(const ScenePrimitive& primitive) const {
-        return primitive.polygon == 0 ? std::string_view() : face_names[primitive.polygon - 1];
+        const bool has_name = 0 < primitive.polygon && primitive.polygon <= face_names.size();
+        return has_name ? std::string_view(face_names[primitive.polygon - 1]) : std::string_view();
     }
 
     /// True if it has a primitive of this kind.
