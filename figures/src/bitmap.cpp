@@ -18,7 +18,8 @@ namespace {
 
 /// How many pixels a length of the sheet takes.
 double pixels_of(double units, double scale) {
-    return std::max(1.0, std::ceil(units * scale));
+    constexpr double rounding = 1e-6; // of a scale that is a quotient
+    return std::max(1.0, std::ceil(units * scale - rounding));
 }
 
 /// `share` of 0 to `whole` of a color over another one.

@@ -3,6 +3,7 @@
 
 #include <rastertrace/figures/corners.h>
 #include <rastertrace/trace/record/traced_steps.h>
+#include <rastertrace/trace/tell/step_text.h>
 
 #include <fmt/core.h>
 
@@ -120,11 +121,11 @@ std::optional<Depths> depths_of(const Panel& panel) {
         const auto told = trace.step(scanline).as<ScanlineStep>();
         row = told.y;
         ends = {told.left.nearest_double(), told.right.nearest_double()};
-        depths.along = fmt::format("x in the row y = {}", row);
+        depths.along = said({"x in the row y = {}", "x na linha y = {}"}, row);
         depths.drawn = along_row(trace, {scanline, end_of(trace, scanline)});
     } else {
         side = along_side(replay);
-        depths.along = "y along the side " + side.edge;
+        depths.along = said({"y along the side {}", "y ao longo do lado {}"}, side.edge);
         depths.drawn = side.samples;
     }
     if (is_inverse)
@@ -153,7 +154,9 @@ std::optional<Depths> depths_of(const Panel& panel) {
     const auto plane = plane_through(at, values);
     if (!plane || !std::isfinite((*plane)[0] + (*plane)[1] + (*plane)[2]))
         return depths;
-    depths.truth = trace.projection.empty() ? "true in a perspective" : "true";
+    depths.truth = trace.projection.empty()
+                       ? said({"true in a perspective", "verdadeira em perspectiva"})
+                       : said({"true", "verdadeira"});
     const auto true_at = [plane = *plane, is_linear](double x, double y) {
         const double value = plane[0] * x + plane[1] * y + plane[2];
         return is_linear ? value : 1 / value;
@@ -190,9 +193,11 @@ Plot plot_of(const Depths& depths, std::string_view name, double (*value)(double
               .area_height = 190,
               .x = {.scale = PlotScale::linear, .label = depths.along},
               .y = {.scale = PlotScale::linear, .label = std::string(name)}};
-    PlotCurve drawn{.name = "as drawn", .marks = {}, .has_line = false};
+    PlotCurve drawn{.name = said({"as drawn", "como desenhada"}), .marks = {}, .has_line = false};
     add_finite(depths.drawn, value, drawn.marks);
-    PlotCurve straight{.name = "straight between the ends", .marks = {}, .has_marks = false};
+    PlotCurve straight{.name = said({"straight between the ends", "reta entre os extremos"}),
+                       .marks = {},
+                       .has_marks = false};
     if (!drawn.marks.empty())
         straight.marks = {drawn.marks.front(), drawn.marks.back()};
     PlotCurve truth{.name = depths.truth, .marks = {}, .has_marks = false};

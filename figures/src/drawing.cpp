@@ -141,7 +141,12 @@ void add_arrow(Place from, Place to, Role role, double head_length, std::vector<
                             {neck.x + slimness * along_y, neck.y - slimness * along_x}}}});
 }
 
-std::string typeset(std::string_view text) {
+std::string typeset(std::string_view typed) {
+    if (typed.size() < 2)
+        return std::string(typed); // a sign alone stays as it is
+    // A line may end with a sign, or go on with one.
+    const std::string padded = fmt::format(" {} ", typed);
+    const std::string_view text = padded;
     constexpr std::array<std::pair<std::string_view, std::string_view>, 4> signs{
         {{" -> ", " → "}, {" <= ", " ≤ "}, {" >= ", " ≥ "}, {" - ", " − "}}};
     const auto is_one_of = [](std::string_view all, char c) {
@@ -159,11 +164,11 @@ std::string typeset(std::string_view text) {
         }
         const bool is_minus = text[i] == '-' && i + 1 < text.size() &&
                               is_one_of(".0123456789(abcdefghijklmnopqrstuvwxyz", text[i + 1]) &&
-                              (i == 0 || is_one_of(" (,", text[i - 1]));
+                              is_one_of(" (,", text[i - 1]);
         set += is_minus ? std::string_view("−") : text.substr(i, 1);
         ++i;
     }
-    return set;
+    return set.substr(1, set.size() - 2);
 }
 
 std::string shown_text(const Label& label) {

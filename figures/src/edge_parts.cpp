@@ -329,6 +329,7 @@ void add_notes(const std::vector<FigureNote>& notes, const Panel& panel,
             Label label = strong_label_in(*box, {beside, at, words, size});
             label.role = Role::rounding;
             label.names_points = false;
+            label.has_formulas = true;
             shapes.push_back(std::move(label));
             break;
         }

@@ -11,6 +11,7 @@
 #include <rastertrace/trace/record/told_samples.h>
 #include <rastertrace/trace/record/traced_steps.h>
 #include <rastertrace/trace/tell/describe.h>
+#include <rastertrace/trace/tell/step_text.h>
 #include <rastertrace/trace/tell/working.h>
 
 #include <fmt/core.h>
@@ -199,8 +200,8 @@ struct Beside {
     bool has_bars_below() const { return decisions && !decisions->is_steep; }
 
     /// The scene is as high as the pixels, and as wide.
-    static double side_of_scene(const Lattice& lattice) {
-        return std::max(lattice.height(), smallest_scene);
+    static double side_of_scene(const Lattice& lattice, double letters) {
+        return std::max(lattice.height(), smallest_scene / letters);
     }
     double width_at_right() const {
         return (has_bars_at_right() ? error_bars_size : 0) + (space ? space->width : 0);
@@ -330,7 +331,7 @@ Drawing FigureMaker::drawing_in_space(const Panel& panel, std::pair<double, doub
 
 Drawing FigureMaker::figure_in_space(const Panel& panel, const std::string& caption,
                                      const std::vector<std::string>& working) const {
-    constexpr std::pair size{480.0, 360.0};
+    const std::pair size{480.0 / options_.letters, 360.0 / options_.letters};
     const FigureParts& parts = panel.parts;
     Drawing sheet{.width = size.first + 2 * margin_of_sheet,
                   .title = options_.title.value_or(trace_.title)};
@@ -345,7 +346,8 @@ Drawing FigureMaker::figure_in_space(const Panel& panel, const std::string& capt
     if (parts.has(FigurePart::working))
         y += add_working(working, column, y, sheet.shapes);
     sheet.height = std::ceil(y + margin_of_sheet);
-    sheet.description = "The scene in space." + (caption.empty() ? "" : " " + caption);
+    sheet.description =
+        said({"The scene in space.", "A cena no espaço."}) + (caption.empty() ? "" : " " + caption);
     return sheet;
 }
 
@@ -379,8 +381,12 @@ Drawing FigureMaker::figure(std::size_t n) {
     if (options_.is_in_space)
         return figure_in_space(panel, caption, working);
     Beside beside = beside_of(panel, is_only);
+    for (Plot& plot : beside.plots) {
+        plot.width /= options_.letters;
+        plot.area_height /= options_.letters;
+    }
     if (parts.has(FigurePart::space)) {
-        const double side = Beside::side_of_scene(panel.lattice);
+        const double side = Beside::side_of_scene(panel.lattice, options_.letters);
         beside.space = drawing_in_space(panel, {side, side});
     }
 
@@ -393,7 +399,8 @@ Drawing FigureMaker::figure(std::size_t n) {
     const double beside_left = lattice.corner.x + lattice.width();
     const double right =
         std::max(beside_left + beside.width_at_right(), margin + beside.width_below());
-    sheet.width = std::ceil(std::max(right + margin, has_words(parts) ? narrowest_for_words : 0));
+    sheet.width = std::ceil(
+        std::max(right + margin, has_words(parts) ? narrowest_for_words / options_.letters : 0));
     const Column column{margin, sheet.width - margin};
 
     // From the top to the bottom.
@@ -415,9 +422,9 @@ Drawing FigureMaker::figure(std::size_t n) {
     if (parts.has(FigurePart::working))
         y += add_working(working, column, y, sheet.shapes);
     sheet.height = std::ceil(y + margin);
-    sheet.description =
-        fmt::format("{} x {} pixels, {} drawn.{}{}", lattice.columns(), lattice.rows(),
-                    replay_.frame().image.drawn(), caption.empty() ? "" : " ", caption);
+    sheet.description = said(
+        {"{} x {} pixels, {} drawn.{}{}", "{} x {} pixels, {} desenhados.{}{}"}, lattice.columns(),
+        lattice.rows(), replay_.frame().image.drawn(), caption.empty() ? "" : " ", caption);
     return sheet;
 }
 

@@ -48,6 +48,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 #include <unordered_map>
 #include <utility>
 
@@ -371,8 +372,10 @@ private:
     }
 
     const Replay& replay_at(std::size_t n) {
-        replay_of_primitive_.go_to(n);
-        return replay_of_primitive_;
+        if (!replay_of_primitive_)
+            replay_of_primitive_.emplace(trace_);
+        replay_of_primitive_->go_to(n);
+        return *replay_of_primitive_;
     }
 
     /// The pixel that a step is about. That of an `along` is the one that its value is rounded to.
@@ -557,7 +560,7 @@ private:
     bool has_working_;
     Words words_;
     const StepsInSpace* in_space_;
-    Replay replay_of_primitive_{trace_};
+    std::optional<Replay> replay_of_primitive_; ///< made when it is asked for
     JsonList steps_in_space_;
     std::size_t in_space_word_ = 0;
     std::size_t in_space_of_ = 0; ///< the primitive that the last word is of; 0: of another step

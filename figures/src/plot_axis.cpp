@@ -75,7 +75,7 @@ double Axis::at(double value) const {
 }
 
 Axis axis_around(const std::vector<double>& values, AxisRoom room, PlotScale scale,
-                 AxisMargin margin) {
+                 AxisMargin factors) {
     Axis axis{.scale = scale, .low = 0.1, .high = 1, .from = room.from, .to = room.to};
     std::vector<double> shown = values;
     if (scale == PlotScale::logarithmic)
@@ -84,8 +84,8 @@ Axis axis_around(const std::vector<double>& values, AxisRoom room, PlotScale sca
         return axis;
     const auto [least, largest] = std::minmax_element(shown.begin(), shown.end());
     if (scale == PlotScale::logarithmic) {
-        axis.low = *least / margin.below;
-        axis.high = *largest * margin.above;
+        axis.low = *least / factors.below;
+        axis.high = *largest * factors.above;
     } else {
         const double extra = *largest > *least ? (*largest - *least) / 20 : 1;
         axis.low = *least - extra;

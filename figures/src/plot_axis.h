@@ -39,7 +39,7 @@ struct AxisMargin {
 
 /// An axis that has all values: those above 0, if it is logarithmic.
 Axis axis_around(const std::vector<double>& values, AxisRoom room, PlotScale scale,
-                 AxisMargin margin);
+                 AxisMargin factors);
 
 /// A value worth a line across the plot, in its order of importance: powers of ten before others.
 struct Tick {

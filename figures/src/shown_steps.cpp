@@ -2,8 +2,7 @@
 #include <rastertrace/figures/shown_steps.h>
 
 #include <rastertrace/trace/record/traced_steps.h>
-
-#include <fmt/core.h>
+#include <rastertrace/trace/tell/step_text.h>
 
 #include <algorithm>
 #include <limits>
@@ -35,9 +34,9 @@ bool ends(StepKind kind, StepKind next) {
 
 std::string steps_text(const Trace& trace, ShownSteps steps) {
     if (steps.first == steps.last)
-        return fmt::format("step {} of {}", trace.number_of(steps.last), trace.size());
-    return fmt::format("steps {} to {} of {}", trace.number_of(steps.first),
-                       trace.number_of(steps.last), trace.size());
+        return said({"step {} of {}", "passo {} de {}"}, trace.number_of(steps.last), trace.size());
+    return said({"steps {} to {} of {}", "passos {} a {} de {}"}, trace.number_of(steps.first),
+                trace.number_of(steps.last), trace.size());
 }
 
 std::size_t end_of(const Trace& trace, std::size_t n) {

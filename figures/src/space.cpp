@@ -101,10 +101,17 @@ glm::dmat4 ToldCamera::to_world() const {
     return glm::inverse(view_);
 }
 
+std::vector<Position> SpatialScene::places_of(const std::vector<std::string>& names) const {
+    std::vector<Position> places;
+    for (const std::string& name : names)
+        places.push_back(vertices.at(name));
+    return places;
+}
+
 Position SpatialScene::middle_of(const SpatialPrimitive& primitive) const {
     Position sum{};
-    for (const std::string& corner : primitive.corners)
-        sum += vertices.at(corner);
+    for (const Position& corner : places_of(primitive.corners))
+        sum += corner;
     return sum / static_cast<double>(primitive.corners.size());
 }
 

@@ -111,6 +111,9 @@ struct SpatialScene {
     std::vector<std::pair<Position, Position>> guides =
         {}; ///< lines that stand for what is in view
 
+    /// The places of vertices in `vertices`.
+    std::vector<Position> places_of(const std::vector<std::string>& names) const;
+
     /// The middle of a primitive's corners.
     Position middle_of(const SpatialPrimitive& primitive) const;
 };

@@ -3,6 +3,7 @@
 
 #include <rastertrace/figures/page.h>
 #include <rastertrace/figures/svg.h>
+#include <rastertrace/trace/tell/step_text.h>
 #include <rastertrace/trace/text/text.h>
 
 #include <fmt/core.h>
@@ -95,7 +96,7 @@ void add_camera(SpaceSheet& sheet) {
         sheet.line(camera.eye().value_or(window[i]), end[i], Role::leader);
     if (sheet.shows_far_plane()) {
         sheet.outline(end, Role::leader);
-        sheet.words(end[1], sheet.all().middle(), "far", Role::quiet_text, 9);
+        sheet.words(end[1], sheet.all().middle(), said({"far", "longe"}), Role::quiet_text, 9);
     }
     sheet.polygon(window, Role::window, Role::view_plane);
     add_images(sheet);
@@ -104,14 +105,16 @@ void add_camera(SpaceSheet& sheet) {
         const Position foot = Position(camera.to_world() * glm::dvec4(0, 0, sheet.plane_z(), 1));
         sheet.line(*eye, foot, Role::ray);
         sheet.dot(*eye, Role::eye, 4);
-        sheet.words(*eye, foot, "eye", Role::eye);
+        sheet.words(*eye, foot, said({"eye", "olho"}), Role::eye);
         if (!camera.near_z())
             sheet.words((*eye + foot) / 2.0, (*eye + foot) / 2.0,
                         fmt::format("d = {}", decimal(glm::length(foot - *eye))), Role::quiet_text,
                         9);
     }
     sheet.words(window[0], (window[0] + window[2]) / 2.0,
-                camera.near_z() && camera.is_perspective() ? "near" : "view plane",
+                camera.near_z() && camera.is_perspective()
+                    ? said({"near", "perto"})
+                    : said({"view plane", "plano de projeção"}),
                 Role::view_plane, 9);
 }
 
@@ -156,7 +159,7 @@ void add_space(SpaceWeight weight, SpaceSheet& sheet) {
     add_edges(weight, sheet);
     if (const auto light = sheet.light()) {
         sheet.arrow(light->first, light->second, Role::light_ray);
-        sheet.words(light->first, light->second, "light", Role::light_ray);
+        sheet.words(light->first, light->second, said({"light", "luz"}), Role::light_ray);
     }
     if (weight == SpaceWeight::strong)
         add_normals(sheet);
@@ -173,10 +176,8 @@ Drawing space_drawing(const SpatialScene& space, const Trace& trace, const Space
     add_space(replay != nullptr ? SpaceWeight::pale : SpaceWeight::strong, sheet);
     if (replay != nullptr)
         add_step_in_space(*replay, sheet);
-    return {.width = size.first,
-            .height = size.second,
-            .title = "The scene in space",
-            .shapes = std::move(sheet.shapes)};
+    return {
+        .width = size.first, .height = size.second, .title = {}, .shapes = std::move(sheet.shapes)};
 }
 
 namespace {

@@ -2,10 +2,10 @@
 #include <rastertrace/figures/space_frames.h>
 
 #include "space_sheet.h"
-#include "words.h"
 
 #include <rastertrace/trace/record/traced_steps.h>
 #include <rastertrace/trace/tell/formula.h>
+#include <rastertrace/trace/tell/step_text.h>
 #include <rastertrace/trace/text/named_value.h>
 #include <rastertrace/trace/text/text.h>
 
@@ -38,10 +38,10 @@ struct SpaceFrame {
 };
 
 /// The frames on a sheet, in rows.
-Drawing sheet_of(const Trace& trace, const std::vector<SpaceFrame>& frames) {
+Drawing sheet_of(const Trace& trace, const std::vector<SpaceFrame>& frames, double letters) {
     constexpr std::size_t columns = 3;
-    constexpr double width = 230;
-    constexpr double height = 200;
+    const double width = 230 / letters;
+    const double height = 200 / letters;
     constexpr double margin = 10;
     constexpr double line_height = 13;
     std::size_t most_lines = 0;
@@ -61,16 +61,10 @@ Drawing sheet_of(const Trace& trace, const std::vector<SpaceFrame>& frames) {
         const SpaceFrame& frame = frames[i];
         SpaceSheet space(frame.space, trace, frame.eye, width, height);
         add_space(SpaceWeight::strong, space);
-        const auto places_of = [&frame](const std::vector<std::string>& corner_names) {
-            std::vector<Position> corners;
-            for (const std::string& name : corner_names)
-                corners.push_back(frame.space.vertices.at(name));
-            return corners;
-        };
         if (!frame.whole.empty())
-            space.outline(places_of(frame.whole), Role::other_edge);
+            space.outline(frame.space.places_of(frame.whole), Role::other_edge);
         if (!frame.filled.empty())
-            space.polygon(places_of(frame.filled), Role::current, Role::current_border);
+            space.polygon(frame.space.places_of(frame.filled), Role::current, Role::current_border);
         if (!frame.mark.empty())
             space.dot(frame.space.vertices.at(frame.mark), Role::rejected, 4);
         const Place corner{margin + width * static_cast<double>(i % columns),
@@ -213,7 +207,8 @@ std::vector<SpaceFrame> frames_of_spaces(const Trace& trace, std::size_t step,
                 if (const auto vertex = trace.step(n).as<VertexStep>();
                     vertex.space == space && vertex.name == name)
                     numbers = tuple_of(vertex.at);
-        frame.lines = {fmt::format("{}: {} {}", word_of(space), printable(name), numbers)};
+        frame.lines = {fmt::format("{}: {} {}", in_language_of_steps(word_of(space)),
+                                   printable(name), numbers)};
         frames.push_back(std::move(frame));
     }
     return frames;
@@ -276,13 +271,15 @@ std::vector<SpaceFrame> frames_of_ears(const Trace& trace, std::size_t step) {
             if (turn_at(ring, k) < 0)
                 reflex += (reflex.empty() ? "" : ", ") + ring[k];
         const auto tip = std::find(ring.begin(), ring.end(), corners[1]);
-        frame.lines = {fmt::format("{}. {}: {}", i + 1, printable(ears[i]),
-                                   ring.size() > 3 ? "its corner " + printable(corners[1]) +
-                                                         " is convex, and it has"
-                                                   : "what is left"),
-                       ring.size() > 3 ? fmt::format("no other vertex in it (reflex: {})",
-                                                     reflex.empty() ? "none" : printable(reflex))
-                                       : ""};
+        const std::string number = fmt::format("{}. {}: ", i + 1, printable(ears[i]));
+        if (ring.size() > 3)
+            frame.lines = {number +
+                               said({"convex at {},", "convexo em {},"}, printable(corners[1])),
+                           said({"no other vertex in it", "nenhum outro vértice dentro"}),
+                           said({"(reflex: {})", "(reflexos: {})"},
+                                reflex.empty() ? said({"none", "nenhum"}) : printable(reflex))};
+        else
+            frame.lines = {number + said({"what is left", "o que resta"})};
         frames.push_back(std::move(frame));
         if (tip != ring.end())
             ring.erase(tip);
@@ -301,13 +298,15 @@ std::optional<SpaceFrames> space_frames_named(std::string_view name) {
 }
 
 Drawing space_frames(const Trace& trace, SpaceFrames frames, std::optional<std::size_t> step,
-                     const SpaceEye& eye) {
-    if (frames == SpaceFrames::spaces)
-        return sheet_of(
-            trace,
-            frames_of_spaces(trace, step_of_kind(trace, StepKind::vertex, step, "spaces"), eye));
-    return sheet_of(
-        trace, frames_of_ears(trace, step_of_kind(trace, StepKind::triangulate, step, "ears")));
+                     const SpaceEye& eye, double letters) {
+    const auto first = [&](StepKind kind) {
+        return step_of_kind(trace, kind, step, words_of_frames[static_cast<std::size_t>(frames)]);
+    };
+    return sheet_of(trace,
+                    frames == SpaceFrames::spaces
+                        ? frames_of_spaces(trace, first(StepKind::vertex), eye)
+                        : frames_of_ears(trace, first(StepKind::triangulate)),
+                    letters);
 }
 
 } // namespace rastertrace

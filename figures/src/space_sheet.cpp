@@ -10,7 +10,6 @@
 #include <glm/geometric.hpp>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -239,24 +238,28 @@ void SpaceSheet::line(const Position& from, const Position& to, Role role) {
     shapes.push_back(Lines{.role = role, .paths = {std::move(path)}});
 }
 
-void SpaceSheet::outline(const std::vector<Position>& corners, Role role) {
+Path SpaceSheet::path_of(const std::vector<Position>& corners) const {
     Path path;
     for (const Position& corner : corners)
         path.push_back(at(corner));
+    return path;
+}
+
+void SpaceSheet::add_outline(Path path, Role role) {
     for (std::size_t i = 0; i < path.size(); ++i)
         obstacles_.sides.push_back({path[i], path[(i + 1) % path.size()]});
     shapes.push_back(Lines{.role = role, .paths = {std::move(path)}, .are_closed = true});
 }
 
+void SpaceSheet::outline(const std::vector<Position>& corners, Role role) {
+    add_outline(path_of(corners), role);
+}
+
 void SpaceSheet::polygon(const std::vector<Position>& corners, Role fill, Role border) {
-    Path path;
-    for (const Position& corner : corners)
-        path.push_back(at(corner));
-    path = clipped(path, obstacles_.sheet); // a plane may go on beyond the sheet
-    for (std::size_t i = 0; i < path.size(); ++i)
-        obstacles_.sides.push_back({path[i], path[(i + 1) % path.size()]});
+    // A plane may go on beyond the sheet.
+    Path path = clipped(path_of(corners), obstacles_.sheet);
     shapes.push_back(Polygons{.role = fill, .paths = {path}});
-    shapes.push_back(Lines{.role = border, .paths = {std::move(path)}, .are_closed = true});
+    add_outline(std::move(path), border);
 }
 
 void SpaceSheet::arrow(const Position& from, const Position& to, Role role) {

@@ -98,6 +98,8 @@ public:
 
 private:
     Place flat(const Position& position) const;
+    Path path_of(const std::vector<Position>& corners) const;
+    void add_outline(Path path, Role role);
 
     const SpatialScene& space_;
     const Trace& trace_;

@@ -8,6 +8,7 @@
 #include <rastertrace/trace/record/told_samples.h>
 #include <rastertrace/trace/record/traced_steps.h>
 #include <rastertrace/trace/tell/meeting_point.h>
+#include <rastertrace/trace/tell/step_text.h>
 #include <rastertrace/trace/text/text.h>
 
 #include <fmt/core.h>
@@ -17,7 +18,6 @@
 
 #include <algorithm>
 #include <optional>
-#include <set>
 
 namespace rastertrace {
 
@@ -32,15 +32,8 @@ const SpatialPrimitive* primitive_at(std::size_t step, const SpatialScene& space
     return found != space.primitives.end() && found->step == step ? &*found : nullptr;
 }
 
-std::vector<Position> corners_of(const SpatialPrimitive& primitive, const SpatialScene& space) {
-    std::vector<Position> corners;
-    for (const std::string& name : primitive.corners)
-        corners.push_back(space.vertices.at(name));
-    return corners;
-}
-
 void add_primitive(const SpatialPrimitive& primitive, SpaceSheet& sheet) {
-    const auto corners = corners_of(primitive, sheet.space());
+    const auto corners = sheet.space().places_of(primitive.corners);
     if (primitive.is_closed && primitive.is_filled)
         sheet.polygon(corners, Role::inside, Role::true_edge);
     else if (primitive.is_closed)
@@ -108,7 +101,10 @@ void add_cut(Replay& at_vertex, const std::string& plane, SpaceSheet& sheet) {
             if (!polygon.empty()) {
                 sheet.polygon(polygon, Role::outside, Role::leader);
                 if (plane != "near" || !space.camera->near_z())
-                    sheet.words(polygon.front(), found->second, plane + " plane", Role::normal);
+                    sheet.words(
+                        polygon.front(), found->second,
+                        said({"{} plane", "plano {}"}, std::string(in_language_of_steps(plane))),
+                        Role::normal);
             }
             is_drawn = true;
         }
@@ -127,12 +123,14 @@ void add_clip(const Replay& replay, SpaceSheet& sheet) {
         return;
     for (const SpatialPrimitive& primitive : space.primitives)
         if (primitive.name == step.name.text() && !primitive.is_part) {
-            const auto corners = corners_of(primitive, space);
+            const auto corners = space.places_of(primitive.corners);
             sheet.outline(corners, Role::other_edge);
             const auto inside = step.inside.values();
             for (std::size_t i = 0; i < corners.size() && corners.size() == inside.size(); ++i)
                 sheet.words(corners[i], space.middle_of(primitive),
-                            inside[i].is_true() ? "inside" : "outside", Role::quiet_text);
+                            inside[i].is_true() ? said({"inside", "dentro"})
+                                                : said({"outside", "fora"}),
+                            Role::quiet_text);
         } else if (primitive.is_part &&
                    name_of_whole(sheet.trace().step(primitive.step).as<PrimitiveStep>()) ==
                        step.name.text()) {
@@ -281,7 +279,7 @@ void add_sight(Pixel pixel, const Replay& replay, SpaceSheet& sheet) {
     for (const SpatialPrimitive& primitive : space.primitives)
         if (primitive.is_filled && !primitive.is_culled && !primitive.is_part &&
             primitive.corners.size() > 2)
-            if (const auto share = hit(from, to - from, corners_of(primitive, space));
+            if (const auto share = hit(from, to - from, space.places_of(primitive.corners));
                 share && *share > 0)
                 met.push_back({*share, &primitive});
     std::stable_sort(met.begin(), met.end(),
@@ -307,7 +305,7 @@ void add_row(const Replay& replay, SpaceSheet& sheet) {
         return;
     const double sample =
         static_cast<double>(row.y) + told_samples(sheet.trace()).triangles.y().get_d();
-    const auto corners = corners_of(*own, space);
+    const auto corners = space.places_of(own->corners);
     const Position normal = glm::cross(corners[1] - corners[0], corners[2] - corners[0]);
     std::vector<Position> on_face;
     for (const double x : {*left, *right}) {

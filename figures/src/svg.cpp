@@ -211,19 +211,20 @@ std::string style_sheet(const std::set<Role>& used, Theme theme, std::string_vie
     return css;
 }
 
-std::string document(const Drawing& sheet, std::string_view scope, const std::string& css,
-                     const std::string& body) {
+std::string document(const Drawing& sheet, double scale, std::string_view scope,
+                     const std::string& css, const std::string& body) {
     const std::string width = decimal(sheet.width);
     const std::string height = decimal(sheet.height);
     const std::string description =
         sheet.description.empty() ? ""
                                   : fmt::format("<desc>{}</desc>\n", escaped(sheet.description));
     return fmt::format(
-        "<svg xmlns=\"http://www.w3.org/2000/svg\" class=\"{6}\" role=\"img\" width=\"{0}\" "
-        "height=\"{1}\" viewBox=\"0 0 {0} {1}\">\n<title>{2}</title>\n{3}"
+        "<svg xmlns=\"http://www.w3.org/2000/svg\" class=\"{6}\" role=\"img\" width=\"{7}\" "
+        "height=\"{8}\" viewBox=\"0 0 {0} {1}\">\n<title>{2}</title>\n{3}"
         "<style>\n{4}</style>\n"
         "<rect class=\"sheet\" width=\"{0}\" height=\"{1}\"/>\n{5}</svg>\n",
-        width, height, escaped(sheet.title), description, css, body, scope);
+        width, height, escaped(sheet.title), description, css, body, scope,
+        decimal(scale * sheet.width), decimal(scale * sheet.height));
 }
 
 /// The shapes of a drawing, each written.
@@ -289,18 +290,19 @@ std::string escaped(std::string_view text) {
     return result;
 }
 
-Result<std::string> svg_of(const Drawing& drawing, Theme theme) {
+Result<std::string> svg_of(const Drawing& drawing, Theme theme, double scale) {
     ShapeWriter writer;
     const std::string body = joined_from(written_shapes(drawing, writer), 0);
     if (auto problem = too_many(writer.shapes()))
         return *std::move(problem);
     const std::string scope = scope_of(body, theme);
-    return document(drawing, scope, style_sheet(writer.roles_used(), theme, scope), body);
+    return document(drawing, scale, scope, style_sheet(writer.roles_used(), theme, scope), body);
 }
 
-Result<std::string> animated_svg_of(std::span<const Drawing> frames, double seconds, Theme theme) {
+Result<std::string> animated_svg_of(std::span<const Drawing> frames, double seconds, Theme theme,
+                                    double scale) {
     if (frames.size() == 1)
-        return svg_of(frames.front(), theme);
+        return svg_of(frames.front(), theme, scale);
     ShapeWriter writer;
     std::vector<std::vector<std::string>> written;
     for (const Drawing& frame : frames)
@@ -328,7 +330,7 @@ Result<std::string> animated_svg_of(std::span<const Drawing> frames, double seco
         "@media (prefers-reduced-motion:no-preference){{.{2} .frame{{animation:turn-{2} {1}s "
         "step-end infinite}}}}\n",
         100 / count, decimal(count * seconds), scope);
-    return document(frames.back(), scope, css, body);
+    return document(frames.back(), scale, scope, css, body);
 }
 
 std::string svg_elements(std::span<const Shape> shapes) {

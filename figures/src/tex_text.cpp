@@ -126,10 +126,6 @@ std::string written(char32_t character, std::string_view bytes, TexFont font) {
     return fmt::format("{{\\scriptsize U+{:04X}\\,}}", static_cast<unsigned>(character));
 }
 
-} // namespace
-
-namespace {
-
 bool is_digit(char c) {
     return '0' <= c && c <= '9';
 }
@@ -188,8 +184,9 @@ std::string tex_escaped(std::string_view text, TexFont font) {
     bool was_blank = true; // TeX passes over blanks at the beginning, and over the second of two
     char before = ' ';
     for (std::string_view rest = shown; !rest.empty();) {
-        if (const auto set =
-                font == TexFont::fixed_width ? Mathematics() : mathematics_in(rest, before, font);
+        if (const auto set = font == TexFont::fixed_width || font == TexFont::in_cell
+                                 ? Mathematics()
+                                 : mathematics_in(rest, before, font);
             set.length > 0) {
             tex += set.tex;
             before = rest[set.length - 1];

@@ -66,6 +66,48 @@ std::string comment(std::string_view text) {
     return text.empty() ? "" : fmt::format("% {}\n", printable(text));
 }
 
+/// What a text begins with that is mathematics of LaTeX, with its dollars; "" if that is not what it begins with.
+std::string_view formula_at(std::string_view text) {
+    const std::size_t end = text.starts_with('$') ? text.find('$', 1) : std::string_view::npos;
+    if (end == std::string_view::npos || end == 1)
+        return {};
+    const std::string_view formula = text.substr(0, end + 1);
+    int open = 0;
+    for (const char c : formula) {
+        open += c == '{' ? 1 : c == '}' ? -1 : 0;
+        if (open < 0)
+            return {};
+    }
+    return open == 0 ? formula : std::string_view();
+}
+
+/// An author's words, whose formulas stay as they are.
+std::string with_formulas(std::string_view text) {
+    std::string tex;
+    std::string words;
+    const auto end_words = [&] {
+        tex += tex_escaped(typeset(words));
+        words.clear();
+    };
+    while (!text.empty()) {
+        const std::string_view formula = formula_at(text);
+        if (formula.empty()) {
+            words += text.front();
+            text.remove_prefix(1);
+            continue;
+        }
+        end_words();
+        constexpr std::string_view no_break = "\u00a0";
+        std::string set(formula);
+        for (std::size_t at = set.find(no_break); at != std::string::npos; at = set.find(no_break))
+            set.replace(at, no_break.size(), " ");
+        tex += set;
+        text.remove_prefix(formula.size());
+    }
+    end_words();
+    return tex;
+}
+
 /// Writes shapes, and remembers what they take.
 class TikzWriter {
 public:
@@ -273,11 +315,15 @@ private:
             fonts += "\\ttfamily ";
         if (label.is_bold)
             fonts += "\\bfseries ";
-        body_ += fmt::format(
-            "\\node[{}] at {} {{{}{}}};\n", options, text_of(label.at), fonts,
-            tex_escaped(shown_text(label), label.is_fixed_width ? TexFont::fixed_width
-                                           : label.names_points ? TexFont::with_names
-                                                                : TexFont::proportional));
+        body_ +=
+            fmt::format("\\node[{}] at {} {{{}{}}};\n", options, text_of(label.at), fonts,
+                        label.has_formulas
+                            ? with_formulas(label.text)
+                            : tex_escaped(shown_text(label),
+                                          label.is_fixed_width            ? TexFont::fixed_width
+                                          : label.names_points            ? TexFont::with_names
+                                          : label.role == Role::cell_text ? TexFont::in_cell
+                                                                          : TexFont::proportional));
     }
 
     double points_of(double size) const {

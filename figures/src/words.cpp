@@ -4,6 +4,7 @@
 #include "clip.h"
 
 #include <rastertrace/trace/record/traced_steps.h>
+#include <rastertrace/trace/tell/step_text.h>
 #include <rastertrace/trace/text/text.h>
 
 #include <fmt/core.h>
@@ -41,7 +42,8 @@ std::string shown_steps_text(const Panel& panel) {
     if (first == 0 || !panel.parts.has(FigurePart::step))
         return {};
     if (panel.frame.is_question)
-        return fmt::format("before step {} of {}", trace.number_of(first), trace.size());
+        return said({"before step {} of {}", "antes do passo {} de {}"}, trace.number_of(first),
+                    trace.size());
     return steps_text(trace, panel.frame.steps);
 }
 
@@ -77,9 +79,11 @@ std::vector<Entry> entries_of_faces(const Panel& panel) {
 }
 
 std::vector<Entry> entries_of_comparison(const Panel& panel, const std::string& against) {
-    const std::array<std::string, 4> words{"the same",
-                                           "! only in " + printable(panel.trace().title),
-                                           "? only in " + printable(against), "~ in another color"};
+    const std::array<std::string, 4> words{
+        said({"the same", "igual"}),
+        said({"! only in {}", "! só em {}"}, printable(panel.trace().title)),
+        said({"? only in {}", "? só em {}"}, printable(against)),
+        said({"~ in another color", "~ em outra cor"})};
     std::set<Role> seen;
     panel.for_each_pixel([&](Pixel, std::size_t offset) {
         if (const ComparisonMark* const mark = comparison_at(panel, offset))
@@ -101,14 +105,16 @@ std::vector<Entry> entries_of_grays(View view) {
                      .text = std::move(text)};
     };
     if (view == View::depth)
-        return {entry(0, "farthest"), entry(0.5, ""), entry(1, "nearest")};
+        return {entry(0, said({"farthest", "mais distante"})), entry(0.5, ""),
+                entry(1, said({"nearest", "mais próximo"}))};
     if (view != View::writes)
         return {};
     std::vector<Entry> entries;
     for (std::uint32_t writes = 1; writes <= most_writes_told; ++writes)
-        entries.push_back(entry(
-            share_of_writes(writes),
-            fmt::format("{}{}", writes, writes == most_writes_told ? " or more writes" : "")));
+        entries.push_back(entry(share_of_writes(writes),
+                                writes == most_writes_told
+                                    ? said({"{} or more writes", "{} ou mais escritas"}, writes)
+                                    : fmt::format("{}", writes)));
     return entries;
 }
 
@@ -127,8 +133,9 @@ std::vector<Entry> entries_of_half_planes(const Panel& panel) {
     const std::string all =
         names.size() == 3
             ? printable(fmt::format("{0}{1}, {1}{2}, {2}{0}", names[0], names[1], names[2]))
-            : "all three";
-    return {entry(0, all + " \u2265 0"), entry(1, "one of them < 0"), entry(2, "two of them < 0")};
+            : said({"all three", "as três"});
+    return {entry(0, all + " \u2265 0"), entry(1, said({"one of them < 0", "uma delas < 0"})),
+            entry(2, said({"two of them < 0", "duas delas < 0"}))};
 }
 
 /// What colors and patterns stand for.
@@ -221,6 +228,19 @@ std::string with_six_digits(std::string_view sentence) {
     return text;
 }
 
+std::string with_whole_formulas(std::string_view text) {
+    std::string whole;
+    bool is_in_formula = false;
+    for (const char c : text) {
+        is_in_formula = is_in_formula != (c == '$');
+        if (c == ' ' && is_in_formula)
+            whole += "\u00a0";
+        else
+            whole += c;
+    }
+    return is_in_formula ? std::string(text) : whole; // a dollar alone begins none
+}
+
 double add_caption(const std::string& caption, bool is_of_step, const Column& column, double y,
                    std::vector<Shape>& shapes) {
     const double top = y;
@@ -228,6 +248,8 @@ double add_caption(const std::string& caption, bool is_of_step, const Column& co
     // Several blanks stand between parts of a sentence: each begins a line.
     std::string part;
     std::string rest = printable(caption);
+    if (!is_of_step)
+        rest = with_whole_formulas(rest);
     while (!rest.empty()) {
         const std::size_t end = rest.find("   ");
         part = rest.substr(0, end);
@@ -237,7 +259,8 @@ double add_caption(const std::string& caption, bool is_of_step, const Column& co
             shapes.push_back(Label{.at = {column.left, y + 0.85 * caption_size},
                                    .text = line,
                                    .size = caption_size,
-                                   .names_points = is_of_step});
+                                   .names_points = is_of_step,
+                                   .has_formulas = !is_of_step});
             y += caption_line;
         }
     }

@@ -6,6 +6,7 @@
 #include "panel.h"
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace rastertrace {
@@ -34,6 +35,9 @@ std::string with_six_digits(std::string_view sentence);
 /// What the step says.
 double add_caption(const std::string& caption, bool is_of_step, const Column& column, double y,
                    std::vector<Shape>& shapes);
+
+/// A text whose formulas, $...$, have no-break spaces: none goes on in another line.
+std::string with_whole_formulas(std::string_view text);
 
 /// How its numbers come of one another.
 double add_working(const std::vector<std::string>& working, const Column& column, double y,

@@ -403,7 +403,8 @@ def check_tikz(figures, points_of, folder):
     """One document has all of them, a page each."""
     pages = ""
     for figure in figures:
-        rastertrace("figure", figure.scene, *figure.options, "-o", os.path.join(folder, figure.name + ".tex"))
+        # Of letters of this size, as in the .svg: without, a wide .tex has larger ones.
+        rastertrace("figure", figure.scene, *figure.options, "--font-size", "10", "-o", os.path.join(folder, figure.name + ".tex"))
         pages += rf"\message{{[figure {figure.name}]}}\input{{{figure.name}}}\newpage" + "\n"
     with open(os.path.join(folder, "all.tex"), "w", encoding="utf-8") as file:
         file.write(DOCUMENT % pages)

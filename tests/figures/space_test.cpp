@@ -254,14 +254,12 @@ TEST(SpaceFrames, EarsAreTheCornersThatAreConvexAndEmpty) {
     // The arrow is reflex at C and F; an ear takes its tip away.
     const Trace trace = trace_of_example("faces/arrow");
     const auto words = texts_of(space_frames(trace, SpaceFrames::ears, {}, {}), Role::text);
-    EXPECT_THAT(
-        words,
-        testing::ElementsAre(
-            "1. ABC: its corner B is convex, and it has", "no other vertex in it (reflex: C, F)",
-            "2. CDE: its corner D is convex, and it has", "no other vertex in it (reflex: F)",
-            "3. FGA: its corner G is convex, and it has", "no other vertex in it (reflex: F)",
-            "4. ACE: its corner C is convex, and it has", "no other vertex in it (reflex: none)",
-            "5. EFA: what is left", ""));
+    EXPECT_THAT(words, testing::ElementsAre(
+                           "1. ABC: convex at B,", "no other vertex in it", "(reflex: C, F)",
+                           "2. CDE: convex at D,", "no other vertex in it", "(reflex: F)",
+                           "3. FGA: convex at G,", "no other vertex in it", "(reflex: F)",
+                           "4. ACE: convex at C,", "no other vertex in it", "(reflex: none)",
+                           "5. EFA: what is left"));
     EXPECT_THROW(space_frames(trace, SpaceFrames::ears, step_of(trace, "primitive name=ABC"), {}),
                  Problem);
 }

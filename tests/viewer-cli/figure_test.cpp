@@ -148,67 +148,6 @@ TEST_F(FigureTest, Parts) {
               "rastertrace: --without: expected parts that are not in --with, found \"edges\"\n");
 }
 
-TEST_F(FigureTest, ThePictureInSpaceHasNoPixels) {
-    const std::string beside = "hint: --with space shows the picture in space beside the pixels\n";
-    EXPECT_EQ(refusal("--view space --region 0,0,3,3 -o x.svg"),
-              "rastertrace: --view space: expected no --region, found one\n" + beside);
-    EXPECT_EQ(refusal("--view space --bare -o x.svg"),
-              "rastertrace: --view space: expected no --bare, found one\n" + beside);
-    EXPECT_EQ(shell("$rastertrace figure $examples/t4-pipeline/six-spaces.json --view space --with "
-                    "row -o x.svg")
-                  .err,
-              "rastertrace: --with row: expected title, step, caption or working in the picture in "
-              "space, found a part of pixels\n"
-              "hint: --with space shows that picture beside the pixels\n");
-    EXPECT_EQ(refusal("--view space -o x.html"),
-              "rastertrace: --view space: expected one of svg, png, tex, gif, found html\n"
-              "hint: a page has the picture in space beside the pixels\n");
-    for (const std::string eye : {"0,0,0", "1,2", "back", "1,2,nan"})
-        EXPECT_EQ(refusal("--view space --eye " + eye + " -o x.svg"),
-                  "rastertrace: --eye: expected corner, front, side, top, or a direction x,y,z "
-                  "other than 0,0,0, found \"" +
-                      eye + "\"\n");
-}
-
-TEST_F(FigureTest, NotesPointToPlaces) {
-    for (const std::string note : {"3,2", "3: a", "3,2:", "a,2: b", "1e9,2: far"})
-        EXPECT_EQ(refusal("--note '" + note + "' -o x.svg"),
-                  "rastertrace: --note: expected a place and words, like \"3,2: the tie goes up\", "
-                  "found \"" +
-                      note + "\"\n");
-    const Outcome told =
-        figure("--note '-4,-3: the first: B' --note '2,5: the top' --format svg -o -");
-    EXPECT_THAT(told.out, HasSubstr(">the first: B</text>"));
-    EXPECT_THAT(told.out, HasSubstr(">the top</text>"));
-}
-
-TEST_F(FigureTest, AStyleOfADocumentsOwn) {
-    write("house.json", R"({"true-edge": {"color": "#ff0000"}})");
-    EXPECT_THAT(figure("--style house.json --format svg -o -").out, HasSubstr("stroke:#ff0000"));
-    EXPECT_EQ(refusal("--style none.json -o x.svg"),
-              "rastertrace: none.json: expected a file that can be read, found: No such file or "
-              "directory\n");
-    write("house.json", R"({"true-edge": {"color": "rad"}})");
-    EXPECT_EQ(refusal("--style house.json -o x.svg"),
-              "rastertrace: house.json:1:25: expected a color, like \"#003366\", found \"rad\"\n"
-              "{\"true-edge\": {\"color\": \"rad\"}}\n"
-              "                        ^\n");
-    EXPECT_THAT(refusal("--style house.json -o x.html"), HasSubstr("--style: expected one of "));
-}
-
-TEST_F(FigureTest, FramesOfAStepInSpaceStandOnASheet) {
-    EXPECT_EQ(refusal("--sheet spaces -o x.svg"),
-              "rastertrace: --sheet spaces: expected a vertex step, found none\n");
-    EXPECT_EQ(refusal("--sheet ears --step 1 -o x.svg"),
-              "rastertrace: --sheet ears: expected a triangulate step, found another\n");
-    EXPECT_EQ(refusal("--sheet ears -o x.txt").substr(0, 46),
-              "rastertrace: --sheet: expected a format of dra");
-    const Outcome told = shell("$rastertrace figure $examples/faces/arrow.json --sheet ears "
-                               "--format svg -o -");
-    EXPECT_EQ(told.status, 0);
-    EXPECT_THAT(told.out, HasSubstr(">5. EFA: what is left</text>"));
-}
-
 TEST_F(FigureTest, PartsThatTheSceneCannotHave) {
     EXPECT_EQ(refusal("--with space -o x.svg"),
               "rastertrace: --with space: expected vertices in space, found a scene that is typed "

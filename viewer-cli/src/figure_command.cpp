@@ -2,6 +2,7 @@
 // `rastertrace figure`: figures of frames for a page, a book or a talk.
 
 #include "commands.h"
+#include "figure_checks.h"
 #include "figure_file.h"
 #include "figure_page.h"
 #include "frame_files.h"
@@ -27,7 +28,6 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <initializer_list>
 #include <map>
 #include <memory>
 #include <optional>
@@ -134,23 +134,29 @@ Trace other_trace(const FigureCommand& command, const InputFrames& input, std::s
 class TraceFigures {
 public:
     TraceFigures(const FigureCommand& command, InputFrames& input, std::size_t frame)
-        : command_(command), trace_(input.trace(frame)), frames_(frames_of(trace_, command)) {
-        FigureOptions options = command.options;
-        if (options.region)
-            check_region(*options.region, trace_.canvas);
+        : command_(command), trace_(input.trace(frame)), frames_(frames_of(trace_, command)),
+          options_(command.options) {
+        if (options_.region)
+            check_region(*options_.region, trace_.canvas);
         if (!command.against.empty()) {
             against_ = other_trace(command, input, frame);
             if (against_->canvas != trace_.canvas)
                 throw problem_of("", "--against: expected a trace with the same canvas, found "
                                      "another one");
-            options.against = &*against_;
-            options.against_name =
+            options_.against = &*against_;
+            options_.against_name =
                 against_->title == trace_.title ? command.against : against_->title;
         }
         if (input.is_sequence())
-            options.title =
-                fmt::format("{}, {}", options.title.value_or(trace_.title), input.label(frame));
-        maker_ = std::make_unique<FigureMaker>(trace_, frames_, options);
+            options_.title =
+                fmt::format("{}, {}", options_.title.value_or(trace_.title), input.label(frame));
+        draw_with(options_.letters);
+    }
+
+    /// From now on, with letters of this size; see FigureOptions.
+    void draw_with(double letters) {
+        options_.letters = letters;
+        maker_ = std::make_unique<FigureMaker>(trace_, frames_, options_);
     }
 
     std::size_t count() const { return frames_.size(); }
@@ -228,6 +234,7 @@ private:
     Trace trace_;
     std::optional<Trace> against_;
     std::vector<FigureFrame> frames_;
+    FigureOptions options_;
     std::unique_ptr<FigureMaker> maker_;
     std::optional<Replay> replay_; ///< of frames as text
     FaceGroups faces_;
@@ -277,6 +284,26 @@ public:
         return of(places_[i].scene).text(places_[i].frame, colors, lettered_);
     }
 
+    /// As large as the largest of them, so many side by side and one below the other.
+    Drawing sheet_of(std::size_t columns, std::size_t rows) {
+        Drawing sheet;
+        for (std::size_t i = 0; i < count(); ++i) {
+            const Drawing one = drawing(i);
+            sheet.width = std::max(sheet.width, one.width * static_cast<double>(columns));
+            sheet.height = std::max(sheet.height, one.height * static_cast<double>(rows));
+        }
+        return sheet;
+    }
+
+    /// From now on, with letters of this size; see FigureOptions.
+    void draw_with(double letters) {
+        letters_ = letters;
+        if (figures_)
+            figures_->draw_with(letters);
+        for (auto& [scene, figures] : kept_)
+            figures->draw_with(letters);
+    }
+
     FigureFrames frames_of_one_size() {
         return of_one_size(count(), [this](std::size_t i) { return drawing(i); });
     }
@@ -293,6 +320,8 @@ private:
         if (!figures_ || scene_ != scene) {
             figures_.reset(); // two at a time are not needed
             figures_ = std::make_unique<TraceFigures>(command_, input_, scene);
+            if (letters_)
+                figures_->draw_with(*letters_);
             scene_ = scene;
         }
         const std::size_t taken = figures_->memory();
@@ -309,6 +338,7 @@ private:
     std::unique_ptr<TraceFigures> figures_;
     std::map<std::size_t, std::unique_ptr<TraceFigures>> kept_; ///< so that no scene is drawn twice
     std::size_t room_ = 200'000'000;                            ///< for more of them, in bytes
+    std::optional<double> letters_;                             ///< in the place of the command's
     std::vector<PlaceInSequence> places_;
     FaceGroups lettered_;
     ExitStatus status_ = exit_fine;
@@ -320,98 +350,6 @@ FigureFormat format_of(const FigureCommand& command) {
     if (const auto format = format_by_ending<FigureFormat>(command.output, figure_endings))
         return *format;
     refuse_ending(command.output, endings_in<FigureFormat>(figure_endings));
-}
-
-/// Refuses an option that says nothing of a format.
-void check_option(bool is_there, std::string_view option, FigureFormat format,
-                  std::initializer_list<FigureFormat> formats) {
-    if (!is_there || std::find(formats.begin(), formats.end(), format) != formats.end())
-        return;
-    std::vector<std::string> names;
-    for (const FigureFormat one : formats)
-        names.emplace_back(name_of(one));
-    throw problem_of("", fmt::format("{}: expected one of {}, found {}", option,
-                                     joined(names, ", "), name_of(format)));
-}
-
-/// Refuses what other formats have and a page does not: it has all steps, and its reader chooses what it shows.
-void check_options_of_page(const FigureCommand& command) {
-    const FigureOptions& options = command.options;
-    using enum FigureFormat;
-    const auto refuse_if = [](bool is_there, std::string_view option) {
-        check_option(is_there, option, html, {svg, png, tex, txt, cast, gif});
-    };
-    refuse_if(command.is_bare, "--bare");
-    refuse_if(command.sheet.has_value(), "--sheet");
-    refuse_if(command.which == FigureCommand::Which::until, "--until");
-    refuse_if(command.which == FigureCommand::Which::every, "--every");
-    refuse_if(!options.with.empty(), "--with");
-    refuse_if(!options.without.empty() || options.caption, "--without and --caption");
-    refuse_if(options.region.has_value(), "--region");
-}
-
-/// Refuses what is about pixels where the picture in space is asked for.
-void check_options_in_space(const FigureCommand& command, FigureFormat format) {
-    using enum FigureFormat;
-    if (format == html)
-        throw problem_of("", "--view space: expected one of svg, png, tex, gif, found html",
-                         "a page has the picture in space beside the pixels");
-    check_option(true, "--view space", format, {svg, png, tex, gif});
-    const FigureOptions& options = command.options;
-    const auto refuse_if = [](bool is_there, std::string_view option) {
-        if (is_there)
-            throw problem_of("", fmt::format("--view space: expected no {}, found one", option),
-                             "--with space shows the picture in space beside the pixels");
-    };
-    refuse_if(options.region.has_value(), "--region");
-    refuse_if(command.is_bare, "--bare");
-    refuse_if(options.cell.has_value(), "--cell");
-    refuse_if(!command.against.empty(), "--against");
-    refuse_if(!options.notes.empty(), "--note");
-}
-
-/// Refuses a format that cannot have what was asked for.
-void check_format(const FigureCommand& command, FigureFormat format) {
-    const bool is_text = format == FigureFormat::txt || format == FigureFormat::cast;
-    const bool moves = format == FigureFormat::svg || format == FigureFormat::gif ||
-                       format == FigureFormat::cast || format == FigureFormat::tex;
-    if ((command.sheet || command.frames_in_space) && is_text)
-        throw problem_of("",
-                         fmt::format("--sheet: expected a format of drawings (svg, png, tex, gif), "
-                                     "found {}",
-                                     name_of(format)),
-                         "without --sheet, --every writes a .txt for each frame, and a .cast shows "
-                         "one after the other");
-    if (command.sheet && command.is_animated)
-        throw problem_of("", "--animate: expected no --sheet, found both",
-                         "--animate shows frames one after the other, --sheet side by side");
-    if (command.is_animated && !moves)
-        throw problem_of(
-            "", fmt::format("--animate: expected a format that moves (svg, gif, cast, tex), "
-                            "found {}",
-                            name_of(format)));
-    using enum FigureFormat;
-    if (command.options.is_in_space)
-        check_options_in_space(command, format);
-    if (format == html)
-        check_options_of_page(command);
-    check_option(command.style.scale.has_value() && !command.is_bare, "--scale", format,
-                 {png, gif});
-    check_option(command.style.width_mm.has_value(), "--width", format, {tex});
-    check_option(command.style.seconds.has_value(), "--seconds", format, {svg, gif, cast});
-    const auto is_drawn = [](FigurePart part) { return part != FigurePart::working; };
-    const FigureOptions& options = command.options;
-    check_option(std::any_of(options.with.begin(), options.with.end(), is_drawn), "--with", format,
-                 {svg, png, tex, gif});
-    check_option(!command.against.empty(), "--against", format, {svg, png, tex, gif});
-    check_option(options.title.has_value(), "--title", format, {svg, png, tex, gif, html});
-    check_option(options.cell.has_value(), "--cell", format, {svg, png, tex, gif});
-    check_option(!command.house_style.empty(), "--style", format, {svg, png, tex, gif});
-    check_option(!options.notes.empty(), "--note", format, {svg, png, tex, gif});
-    check_option(options.palette != FacePalette::distinct, "--palette", format,
-                 {svg, png, tex, gif});
-    check_option(command.style.theme != Theme::automatic, "--theme", format,
-                 {svg, png, tex, gif, html});
 }
 
 bool is_animation(const FigureCommand& command, FigureFormat format) {
@@ -478,11 +416,14 @@ private:
     std::size_t count_ = 0;
 };
 
+/// True if the size of letters follows from that of the figure.
+bool chooses_letters(const FigureCommand& command, FigureFormat format) {
+    return format == FigureFormat::tex && !command.style.letters && !command.is_bare;
+}
+
 /// The frames of one step in space, on a sheet.
 ExitStatus write_space_frames(const FigureCommand& command, FigureFormat format,
                               InputFrames& input) {
-    using enum FigureFormat;
-    check_option(true, "--sheet", format, {svg, png, tex, gif});
     if (input.is_sequence())
         throw problem_of("", "--sheet: expected one scene, found a sequence",
                          "--frame N takes one");
@@ -494,7 +435,12 @@ ExitStatus write_space_frames(const FigureCommand& command, FigureFormat format,
         step = value_or_throw(matching_step(selector, trace, "say which"));
     }
     const ExitStatus status = report_damage(trace);
-    Drawing sheet = space_frames(trace, *command.frames_in_space, step, command.options.eye);
+    const auto sheet_with = [&](double letters) {
+        return space_frames(trace, *command.frames_in_space, step, command.options.eye, letters);
+    };
+    Drawing sheet = sheet_with(command.options.letters);
+    if (chooses_letters(command, format))
+        sheet = sheet_with(letters_for_tex(sheet, command.style));
     apply(style_of(command), sheet);
     const std::string bytes = figure_in(format, sheet, command.style);
     if (command.output == "-")
@@ -523,6 +469,22 @@ int run(const FigureCommand& asked) {
         is_animation(command, format) && !input.is_sequence())
         command.which = FigureCommand::Which::film;
     AllFigures figures(command, input);
+    if (chooses_letters(command, format)) {
+        // The narrower a figure, the larger the part of it that letters take: not at once.
+        constexpr int most_rounds = 4;
+        constexpr double enough = 1.03;
+        const FigureCommand::Sheet each = command.sheet.value_or(FigureCommand::Sheet{1, 1});
+        double letters = command.options.letters;
+        for (int round = 0; round < most_rounds; ++round) {
+            const double more = letters_for_tex(
+                figures.sheet_of(std::min(each.columns, figures.count()), each.rows),
+                command.style);
+            if (more < enough)
+                break;
+            letters *= more;
+            figures.draw_with(letters);
+        }
+    }
     FigureFiles files(command, format, figures);
     if (command.output == "-") {
         if (files.count() > 1)

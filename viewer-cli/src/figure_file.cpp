@@ -13,6 +13,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <memory>
 #include <utility>
 
@@ -84,21 +85,36 @@ FigureFrames of_one_size(std::size_t count, std::function<Drawing(std::size_t)> 
 
 namespace {
 
-double width_mm_of(const Drawing& drawing, const FigureStyle& style) {
-    return style.width_mm.value_or(std::min(widest_mm, drawing.width * mm_per_unit));
+/// How many pixels or millimeters a unit has, where it has so many in a picture of no given size.
+double unit_of(const Drawing& drawing, const FigureStyle& style, double usual) {
+    constexpr double any = std::numeric_limits<double>::infinity();
+    if (style.width || style.height)
+        return std::min(style.width.value_or(any) / drawing.width,
+                        style.height.value_or(any) / drawing.height);
+    return usual * style.letters.value_or(1);
+}
+
+/// In millimeters, of a .tex.
+double width_of(const Drawing& drawing, const FigureStyle& style) {
+    const double width = drawing.width * unit_of(drawing, style, mm_per_unit);
+    return style.width || style.height ? width : std::min(widest_mm, width);
 }
 
 } // namespace
 
+double letters_for_tex(const Drawing& drawing, const FigureStyle& style) {
+    return std::max(1.0, mm_per_unit * drawing.width / width_of(drawing, style));
+}
+
 std::string figure_in(FigureFormat format, const Drawing& drawing, const FigureStyle& style) {
     switch (format) {
     case FigureFormat::svg:
-        return value_or_throw(svg_of(drawing, style.theme));
+        return value_or_throw(svg_of(drawing, style.theme, unit_of(drawing, style, 1)));
     case FigureFormat::png:
-        return value_or_throw(
-            png_of(checked_bitmap(drawing, style.theme, style.scale.value_or(png_scale))));
+        return value_or_throw(png_of(checked_bitmap(
+            drawing, style.theme, unit_of(drawing, style, style.scale.value_or(png_scale)))));
     case FigureFormat::tex:
-        return value_or_throw(tikz_of(drawing, style.theme, width_mm_of(drawing, style)));
+        return value_or_throw(tikz_of(drawing, style.theme, width_of(drawing, style)));
     case FigureFormat::gif:
         return animation_in(format, {1, [&drawing](std::size_t) { return drawing; }}, style);
     case FigureFormat::txt:
@@ -123,18 +139,20 @@ std::string animation_in(FigureFormat format, const FigureFrames& frames,
                          const FigureStyle& style) {
     const double seconds = style.seconds.value_or(seconds_for(frames.count));
     if (format == FigureFormat::gif) {
-        const double scale = style.scale.value_or(gif_scale);
-        return value_or_throw(
-            gif_of(frames.count,
-                   [&](std::size_t i) { return checked_bitmap(frames.at(i), style.theme, scale); },
-                   {.seconds = seconds}));
+        const auto bitmap = [&](std::size_t i) {
+            const Drawing frame = frames.at(i);
+            return checked_bitmap(frame, style.theme,
+                                  unit_of(frame, style, style.scale.value_or(gif_scale)));
+        };
+        return value_or_throw(gif_of(frames.count, bitmap, {.seconds = seconds}));
     }
     std::vector<Drawing> drawings;
     for (std::size_t i = 0; i < frames.count; ++i)
         drawings.push_back(frames.at(i));
     if (format == FigureFormat::tex)
-        return value_or_throw(tikz_of(drawings, style.theme, width_mm_of(drawings.back(), style)));
-    return value_or_throw(animated_svg_of(drawings, seconds, style.theme));
+        return value_or_throw(tikz_of(drawings, style.theme, width_of(drawings.back(), style)));
+    return value_or_throw(
+        animated_svg_of(drawings, seconds, style.theme, unit_of(drawings.back(), style, 1)));
 }
 
 Drawing contact_sheet(const FigureFrames& frames, std::size_t first, std::size_t last,

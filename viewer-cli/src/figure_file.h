@@ -39,10 +39,17 @@ std::string_view name_of(FigureFormat format);
 /// How figures are written.
 struct FigureStyle {
     Theme theme = Theme::automatic;
-    std::optional<double> scale = {};    ///< of a .png or .gif: pixels of a unit
-    std::optional<double> width_mm = {}; ///< of a .tex
-    std::optional<double> seconds = {};  ///< for each frame, at least 0.02
+    std::optional<double> scale = {};  ///< of a .png or .gif: pixels of a unit
+    std::optional<double> width = {};  ///< of the picture: pixels; of a .tex, millimeters
+    std::optional<double> height = {}; ///< the same; with both, it fits into them
+    std::optional<double> letters =
+        {}; ///< how much larger than usual a unit is; none: 1, or what a .tex needs
+    std::optional<double> seconds = {}; ///< for each frame, at least 0.02
 };
+
+/// How much larger letters must be, as FigureOptions has it, so that a .tex of such a drawing has none that are too small
+/// to be read; 1 if they are large enough.
+double letters_for_tex(const Drawing& drawing, const FigureStyle& style);
 
 /// The frames of an animation, each made when it is asked for.
 struct FigureFrames {

@@ -113,7 +113,13 @@ public:
                        "PX");
         options.option("--scale", scale_,
                        "Of a .png or .gif: pixels of a unit; 2 and 1 if not given", "N");
-        options.option("--width", width_, "Of a .tex: millimeters", "MM");
+        options.option("--width", width_,
+                       "As wide as that: pixels; of a .tex, millimeters; 120 at most if not given",
+                       "N");
+        options.option("--height", height_, "As high as that; with --width, it fits into both",
+                       "N");
+        options.option("--font-size", font_size_,
+                       "The size of letters, in units; most have 10 if not given", "N");
         options.flag("--bare", command_.is_bare,
                      "Only the pixels in their own colors, one unit each if --cell is not given");
         options.language();
@@ -165,8 +171,15 @@ public:
             value_of("--theme", theme_, theme_names(), theme_named).value_or(Theme::automatic);
         constexpr double largest_scale = 100;
         style.scale = size_in("--scale", scale_, largest_scale);
-        constexpr double largest_width = 5000;
-        style.width_mm = size_in("--width", width_, largest_width);
+        constexpr double largest_size = 5000;
+        style.width = size_in("--width", width_, largest_size);
+        style.height = size_in("--height", height_, largest_size);
+        constexpr double usual_letters = 10;
+        constexpr double largest_letters = 100;
+        if (const auto size = size_in("--font-size", font_size_, largest_letters)) {
+            style.letters = *size / usual_letters;
+            options.letters = *style.letters;
+        }
         constexpr double longest = 600;
         style.seconds = size_in("--seconds", seconds_, longest);
         constexpr double shortest = 0.02; // of a GIF, as browsers play it
@@ -179,7 +192,8 @@ public:
                     options.without.push_back(row.part);
             options.view = options.view.value_or(View::shade);
             options.cell = options.cell.value_or(1);
-            style.scale = style.scale.value_or(1);
+            if (!style.width && !style.height)
+                style.scale = style.scale.value_or(1);
         }
         command_.format = value_of("--format", format_, figure_format_names(), figure_format_named);
         command_.frames_in_space = space_frames_named(sheet_);
@@ -269,6 +283,8 @@ private:
     std::string cell_;
     std::string scale_;
     std::string width_;
+    std::string height_;
+    std::string font_size_;
     std::string seconds_;
     DrawingOptions drawing_;
 };

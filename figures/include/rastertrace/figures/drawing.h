@@ -183,6 +183,7 @@ struct Label {
     bool is_bold = false;
     bool is_fixed_width = false; ///< as on a terminal; otherwise it is typeset
     bool names_points = false;   ///< its capitals, and x, y, z, w, d, t, are names of the scene
+    bool has_formulas = false;   ///< an author's words, whose $...$ is mathematics in LaTeX
     bool is_turned = false;      ///< it runs upward
     bool has_rim = false;        ///< in the color of the paper, to be read over lines
 };

@@ -107,6 +107,8 @@ struct FigureOptions {
     SpaceEye eye = {};             ///< of that, and of the part `space`
     std::optional<Region> region = {}; ///< of the canvas; none: all of it
     std::optional<double> cell = {};   ///< the side of a pixel, in units; none: by the canvas
+    double letters =
+        1; ///< how much larger than usual a unit will be written: pixels take fewer of them
     FacePalette palette = FacePalette::distinct;
     std::vector<FigureNote> notes = {};
     std::optional<std::string> title = {};   ///< none: the scene's

@@ -23,12 +23,13 @@ std::string escaped(std::string_view text);
 /// The most rectangles, lines, polygons, dots and texts of an SVG: programs that show it get slow beyond.
 inline constexpr std::size_t most_svg_shapes = 200'000;
 
-/// The document; or why there is none: it would have too many shapes.
-Result<std::string> svg_of(const Drawing& drawing, Theme theme);
+/// The document, `scale` pixels of a screen to a unit; or why there is none: it would have too many shapes.
+Result<std::string> svg_of(const Drawing& drawing, Theme theme, double scale = 1);
 
 /// Drawings one after the other, each for so many seconds, over and over. A program that does not know
 /// animations, or a reader who wants none, sees the last one.
-Result<std::string> animated_svg_of(std::span<const Drawing> frames, double seconds, Theme theme);
+Result<std::string> animated_svg_of(std::span<const Drawing> frames, double seconds, Theme theme,
+                                    double scale = 1);
 
 /// The elements of shapes, to stand in an SVG of a document that has rules_of_roles().
 std::string svg_elements(std::span<const Shape> shapes);

@@ -26,6 +26,7 @@ inline constexpr std::size_t most_tikz_places = 40'000;
 enum class TexFont : std::uint8_t {
     proportional,
     with_names, ///< words of capital letters, and x, y, z, w, d, t, are names: mathematics
+    in_cell,    ///< fractions stay in the line
     fixed_width,
 };
 
