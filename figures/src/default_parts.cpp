@@ -52,7 +52,7 @@ bool tests_samples(const Trace& trace) {
 
 void set_parts(const FigureOptions& options, Panel& panel) {
     Lattice& lattice = panel.lattice;
-    lattice.cell = options.cell.value_or(side_by_canvas(lattice)) / options.letters;
+    lattice.cell = options.cell.value_or(side_by_canvas(lattice)) / options.letter_scale;
     const auto set = [&](FigurePart part, bool by_default) {
         panel.parts.set(part, wanted(options, part).value_or(by_default));
     };

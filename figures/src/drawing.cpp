@@ -171,8 +171,61 @@ std::string typeset(std::string_view typed) {
     return set.substr(1, set.size() - 2);
 }
 
+namespace {
+
+/// The formula that a text begins with; "" if it begins with none.
+std::string_view formula_at(std::string_view text) {
+    const auto is_blank = [&](std::size_t i) { return text[i] == ' '; };
+    if (text.size() < 3 || text[0] != '$' || is_blank(1))
+        return {};
+    int open = 0; // braces
+    for (std::size_t i = 1; i < text.size(); ++i) {
+        if (text[i] == '\\') {
+            ++i; // what stands behind it is no sign of its own
+        } else if (text[i] == '$') {
+            const bool has_digit = i + 1 < text.size() && '0' <= text[i + 1] && text[i + 1] <= '9';
+            return open == 0 && i > 1 && !is_blank(i - 1) && !has_digit ? text.substr(0, i + 1)
+                                                                        : std::string_view();
+        } else if (text[i] == '%') {
+            return {}; // a comment
+        } else {
+            open += text[i] == '{' ? 1 : text[i] == '}' ? -1 : 0;
+        }
+        if (open < 0)
+            return {};
+    }
+    return {};
+}
+
+} // namespace
+
+std::vector<TextPart> parts_with_formulas(std::string_view text) {
+    std::vector<TextPart> parts(1);
+    while (!text.empty()) {
+        if (const std::string_view formula = formula_at(text); !formula.empty()) {
+            parts.push_back({std::string(formula), true});
+            parts.emplace_back();
+            text.remove_prefix(formula.size());
+            continue;
+        }
+        if (text.starts_with("\\$"))
+            text.remove_prefix(1);
+        parts.back().text += text.front();
+        text.remove_prefix(1);
+    }
+    std::erase_if(parts, [](const TextPart& part) { return part.text.empty(); });
+    return parts;
+}
+
 std::string shown_text(const Label& label) {
-    return label.is_fixed_width ? label.text : typeset(label.text);
+    if (label.is_fixed_width)
+        return label.text;
+    if (!label.has_formulas)
+        return typeset(label.text);
+    std::string text;
+    for (const TextPart& part : parts_with_formulas(label.text))
+        text += part.text;
+    return typeset(text);
 }
 
 double width_of(std::string_view typed, double size, bool is_bold) {

@@ -200,8 +200,8 @@ struct Beside {
     bool has_bars_below() const { return decisions && !decisions->is_steep; }
 
     /// The scene is as high as the pixels, and as wide.
-    static double side_of_scene(const Lattice& lattice, double letters) {
-        return std::max(lattice.height(), smallest_scene / letters);
+    static double side_of_scene(const Lattice& lattice, double letter_scale) {
+        return std::max(lattice.height(), smallest_scene / letter_scale);
     }
     double width_at_right() const {
         return (has_bars_at_right() ? error_bars_size : 0) + (space ? space->width : 0);
@@ -331,7 +331,7 @@ Drawing FigureMaker::drawing_in_space(const Panel& panel, std::pair<double, doub
 
 Drawing FigureMaker::figure_in_space(const Panel& panel, const std::string& caption,
                                      const std::vector<std::string>& working) const {
-    const std::pair size{480.0 / options_.letters, 360.0 / options_.letters};
+    const std::pair size{480.0 / options_.letter_scale, 360.0 / options_.letter_scale};
     const FigureParts& parts = panel.parts;
     Drawing sheet{.width = size.first + 2 * margin_of_sheet,
                   .title = options_.title.value_or(trace_.title)};
@@ -382,11 +382,11 @@ Drawing FigureMaker::figure(std::size_t n) {
         return figure_in_space(panel, caption, working);
     Beside beside = beside_of(panel, is_only);
     for (Plot& plot : beside.plots) {
-        plot.width /= options_.letters;
-        plot.area_height /= options_.letters;
+        plot.width /= options_.letter_scale;
+        plot.area_height /= options_.letter_scale;
     }
     if (parts.has(FigurePart::space)) {
-        const double side = Beside::side_of_scene(panel.lattice, options_.letters);
+        const double side = Beside::side_of_scene(panel.lattice, options_.letter_scale);
         beside.space = drawing_in_space(panel, {side, side});
     }
 
@@ -399,8 +399,8 @@ Drawing FigureMaker::figure(std::size_t n) {
     const double beside_left = lattice.corner.x + lattice.width();
     const double right =
         std::max(beside_left + beside.width_at_right(), margin + beside.width_below());
-    sheet.width = std::ceil(
-        std::max(right + margin, has_words(parts) ? narrowest_for_words / options_.letters : 0));
+    sheet.width = std::ceil(std::max(
+        right + margin, has_words(parts) ? narrowest_for_words / options_.letter_scale : 0));
     const Column column{margin, sheet.width - margin};
 
     // From the top to the bottom.

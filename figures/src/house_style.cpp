@@ -116,6 +116,17 @@ std::string with_decimal_commas(std::string_view text) {
     return result;
 }
 
+void set_decimal_commas(Label& label) {
+    if (!label.has_formulas) {
+        label.text = with_decimal_commas(label.text);
+        return;
+    }
+    std::string text;
+    for (const TextPart& part : parts_with_formulas(label.text))
+        text += part.is_formula ? part.text : with_decimal_commas(part.text);
+    label.text = text;
+}
+
 } // namespace
 
 Result<HouseStyle> house_style_in(const Source& source) {
@@ -134,7 +145,7 @@ void apply(const HouseStyle& style, Drawing& drawing) {
                 if constexpr (!std::is_same_v<One, Pixels>) {
                     if constexpr (std::is_same_v<One, Label>)
                         if (style.has_decimal_comma)
-                            one.text = with_decimal_commas(one.text);
+                            set_decimal_commas(one);
                     const auto found = style.roles.find(one.role);
                     if (found == style.roles.end())
                         return;

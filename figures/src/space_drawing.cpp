@@ -96,7 +96,7 @@ void add_camera(SpaceSheet& sheet) {
         sheet.line(camera.eye().value_or(window[i]), end[i], Role::leader);
     if (sheet.shows_far_plane()) {
         sheet.outline(end, Role::leader);
-        sheet.words(end[1], sheet.all().middle(), said({"far", "longe"}), Role::quiet_text, 9);
+        sheet.words(end[1], sheet.all().middle(), in_language_of_steps("far"), Role::quiet_text, 9);
     }
     sheet.polygon(window, Role::window, Role::view_plane);
     add_images(sheet);
@@ -113,7 +113,7 @@ void add_camera(SpaceSheet& sheet) {
     }
     sheet.words(window[0], (window[0] + window[2]) / 2.0,
                 camera.near_z() && camera.is_perspective()
-                    ? said({"near", "perto"})
+                    ? std::string(in_language_of_steps("near"))
                     : said({"view plane", "plano de projeção"}),
                 Role::view_plane, 9);
 }

@@ -38,15 +38,22 @@ struct SpaceFrame {
 };
 
 /// The frames on a sheet, in rows.
-Drawing sheet_of(const Trace& trace, const std::vector<SpaceFrame>& frames, double letters) {
+Drawing sheet_of(const Trace& trace, const std::vector<SpaceFrame>& frames, double letter_scale) {
     constexpr std::size_t columns = 3;
-    const double width = 230 / letters;
-    const double height = 200 / letters;
+    const double width = 230 / letter_scale;
+    const double height = 200 / letter_scale;
     constexpr double margin = 10;
     constexpr double line_height = 13;
+    constexpr double size = line_height - 3;
+    std::vector<std::vector<std::string>> lines_below;
     std::size_t most_lines = 0;
-    for (const SpaceFrame& frame : frames)
-        most_lines = std::max(most_lines, frame.lines.size());
+    for (const SpaceFrame& frame : frames) {
+        auto& lines = lines_below.emplace_back();
+        for (const std::string& line : frame.lines)
+            for (std::string& part : wrapped(line, letters_in(width, size)))
+                lines.push_back(std::move(part));
+        most_lines = std::max(most_lines, lines.size());
+    }
     const double pitch = height + line_height * (static_cast<double>(most_lines) + 1);
     Drawing sheet{.width =
                       2 * margin + width * static_cast<double>(std::min(columns, frames.size())),
@@ -72,10 +79,10 @@ Drawing sheet_of(const Trace& trace, const std::vector<SpaceFrame>& frames, doub
         place({.width = width, .height = height, .title = {}, .shapes = std::move(space.shapes)},
               corner, sheet);
         double y = corner.y + height;
-        for (const std::string& line : frame.lines) {
+        for (const std::string& line : lines_below[i]) {
             sheet.shapes.push_back(Label{.at = {corner.x + width / 2, y += line_height},
                                          .text = line,
-                                         .size = line_height - 3,
+                                         .size = size,
                                          .anchor = Anchor::middle});
             sheet.description += (sheet.description.empty() ? "" : " ") + line;
         }
@@ -207,8 +214,9 @@ std::vector<SpaceFrame> frames_of_spaces(const Trace& trace, std::size_t step,
                 if (const auto vertex = trace.step(n).as<VertexStep>();
                     vertex.space == space && vertex.name == name)
                     numbers = tuple_of(vertex.at);
-        frame.lines = {fmt::format("{}: {} {}", in_language_of_steps(word_of(space)),
-                                   printable(name), numbers)};
+        frame.lines = {said({"{}: {} {}", "espaço {}: {} {}"},
+                            std::string(in_language_of_steps(word_of(space))), printable(name),
+                            numbers)};
         frames.push_back(std::move(frame));
     }
     return frames;
@@ -298,7 +306,7 @@ std::optional<SpaceFrames> space_frames_named(std::string_view name) {
 }
 
 Drawing space_frames(const Trace& trace, SpaceFrames frames, std::optional<std::size_t> step,
-                     const SpaceEye& eye, double letters) {
+                     const SpaceEye& eye, double letter_scale) {
     const auto first = [&](StepKind kind) {
         return step_of_kind(trace, kind, step, words_of_frames[static_cast<std::size_t>(frames)]);
     };
@@ -306,7 +314,7 @@ Drawing space_frames(const Trace& trace, SpaceFrames frames, std::optional<std::
                     frames == SpaceFrames::spaces
                         ? frames_of_spaces(trace, first(StepKind::vertex), eye)
                         : frames_of_ears(trace, first(StepKind::triangulate)),
-                    letters);
+                    letter_scale);
 }
 
 } // namespace rastertrace

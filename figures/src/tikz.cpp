@@ -66,45 +66,30 @@ std::string comment(std::string_view text) {
     return text.empty() ? "" : fmt::format("% {}\n", printable(text));
 }
 
-/// What a text begins with that is mathematics of LaTeX, with its dollars; "" if that is not what it begins with.
-std::string_view formula_at(std::string_view text) {
-    const std::size_t end = text.starts_with('$') ? text.find('$', 1) : std::string_view::npos;
-    if (end == std::string_view::npos || end == 1)
-        return {};
-    const std::string_view formula = text.substr(0, end + 1);
-    int open = 0;
-    for (const char c : formula) {
-        open += c == '{' ? 1 : c == '}' ? -1 : 0;
-        if (open < 0)
-            return {};
-    }
-    return open == 0 ? formula : std::string_view();
-}
-
 /// An author's words, whose formulas stay as they are.
 std::string with_formulas(std::string_view text) {
-    std::string tex;
+    // The words are typeset as they stand in the line, with a sign in the place of each formula.
+    constexpr char sign = '\1';
     std::string words;
-    const auto end_words = [&] {
-        tex += tex_escaped(typeset(words));
-        words.clear();
-    };
-    while (!text.empty()) {
-        const std::string_view formula = formula_at(text);
-        if (formula.empty()) {
-            words += text.front();
-            text.remove_prefix(1);
-            continue;
-        }
-        end_words();
-        constexpr std::string_view no_break = "\u00a0";
-        std::string set(formula);
-        for (std::size_t at = set.find(no_break); at != std::string::npos; at = set.find(no_break))
-            set.replace(at, no_break.size(), " ");
-        tex += set;
-        text.remove_prefix(formula.size());
+    std::vector<std::string> formulas;
+    for (TextPart& part : parts_with_formulas(text)) {
+        words += part.is_formula ? std::string(1, sign) : part.text;
+        if (part.is_formula)
+            formulas.push_back(std::move(part.text));
     }
-    end_words();
+    std::string tex;
+    const auto pieces = split_at(typeset(words), sign);
+    for (std::size_t i = 0; i < pieces.size(); ++i) {
+        tex += tex_escaped(pieces[i]);
+        if (i == formulas.size())
+            break;
+        constexpr std::string_view no_break = "\u00a0";
+        for (std::string_view rest = formulas[i]; !rest.empty();) {
+            const bool is_blank = rest.starts_with(no_break);
+            tex += is_blank ? ' ' : rest.front();
+            rest.remove_prefix(is_blank ? no_break.size() : 1);
+        }
+    }
     return tex;
 }
 

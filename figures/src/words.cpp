@@ -230,15 +230,13 @@ std::string with_six_digits(std::string_view sentence) {
 
 std::string with_whole_formulas(std::string_view text) {
     std::string whole;
-    bool is_in_formula = false;
-    for (const char c : text) {
-        is_in_formula = is_in_formula != (c == '$');
-        if (c == ' ' && is_in_formula)
-            whole += "\u00a0";
-        else
-            whole += c;
-    }
-    return is_in_formula ? std::string(text) : whole; // a dollar alone begins none
+    for (const TextPart& part : parts_with_formulas(text))
+        for (const char c : part.text)
+            if (c == ' ' && part.is_formula)
+                whole += "\u00a0";
+            else
+                whole += c == '$' && !part.is_formula ? "\\$" : std::string(1, c);
+    return whole;
 }
 
 double add_caption(const std::string& caption, bool is_of_step, const Column& column, double y,

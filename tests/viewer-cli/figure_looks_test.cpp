@@ -139,6 +139,7 @@ TEST_F(FigureLooks, ATexIsAsLargeInMillimeters) {
         const std::string tex = figure("--format tex -o - --height " + height).out;
         const double unit = number_by("\\[x=([0-9.]+)mm", tex);
         EXPECT_NEAR(unit * number_by(pattern.c_str(), tex), std::stod(height), 0.01);
+        EXPECT_GT(number_by("rectangle \\(([0-9.]+),", tex), 0.9 * number_by(pattern.c_str(), tex));
     }
     const std::string usual = figure("--format tex -o -").out;
     EXPECT_LE(number_by("\\[x=([0-9.]+)mm", usual) * number_by("rectangle \\(([0-9.]+),", usual),
@@ -148,7 +149,8 @@ TEST_F(FigureLooks, ATexIsAsLargeInMillimeters) {
 // Letters are \scriptsize at least: a wide figure is drawn with larger ones, not with some that cover one another.
 TEST_F(FigureLooks, LettersOfATexHaveTheRoomThatTheyTake) {
     constexpr double mm_per_unit = 25.4 / 96;
-    for (const std::string wide : {"", "--every scanline --sheet 3x3", "--width 60", "--height 50"})
+    for (const std::string wide :
+         {"", "--every scanline --sheet 3x3", "--every scanline --sheet 3x9", "--width 60"})
         EXPECT_GT(number_by("\\[x=([0-9.]+)mm", figure("--format tex -o - " + wide).out),
                   0.85 * mm_per_unit)
             << wide;
@@ -188,6 +190,9 @@ TEST_F(FigureLooks, SizesThatAreNone) {
     EXPECT_EQ(refusal("--height 100 -o x.txt"),
               "rastertrace: --width and --height: expected one of svg, png, tex, gif, found txt\n");
     EXPECT_EQ(figure("--bare --width 170 -o x.png").status, 0);
+    EXPECT_EQ(refusal("--bare --font-size 15 -o x.png"),
+              "rastertrace: --bare: expected no --font-size, found one\n"
+              "hint: bare pixels have no letters\n");
 }
 
 // --- words --------------------------------------------------------------------------------------
@@ -206,10 +211,18 @@ TEST_F(FigureLooks, FormulasOfAnAuthorStayInLatex) {
         "many words before a formula that would be broken in its middle ";
     EXPECT_THAT(tex("--caption '" + long_words + "$a + b + c + d + e + f + g$'"),
                 HasSubstr("$a + b + c + d + e + f + g$};"));
-    // What is none: one dollar, nothing between two, braces without a partner; and words of the scene.
-    EXPECT_THAT(tex("--caption 'it costs 5 $'"), HasSubstr(" it costs 5 $\\$$};"));
-    EXPECT_THAT(tex("--caption '$$'"), HasSubstr(" $\\$$$\\$$};"));
+    EXPECT_THAT(tex(R"(--caption 'The $x$-axis')"), HasSubstr(R"(The\ $x$-{}axis};)"));
+    // What is none: a dollar alone, prices, nothing between two, braces without a partner, a comment; and words of the scene.
+    const std::string dollar = R"($\$$)";
+    EXPECT_THAT(tex("--caption 'it costs 5 $'"), HasSubstr(" it costs 5 " + dollar + "};"));
+    EXPECT_THAT(tex("--caption 'from $5, $6 to $7'"),
+                HasSubstr(" from " + dollar + "5,{} " + dollar + "6 to " + dollar + "7};"));
+    EXPECT_THAT(tex(R"(--caption 'costs \$5 or \$6$')"),
+                HasSubstr(" costs " + dollar + "5 or " + dollar + "6" + dollar + "};"));
+    EXPECT_THAT(tex("--caption '$$'"), HasSubstr(" " + dollar + dollar + "};"));
     EXPECT_THAT(tex("--caption '$}{$'"), Not(HasSubstr("$}{$")));
+    EXPECT_THAT(tex("--caption '$a%b$'"), HasSubstr(R"($a\%b$)"));
+    EXPECT_THAT(svg(R"(--caption 'costs \$5')"), HasSubstr(">costs $5</text>"));
     EXPECT_THAT(figure("--format tex -o - --title '$a$'").out, HasSubstr("$\\$$a$\\$$};"));
 }
 

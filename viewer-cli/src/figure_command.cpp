@@ -134,30 +134,26 @@ Trace other_trace(const FigureCommand& command, const InputFrames& input, std::s
 class TraceFigures {
 public:
     TraceFigures(const FigureCommand& command, InputFrames& input, std::size_t frame)
-        : command_(command), trace_(input.trace(frame)), frames_(frames_of(trace_, command)),
-          options_(command.options) {
-        if (options_.region)
-            check_region(*options_.region, trace_.canvas);
+        : command_(command), trace_(input.trace(frame)), frames_(frames_of(trace_, command)) {
+        FigureOptions options = command.options;
+        if (options.region)
+            check_region(*options.region, trace_.canvas);
         if (!command.against.empty()) {
             against_ = other_trace(command, input, frame);
             if (against_->canvas != trace_.canvas)
                 throw problem_of("", "--against: expected a trace with the same canvas, found "
                                      "another one");
-            options_.against = &*against_;
-            options_.against_name =
+            options.against = &*against_;
+            options.against_name =
                 against_->title == trace_.title ? command.against : against_->title;
         }
         if (input.is_sequence())
-            options_.title =
-                fmt::format("{}, {}", options_.title.value_or(trace_.title), input.label(frame));
-        draw_with(options_.letters);
+            options.title =
+                fmt::format("{}, {}", options.title.value_or(trace_.title), input.label(frame));
+        maker_ = std::make_unique<FigureMaker>(trace_, frames_, options);
     }
 
-    /// From now on, with letters of this size; see FigureOptions.
-    void draw_with(double letters) {
-        options_.letters = letters;
-        maker_ = std::make_unique<FigureMaker>(trace_, frames_, options_);
-    }
+    void set_letter_scale(double scale) { maker_->set_letter_scale(scale); }
 
     std::size_t count() const { return frames_.size(); }
     const Trace& trace() const { return trace_; }
@@ -234,7 +230,6 @@ private:
     Trace trace_;
     std::optional<Trace> against_;
     std::vector<FigureFrame> frames_;
-    FigureOptions options_;
     std::unique_ptr<FigureMaker> maker_;
     std::optional<Replay> replay_; ///< of frames as text
     FaceGroups faces_;
@@ -284,24 +279,21 @@ public:
         return of(places_[i].scene).text(places_[i].frame, colors, lettered_);
     }
 
-    /// As large as the largest of them, so many side by side and one below the other.
-    Drawing sheet_of(std::size_t columns, std::size_t rows) {
-        Drawing sheet;
-        for (std::size_t i = 0; i < count(); ++i) {
-            const Drawing one = drawing(i);
-            sheet.width = std::max(sheet.width, one.width * static_cast<double>(columns));
-            sheet.height = std::max(sheet.height, one.height * static_cast<double>(rows));
-        }
-        return sheet;
+    /// As wide as the widest one, of the first, the last and one between.
+    double width() {
+        double width = 0;
+        for (const std::size_t i : {std::size_t{0}, count() / 2, count() - 1})
+            width = std::max(width, drawing(i).width);
+        return width;
     }
 
-    /// From now on, with letters of this size; see FigureOptions.
-    void draw_with(double letters) {
-        letters_ = letters;
+    /// From now on, figures have letters of this size; see FigureOptions.
+    void set_letter_scale(double scale) {
+        letter_scale_ = scale;
         if (figures_)
-            figures_->draw_with(letters);
+            figures_->set_letter_scale(scale);
         for (auto& [scene, figures] : kept_)
-            figures->draw_with(letters);
+            figures->set_letter_scale(scale);
     }
 
     FigureFrames frames_of_one_size() {
@@ -320,8 +312,8 @@ private:
         if (!figures_ || scene_ != scene) {
             figures_.reset(); // two at a time are not needed
             figures_ = std::make_unique<TraceFigures>(command_, input_, scene);
-            if (letters_)
-                figures_->draw_with(*letters_);
+            if (letter_scale_)
+                figures_->set_letter_scale(*letter_scale_);
             scene_ = scene;
         }
         const std::size_t taken = figures_->memory();
@@ -338,7 +330,7 @@ private:
     std::unique_ptr<TraceFigures> figures_;
     std::map<std::size_t, std::unique_ptr<TraceFigures>> kept_; ///< so that no scene is drawn twice
     std::size_t room_ = 200'000'000;                            ///< for more of them, in bytes
-    std::optional<double> letters_;                             ///< in the place of the command's
+    std::optional<double> letter_scale_;                        ///< in the place of the command's
     std::vector<PlaceInSequence> places_;
     FaceGroups lettered_;
     ExitStatus status_ = exit_fine;
@@ -416,9 +408,9 @@ private:
     std::size_t count_ = 0;
 };
 
-/// True if the size of letters follows from that of the figure.
+/// True of a .tex without --font-size: letters are chosen so that they have room.
 bool chooses_letters(const FigureCommand& command, FigureFormat format) {
-    return format == FigureFormat::tex && !command.style.letters && !command.is_bare;
+    return format == FigureFormat::tex && !command.style.letter_scale && !command.is_bare;
 }
 
 /// The frames of one step in space, on a sheet.
@@ -435,12 +427,14 @@ ExitStatus write_space_frames(const FigureCommand& command, FigureFormat format,
         step = value_or_throw(matching_step(selector, trace, "say which"));
     }
     const ExitStatus status = report_damage(trace);
-    const auto sheet_with = [&](double letters) {
-        return space_frames(trace, *command.frames_in_space, step, command.options.eye, letters);
+    const auto sheet_with = [&](double scale) {
+        return space_frames(trace, *command.frames_in_space, step, command.options.eye, scale);
     };
-    Drawing sheet = sheet_with(command.options.letters);
-    if (chooses_letters(command, format))
-        sheet = sheet_with(letters_for_tex(sheet, command.style));
+    Drawing sheet =
+        sheet_with(chooses_letters(command, format)
+                       ? letter_scale_for_tex([&](double scale) { return sheet_with(scale).width; },
+                                              command.style)
+                       : command.options.letter_scale);
     apply(style_of(command), sheet);
     const std::string bytes = figure_in(format, sheet, command.style);
     if (command.output == "-")
@@ -470,20 +464,14 @@ int run(const FigureCommand& asked) {
         command.which = FigureCommand::Which::film;
     AllFigures figures(command, input);
     if (chooses_letters(command, format)) {
-        // The narrower a figure, the larger the part of it that letters take: not at once.
-        constexpr int most_rounds = 4;
-        constexpr double enough = 1.03;
-        const FigureCommand::Sheet each = command.sheet.value_or(FigureCommand::Sheet{1, 1});
-        double letters = command.options.letters;
-        for (int round = 0; round < most_rounds; ++round) {
-            const double more = letters_for_tex(
-                figures.sheet_of(std::min(each.columns, figures.count()), each.rows),
-                command.style);
-            if (more < enough)
-                break;
-            letters *= more;
-            figures.draw_with(letters);
-        }
+        const std::size_t columns =
+            command.sheet ? std::min(command.sheet->columns, figures.count()) : 1;
+        figures.set_letter_scale(letter_scale_for_tex(
+            [&](double scale) {
+                figures.set_letter_scale(scale);
+                return static_cast<double>(columns) * figures.width();
+            },
+            command.style));
     }
     FigureFiles files(command, format, figures);
     if (command.output == "-") {

@@ -91,7 +91,7 @@ double unit_of(const Drawing& drawing, const FigureStyle& style, double usual) {
     if (style.width || style.height)
         return std::min(style.width.value_or(any) / drawing.width,
                         style.height.value_or(any) / drawing.height);
-    return usual * style.letters.value_or(1);
+    return usual * style.letter_scale.value_or(1);
 }
 
 /// In millimeters, of a .tex.
@@ -102,8 +102,24 @@ double width_of(const Drawing& drawing, const FigureStyle& style) {
 
 } // namespace
 
-double letters_for_tex(const Drawing& drawing, const FigureStyle& style) {
-    return std::max(1.0, mm_per_unit * drawing.width / width_of(drawing, style));
+double letter_scale_for_tex(const std::function<double(double scale)>& width_with,
+                            const FigureStyle& style) {
+    // Some of what a figure has does not get narrower, so one round may not be enough; if a round brings nothing, no other
+    // one does.
+    constexpr int most_rounds = 4;
+    constexpr double enough = 1.03;
+    const double widest = style.width.value_or(widest_mm) / mm_per_unit;
+    double scale = 1;
+    double width = width_with(scale);
+    for (int round = 0; round < most_rounds && width > enough * widest; ++round) {
+        const double larger = scale * width / widest;
+        const double narrower = width_with(larger);
+        if (narrower > width / enough)
+            break;
+        scale = larger;
+        width = narrower;
+    }
+    return scale;
 }
 
 std::string figure_in(FigureFormat format, const Drawing& drawing, const FigureStyle& style) {

@@ -42,14 +42,14 @@ struct FigureStyle {
     std::optional<double> scale = {};  ///< of a .png or .gif: pixels of a unit
     std::optional<double> width = {};  ///< of the picture: pixels; of a .tex, millimeters
     std::optional<double> height = {}; ///< the same; with both, it fits into them
-    std::optional<double> letters =
-        {}; ///< how much larger than usual a unit is; none: 1, or what a .tex needs
+    std::optional<double> letter_scale = {}; ///< see FigureOptions; none: 1, or what a .tex needs
     std::optional<double> seconds = {}; ///< for each frame, at least 0.02
 };
 
-/// How much larger letters must be, as FigureOptions has it, so that a .tex of such a drawing has none that are too small
-/// to be read; 1 if they are large enough.
-double letters_for_tex(const Drawing& drawing, const FigureStyle& style);
+/// The size of letters, as FigureOptions has it, with which a .tex has none that cover one another: `width_with` is how
+/// wide the drawing is with letters of a size.
+double letter_scale_for_tex(const std::function<double(double scale)>& width_with,
+                            const FigureStyle& style);
 
 /// The frames of an animation, each made when it is asked for.
 struct FigureFrames {

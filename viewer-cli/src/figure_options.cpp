@@ -177,8 +177,8 @@ public:
         constexpr double usual_letters = 10;
         constexpr double largest_letters = 100;
         if (const auto size = size_in("--font-size", font_size_, largest_letters)) {
-            style.letters = *size / usual_letters;
-            options.letters = *style.letters;
+            style.letter_scale = *size / usual_letters;
+            options.letter_scale = *style.letter_scale;
         }
         constexpr double longest = 600;
         style.seconds = size_in("--seconds", seconds_, longest);

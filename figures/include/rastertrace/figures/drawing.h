@@ -215,6 +215,16 @@ void add_arrow(Place from, Place to, Role role, double head_length, std::vector<
 /// in words stay.
 std::string typeset(std::string_view text);
 
+/// Words, or a formula of LaTeX with its dollars.
+struct TextPart {
+    std::string text;
+    bool is_formula = false;
+};
+
+/// An author's words and formulas, $...$, in their order. As in Markdown, a formula has no blank behind its first dollar or
+/// before its last one, and no digit behind that; its braces have partners. \$ is a dollar, which stands in words as $.
+std::vector<TextPart> parts_with_formulas(std::string_view text);
+
 /// The text that a label shows: typeset, unless its letters are of fixed width.
 std::string shown_text(const Label& label);
 

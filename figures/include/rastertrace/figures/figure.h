@@ -107,8 +107,8 @@ struct FigureOptions {
     SpaceEye eye = {};             ///< of that, and of the part `space`
     std::optional<Region> region = {}; ///< of the canvas; none: all of it
     std::optional<double> cell = {};   ///< the side of a pixel, in units; none: by the canvas
-    double letters =
-        1; ///< how much larger than usual a unit will be written: pixels take fewer of them
+    /// Of letters. A pixel takes so many fewer units, and is as large as before where it is written.
+    double letter_scale = 1;
     FacePalette palette = FacePalette::distinct;
     std::vector<FigureNote> notes = {};
     std::optional<std::string> title = {};   ///< none: the scene's
@@ -133,6 +133,9 @@ public:
     ~FigureMaker();
 
     std::size_t size() const { return frames_.size(); }
+
+    /// From now on, figures have letters of this size; see FigureOptions.
+    void set_letter_scale(double scale) { options_.letter_scale = scale; }
 
     /// The nth frame, from 0. Fastest in their order. Throws a Problem if a part was asked for that it cannot have.
     Drawing figure(std::size_t n);

@@ -23,9 +23,9 @@ enum class SpaceFrames : std::uint8_t {
 std::vector<std::string_view> space_frames_names();
 std::optional<SpaceFrames> space_frames_named(std::string_view name);
 
-/// The sheet of a step; without one, of the first that it can be of. `letters` is as FigureOptions has it. Throws a Problem
+/// The sheet of a step; without one, of the first that it can be of. `letter_scale` is as FigureOptions has it. Throws a Problem
 /// if there is no such step.
 Drawing space_frames(const Trace& trace, SpaceFrames frames, std::optional<std::size_t> step,
-                     const SpaceEye& eye, double letters = 1);
+                     const SpaceEye& eye, double letter_scale = 1);
 
 } // namespace rastertrace
