@@ -199,12 +199,11 @@ namespace {
 class CheckCommandLine final : public Command {
 public:
     CommandAbout about() const override {
-        return {
-            "check", "Say which line of a worked example is wrong, and why",
-            "rastertrace check examples/claims/t0-rows.claims\n\n"
-            "Claims are lines like these, in a file; docs/check.md has all of them:\n"
-            "y=2: -1/4, 25/8 -> -1..3     (3,2): on     A screen: 2, 5     normal ABC: 0, 0, -4\n"
-            "Exit status 1: a claim is wrong."};
+        return {"check", "Say which line of a worked example is wrong, and why",
+                "rastertrace check examples/claims/t0-rows.claims\n\n"
+                "Claims are lines like these, in a file; docs/check.md has all of them:\n"
+                "  y=2: -1/4, 25/8 -> -1..3   (3,2): on   A screen: 2, 5   normal ABC: 0, 0, -4\n"
+                "Exit status 1: a claim is wrong."};
     }
 
     void add_to(OptionList& options) override {
@@ -218,14 +217,12 @@ public:
         options.option("-o", command_.chart,
                        "With --class: the most likely slips as bars, in an .svg or .png", "FILE");
         exercises_.add_to(options, false);
-        options.option("--format", format_,
-                       "text, json, junit, markdown, gradescope, prairielearn, or csv: one line "
-                       "for each file",
-                       "NAME");
-        options.option("--visibility", visibility_,
-                       "With --format gradescope: visible, after_due_date, after_published or "
-                       "hidden; visible if not given",
-                       "NAME");
+        options.option("--format", format_, "How to print; csv has one line for each file", "NAME")
+            .values({"text", "json", "junit", "markdown", "gradescope", "prairielearn", "csv"});
+        options
+            .option("--visibility", visibility_, "With --format gradescope; visible if not given",
+                    "NAME")
+            .values({"visible", "after_due_date", "after_published", "hidden"});
         options.flag("--json", is_json_, "Short for --format json");
         OptionList told = options.one_of("Answers", "How much is given away");
         told.flag("--answers", has_answers_,

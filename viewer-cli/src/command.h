@@ -9,10 +9,15 @@
 //         options.flag("--json", command_.json, "Print JSON");
 //     }
 
+#include "help_table.h"
+
 #include <cstddef>
+#include <initializer_list>
 #include <memory>
 #include <span>
 #include <string>
+#include <string_view>
+#include <utility>
 #include <vector>
 
 namespace CLI {
@@ -25,10 +30,25 @@ namespace rastertrace {
 /// An option of a command, to set its further properties.
 class AddedOption {
 public:
-    explicit AddedOption(CLI::Option& option) : option_(&option) {}
+    AddedOption(CLI::Option& option, CommandTable& table)
+        : option_(&option), table_(&table), row_(table.options.size() - 1) {}
 
     AddedOption& required(bool is_required = true);
-    AddedOption& group(const std::string& title);
+    AddedOption& shared(const std::string& title); ///< many commands have it, below this heading
+    AddedOption& names_of(NamesOf what);           ///< it takes names of these
+
+    /// It takes these names, which the text of the command tells.
+    AddedOption& values_told_below(const std::vector<std::string_view>& names);
+
+    /// It takes these names. The help tells them behind its meaning.
+    template <typename Names> AddedOption& values(const Names& names) {
+        table_->options[row_].values.assign(std::begin(names), std::end(names));
+        return *this;
+    }
+    AddedOption& values(std::initializer_list<std::string_view> names) {
+        table_->options[row_].values.assign(names.begin(), names.end());
+        return *this;
+    }
     AddedOption& repeatable();          ///< may be given again, with one value each time
     AddedOption& separated_by_commas(); ///< has a list of values
     AddedOption& with_optional_value(); ///< may be given alone
@@ -38,13 +58,16 @@ public:
 
 private:
     CLI::Option* option_;
+    CommandTable* table_;
+    std::size_t row_; ///< its place in the table
 };
 
 /// The options of a command, to be added to.
 class OptionList {
 public:
     /// `language` gets the value of --language.
-    OptionList(CLI::App& app, std::string& language) : app_(&app), language_(&language) {}
+    OptionList(CLI::App& app, std::string& language, CommandTable& table, std::string group = {})
+        : app_(&app), language_(&language), table_(&table), group_(std::move(group)) {}
 
     /// Adds an option, or an argument if its name has no dashes. The help shows `type` behind the
     /// name. `Value` is a text, an optional text or a vector of texts.
@@ -64,13 +87,8 @@ public:
 private:
     CLI::App* app_;
     std::string* language_;
-};
-
-/// What `help` says of a command beside its options.
-struct CommandAbout {
-    std::string name;
-    std::string meaning;
-    std::string example;
+    CommandTable* table_;
+    std::string group_; ///< the heading in the help
 };
 
 class Command {
@@ -99,7 +117,7 @@ public:
     virtual int run() = 0;
 };
 
-// The commands, in the order of the help.
+// The commands.
 std::unique_ptr<Command> trace_command();
 std::unique_ptr<Command> show_command();
 std::unique_ptr<Command> play_command();
@@ -122,5 +140,8 @@ std::unique_ptr<Command> conventions_command();
 std::unique_ptr<Command> stress_command();
 std::unique_ptr<Command> report_command();
 std::unique_ptr<Command> renew_command();
+
+/// Explains those of the groups, which may be added after it was made, and must outlive it.
+std::unique_ptr<Command> help_command(const std::vector<CommandGroup>& groups);
 
 } // namespace rastertrace

@@ -17,6 +17,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <array>
 #include <exception>
 #include <functional>
 #include <map>
@@ -32,10 +33,20 @@ namespace rastertrace {
 
 AddedOption& AddedOption::required(bool is_required) {
     option_->required(is_required);
+    table_->options[row_].is_required = is_required;
     return *this;
 }
-AddedOption& AddedOption::group(const std::string& title) {
-    option_->group(title);
+AddedOption& AddedOption::shared(const std::string& title) {
+    table_->options[row_].group = title;
+    table_->options[row_].is_shared = true;
+    return *this;
+}
+AddedOption& AddedOption::values_told_below(const std::vector<std::string_view>& names) {
+    table_->options[row_].are_values_told = false;
+    return values(names);
+}
+AddedOption& AddedOption::names_of(NamesOf what) {
+    table_->options[row_].names_of = what;
     return *this;
 }
 AddedOption& AddedOption::repeatable() {
@@ -61,7 +72,8 @@ bool AddedOption::is_given() const {
 template <typename Value>
 AddedOption OptionList::option(const std::string& names, Value& value, const std::string& help,
                                const std::string& type) {
-    return AddedOption(*app_->add_option(names, value, help)->type_name(type));
+    table_->options.push_back({.names = names, .type = type, .meaning = help, .group = group_});
+    return {*app_->add_option(names, value), *table_};
 }
 template AddedOption OptionList::option(const std::string&, std::string&, const std::string&,
                                         const std::string&);
@@ -71,51 +83,52 @@ template AddedOption OptionList::option(const std::string&, std::vector<std::str
                                         const std::string&, const std::string&);
 
 AddedOption OptionList::flag(const std::string& names, bool& value, const std::string& help) {
-    return AddedOption(*app_->add_flag(names, value, help));
+    table_->options.push_back({.names = names, .type = {}, .meaning = help, .group = group_});
+    return {*app_->add_flag(names, value), *table_};
 }
 OptionList OptionList::one_of(const std::string& title, const std::string& help, bool is_required) {
     CLI::Option_group* const group = app_->add_option_group(title, help);
     group->require_option(is_required ? 1 : 0, 1);
-    return {*group, *language_};
+    table_->groups.push_back({title, help});
+    return {*group, *language_, *table_, title};
 }
 void OptionList::language() {
-    option(
-        "--language", *language_,
-        fmt::format("Tell steps in this language: {}; what RASTERTRACE_LANGUAGE says if not given",
-                    joined(language_codes(), ", ")),
-        "CODE");
+    option("--language", *language_,
+           "Tell steps in this language; what RASTERTRACE_LANGUAGE says if not given", "CODE")
+        .values(language_codes());
 }
 
 namespace {
+
+/// Commands that belong together, in the order of the help.
+struct MakersOfGroup {
+    std::string_view title;
+    std::vector<std::unique_ptr<Command> (*)()> makers;
+};
+const std::array<MakersOfGroup, 5> command_groups{
+    {{"Draw and look",
+      {trace_command, show_command, play_command, figure_command, explain_command, stats_command}},
+     {"Work by hand", {check_command, sheet_command, exercise_command}},
+     {"Test a renderer",
+      {diff_command, review_command, diagnose_command, tell_apart_command, mistakes_command,
+       fuzz_command}},
+     {"Error and time", {stress_command, report_command}},
+     {"Files and pages",
+      {validate_command, plan_command, scene_command, conventions_command, renew_command}}}};
 
 /// The program: its commands, the one that is run, and messages about how it was called.
 class Program {
 public:
     Program() {
         app_.require_subcommand(1);
-        app_.set_help_flag("-h,--help", "Print this help and exit");
+        app_.set_help_flag("-h,--help");
         app_.set_version_flag("-V,--version", std::string("rastertrace ") + RASTERTRACE_VERSION);
-        app_.footer("Example: rastertrace show examples/t0-fill/first-triangle.json\n"
-                    "A file without a command is shown.\n" +
-                    std::string(exit_statuses));
-        for (const auto make :
-             {trace_command,    show_command,   play_command,        figure_command,
-              explain_command,  stats_command,  check_command,       sheet_command,
-              exercise_command, diff_command,   validate_command,    plan_command,
-              fuzz_command,     review_command, diagnose_command,    tell_apart_command,
-              mistakes_command, scene_command,  conventions_command, stress_command,
-              report_command,   renew_command}) {
-            std::unique_ptr<Command> command = make();
-            const CommandAbout about = command->about();
-            CLI::App& app = *app_.add_subcommand(about.name, about.meaning);
-            app.footer("Example: " + about.example);
-            OptionList options(app, language_);
-            command->add_to(options);
-            commands_.emplace(about.name, std::move(command));
+        for (const auto& [title, makers] : command_groups) {
+            CommandGroup& group = groups_.emplace_back(CommandGroup{std::string(title), {}});
+            for (const auto make : makers)
+                group.commands.push_back(&add(make()));
         }
-        CLI::App& help = *app_.add_subcommand("help", "Explain a command");
-        help.footer("Example: rastertrace help show");
-        help.add_option("command", help_about_, "The command")->type_name("COMMAND");
+        groups_.back().commands.push_back(&add(help_command(groups_)));
     }
 
     int run(int count, const char* const* arguments) {
@@ -134,11 +147,12 @@ public:
         }
         try {
             refuse_empty_words(words);
-            refuse_unknown_command(words[1]);
+            if (!std::string_view(words[1]).starts_with('-'))
+                table_of(words[1], groups_); // throws if there is none
             app_.parse(static_cast<int>(words.size()), words.data());
             return run_chosen();
         } catch (const CLI::CallForHelp&) {
-            print_help(chosen());
+            print_help(words);
         } catch (const CLI::CallForVersion&) {
             print(fmt::format("rastertrace {}\n", RASTERTRACE_VERSION));
         } catch (const CLI::ParseError& error) {
@@ -148,33 +162,37 @@ public:
     }
 
 private:
-    /// The command of this name; none of `help` and of what is no command.
+    const CommandTable& add(std::unique_ptr<Command> command) {
+        const CommandAbout about = command->about();
+        CommandTable& table = tables_[about.name];
+        table.about = about;
+        OptionList options(*app_.add_subcommand(about.name), language_, table);
+        command->add_to(options);
+        commands_.emplace(about.name, std::move(command));
+        return table;
+    }
+
+    /// The command of this name; nullptr of what is none.
     Command* command_named(std::string_view name) const {
         const auto found = commands_.find(name);
         return found == commands_.end() ? nullptr : found->second.get();
     }
 
     int run_chosen() {
-        Command* const command = command_named(chosen().get_name());
-        if (command != nullptr)
-            command->read();
+        Command& command = *command_named(chosen().get_name());
+        command.read();
         choose_language(language_);
-        return command != nullptr ? command->run() : explain();
+        return command.run();
     }
 
-    /// `help`
-    int explain() const {
-        if (help_about_.empty()) {
-            print_help(app_);
-            return exit_fine;
-        }
-        refuse_unknown_command(help_about_);
-        print_help(*app_.get_subcommand(help_about_));
-        return exit_fine;
-    }
-
-    void print_help(const CLI::App& command) const {
-        print(command.help(&command == &app_ ? "" : app_.get_name()));
+    /// What was asked by -h or --help.
+    void print_help(std::span<const char* const> words) const {
+        const bool is_whole = std::ranges::find(words, std::string_view("--help")) != words.end();
+        if (&chosen() == &app_)
+            print(help_text(groups_));
+        else
+            print(help_text(table_of(chosen().get_name(), groups_),
+                            is_whole ? HelpLength::whole : HelpLength::brief));
     }
 
     /// The command that was named, or the program as a whole.
@@ -183,30 +201,15 @@ private:
         return commands.empty() ? app_ : *commands.front();
     }
 
-    void refuse_unknown_command(std::string_view word) const {
-        std::vector<std::string> names;
-        for (const CLI::App* command : app_.get_subcommands({}))
-            names.push_back(command->get_name());
-        if (word.starts_with('-') || std::find(names.begin(), names.end(), word) != names.end())
-            return;
-        throw problem_of(
-            "",
-            fmt::format("expected a command out of {}, found \"{}\"", joined(names, ", "), word),
-            did_you_mean(word, {names.begin(), names.end()}));
-    }
-
     /// Says what CLI11 could not read.
     int complain(const CLI::ParseError& error, std::span<const char* const> words) const {
         const CLI::App& command = chosen();
-        std::vector<std::string> options;
-        const auto add_options_of = [&options](const CLI::App& list) {
-            for (const CLI::Option* option : list.get_options())
-                for (const std::string& name : option->get_lnames())
-                    options.push_back("--" + name);
-        };
-        add_options_of(command);
-        for (const CLI::App* group : command.get_subcommands({}))
-            add_options_of(*group);
+        std::vector<std::string> options{"--help"};
+        if (const auto table = tables_.find(command.get_name()); table != tables_.end())
+            for (const OptionRow& row : table->second.options)
+                for (const std::string& name : row.all_names())
+                    if (name.starts_with("--"))
+                        options.push_back(name);
         Complaint complaint = unknown_option(words, options).value_or(Complaint{error.what(), ""});
         if (complaint.hint.empty() &&
             error.get_exit_code() == static_cast<int>(CLI::ExitCodes::ExtrasError) &&
@@ -223,8 +226,9 @@ private:
 
     CLI::App app_{"A rasterizer you can watch think", "rastertrace"};
     std::map<std::string, std::unique_ptr<Command>, std::less<>> commands_; ///< by their names
+    std::map<std::string, CommandTable> tables_;                            ///< the same
+    std::vector<CommandGroup> groups_;                                      ///< of the help
     std::string language_;
-    std::string help_about_;
 };
 
 } // namespace

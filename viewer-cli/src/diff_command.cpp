@@ -303,15 +303,15 @@ namespace {
 class DiffCommandLine final : public Command {
 public:
     CommandAbout about() const override {
-        return {
-            "diff", "Say what two traces do differently",
-            "rastertrace diff golden.json scene.json\n\n"
-            "Steps are found by their primitive and what they are about, numbers compared by "
-            "value.\n"
-            "Primitives are found by name and vertices, or by one of the two.\n"
-            "With git: git config diff.trace.command \"rastertrace diff --git\", or\n"
-            "diff.trace.textconv \"rastertrace diff --textconv\", and *.trace.json diff=trace in\n"
-            ".gitattributes."};
+        return {"diff", "Say what two traces do differently",
+                "rastertrace diff golden.json scene.json\n\n"
+                "Steps are found by their primitive and what they are about, numbers compared by "
+                "value.\n"
+                "Primitives are found by name and vertices, or by one of the two.\n"
+                "With git, where .gitattributes has *.trace.json diff=trace:\n"
+                "  git config diff.trace.command \"rastertrace diff --git\"\n"
+                "or, as lines of text:\n"
+                "  git config diff.trace.textconv \"rastertrace diff --textconv\""};
     }
 
     void add_to(OptionList& options) override {
@@ -334,11 +334,12 @@ public:
                      "exit status 0");
         options.flag("--textconv", is_textconv_,
                      "Write the lines of one trace that git is to compare");
-        options.option("--format", format_, "text, json, markdown or junit", "NAME");
+        options.option("--format", format_, "How to print", "NAME")
+            .values({"text", "json", "markdown", "junit"});
         options.flag("--json", is_json_, "Short for --format json");
         options.option("--pictures", command_.pictures,
                        "With markdown: where to write the pictures that it shows", "FOLDER");
-        options.option("--color", color_, "auto, always or never", "WHEN");
+        options.option("--color", color_, "Colors", "WHEN").values(color_choices);
         options.language();
         drawing_.add_to(options, Holds::steps);
     }

@@ -45,8 +45,8 @@ public:
                 "rastertrace exercise --like examples/t0-fill/first-triangle.json --seed anna\n\n"
                 "The same seed makes the same exercise everywhere: who marks it needs only the "
                 "seed, as in\n"
-                "rastertrace exercise --like scene.json --seed anna | rastertrace check - "
-                "sheet.txt"};
+                "  rastertrace exercise --like scene.json --seed anna |\n"
+                "      rastertrace check - sheet.txt"};
     }
 
     void add_to(OptionList& options) override {

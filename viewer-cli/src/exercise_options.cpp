@@ -10,11 +10,11 @@ namespace rastertrace {
 
 namespace {
 
-std::string kinds_in_words() {
+std::vector<std::string> kinds() {
     std::vector<std::string> names;
     for (const ExerciseKind& kind : exercise_kinds)
         names.emplace_back(kind.name);
-    return joined(names, ", ");
+    return names;
 }
 
 auto find_kind(const std::string& name) {
@@ -26,12 +26,12 @@ auto find_kind(const std::string& name) {
 void ExerciseOptions::add_to(OptionList& options, bool is_required) {
     OptionList model = options.one_of("What exercises are like", "One of these", is_required);
     model.option("--like", like_, "A scene", "SCENE");
-    model.option("--kind", kind_, "A scene of ours, out of " + kinds_in_words(), "NAME");
+    model.option("--kind", kind_, "A scene of ours", "NAME").values(kinds());
 }
 
 void ExerciseOptions::read() const {
     if (!kind_.empty() && find_kind(kind_) == exercise_kinds.end())
-        refuse_value("--kind", "one out of " + kinds_in_words(), kind_);
+        refuse_value("--kind", "one out of " + joined(kinds(), ", "), kind_);
 }
 
 Source ExerciseOptions::scene() const {

@@ -135,10 +135,12 @@ public:
         what.option("--pixel", pixel_, "Who drew it, and why others did not", "X,Y");
         what.option("--scanline", row_, "Both ends of the row", "Y");
         const auto add_text = [&](const char* name, const char* meaning, const char* type) {
-            what.option(name, texts_[name], meaning, type);
+            return what.option(name, texts_[name], meaning, type);
         };
-        add_text("--face", "How it is turned, lit and clipped, and what is seen of it", "NAME");
-        add_text("--vertex", "Where it is, from space to space", "NAME");
+        add_text("--face", "How it is turned, lit and clipped, and what is seen of it", "NAME")
+            .names_of(NamesOf::primitives);
+        add_text("--vertex", "Where it is, from space to space", "NAME")
+            .names_of(NamesOf::vertices);
         add_text("--edge", "How it is set up, and the rows that end at it", "NAME");
         add_text("--pair", "Who has each pixel along the edge of two triangles", "NAME,NAME");
         add_text("--step", "One step: a number, or like \"scanline y=2\"", "STEP");
@@ -146,7 +148,7 @@ public:
                        "Ask the same of the scene drawn by another method, like "
                        "rounding=truncate,sample=center",
                        "METHOD");
-        options.option("--format", format_, "text or json", "NAME");
+        options.option("--format", format_, "How to print", "NAME").values({"text", "json"});
         options.flag("--json", command_.json, "Short for --format json");
         options.language();
         drawing_.add_to(options, Holds::steps);

@@ -28,7 +28,7 @@ public:
     CommandAbout about() const override {
         std::string list;
         for (const FigurePartRow& row : figure_parts())
-            list += fmt::format("  {:<12} {}\n", row.name, row.shows);
+            list += help_row(row.name, row.shows);
         return {
             "figure", "Draw frames as figures for a page, a book or a talk",
             "rastertrace figure examples/t0-fill/first-triangle.json --step \"scanline y=2\" -o "
@@ -46,8 +46,8 @@ public:
                                 joined(endings_in<FigureFormat>(figure_endings), ", ")),
                     "FILE")
             .required();
-        options.option("--format", format_,
-                       "svg, png, tex, txt, cast, gif or html, whatever the file's name", "NAME");
+        options.option("--format", format_, "How to write it, whatever the file's name", "NAME")
+            .values(figure_format_names());
         OptionList which = options.one_of(
             "Which frames", "One of these; if none is given, the last one, and of a .gif, "
                             ".cast or --animate each row, pixel of a line and vertex");
@@ -74,8 +74,10 @@ public:
                        "How long each frame is seen; by default all of them take 20, and one at "
                        "most 1",
                        "N");
-        options.option("--with", with_, "Show these parts too", "PART,...");
-        options.option("--without", without_, "Leave these parts out", "PART,...");
+        options.option("--with", with_, "Show these parts too", "PART,...")
+            .values_told_below(part_names());
+        options.option("--without", without_, "Leave these parts out", "PART,...")
+            .values_told_below(part_names());
         options.option("--title", command_.options.title, "This title instead of the scene's",
                        "TEXT");
         options.option("--caption", command_.options.caption,
@@ -85,28 +87,30 @@ public:
                     "These words, with an arrow to a place of the screen; may be given again",
                     "x,y: TEXT")
             .repeatable();
-        options.option(
-            "--view", view_,
-            fmt::format("What the color of a pixel means: {}; if none is given, what the scene "
-                        "is about; or space: the scene in space, with its camera, in the place of "
-                        "the pixels",
-                        joined(cell_views(), ", ")),
-            "NAME");
-        options.option("--eye", eye_,
-                       fmt::format("From where the picture in space is seen: {}, or a direction",
-                                   joined(space_eye_names(), ", ")),
-                       "NAME|x,y,z");
+        options
+            .option("--view", view_,
+                    "What the color of a pixel means; if none is given, what the scene is about. "
+                    "With space, "
+                    "the scene in space is in the place of the pixels",
+                    "NAME")
+            .values(view_words());
+        options
+            .option("--eye", eye_,
+                    "From where the picture in space is seen, also a direction x,y,z", "NAME|x,y,z")
+            .values(space_eye_names());
         options.option("--against", command_.against,
                        "Compare the pixels with those of another trace or scene, or of the same "
                        "scene by another METHOD (key=value,...)",
                        "TRACE|METHOD");
         options.option("--region", region_, "Show only these pixels", "x0,y0,x1,y1");
-        options.option("--palette", palette_,
-                       "Colors of faces: distinct (for every kind of color vision) or scene",
-                       "NAME");
-        options.option("--theme", theme_,
-                       "auto (in an .svg as the reader has set it), light, dark or print (grays)",
-                       "NAME");
+        options
+            .option("--palette", palette_,
+                    "Colors of faces; distinct are for every kind of color vision", "NAME")
+            .values(face_palette_names());
+        options
+            .option("--theme", theme_,
+                    "auto is, in an .svg, as the reader has set it; print has grays", "NAME")
+            .values(theme_names());
         options.option("--style", command_.house_style,
                        "A file with colors, widths and marks of a document's own", "FILE");
         options.option("--cell", cell_, "The side of a pixel, in units; by default by the canvas",
@@ -136,12 +140,10 @@ public:
             command_.which = Which::every;
         command_.selector = step_ + until_ + every_; // one of them, at most
 
-        std::vector<std::string_view> part_names;
-        for (const FigurePartRow& row : figure_parts())
-            part_names.push_back(row.name);
         FigureOptions& options = command_.options;
-        options.with = values_of("--with", "parts", with_, part_names, figure_part_named);
-        options.without = values_of("--without", "parts", without_, part_names, figure_part_named);
+        options.with = values_of("--with", "parts", with_, part_names(), figure_part_named);
+        options.without =
+            values_of("--without", "parts", without_, part_names(), figure_part_named);
         for (const FigurePart part : options.with)
             if (std::find(options.without.begin(), options.without.end(), part) !=
                 options.without.end())
@@ -152,9 +154,7 @@ public:
         }
         options.is_in_space = view_ == "space";
         if (!options.is_in_space) {
-            auto names = cell_views();
-            names.push_back("space");
-            options.view = value_of("--view", view_, names, cell_view_named);
+            options.view = value_of("--view", view_, view_words(), cell_view_named);
         }
         if (!eye_.empty())
             options.eye = eye_in(eye_);
@@ -220,14 +220,22 @@ private:
         return value;
     }
 
+    static std::vector<std::string_view> part_names() {
+        std::vector<std::string_view> names;
+        for (const FigurePartRow& row : figure_parts())
+            names.push_back(row.name);
+        return names;
+    }
+
     /// The views of pixels that have colors: coverage tells numbers.
     static std::optional<View> cell_view_named(std::string_view name) {
         const auto view = view_named(name);
         return view == View::coverage ? std::nullopt : view;
     }
-    static std::vector<std::string_view> cell_views() {
+    static std::vector<std::string_view> view_words() {
         std::vector<std::string_view> names = view_names();
         std::erase_if(names, [](std::string_view name) { return !cell_view_named(name); });
+        names.push_back("space");
         return names;
     }
 

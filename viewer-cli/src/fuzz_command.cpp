@@ -246,12 +246,10 @@ public:
         options.option("--runs", runs_, "How many scenes; 1000 if not given", "N");
         options.option("--seed", seed_, "Of the first one; the next has the next; 1 if not given",
                        "N");
-        options.option("--kinds", kinds_,
-                       "What scenes are about: 2d, lines, depth, clip; a list; 2d if not given",
-                       "KINDS");
-        options.option("--origin", origin_,
-                       "Of their canvas: center, bottom-left or top-left, which it is if not given",
-                       "NAME");
+        options.option("--kinds", kinds_, "What scenes are about; 2d if not given", "KINDS")
+            .values({"2d", "lines", "depth", "clip"});
+        options.option("--origin", origin_, "Of their canvas; top-left if not given", "NAME")
+            .values({"center", "bottom-left", "top-left"});
         options.option("--largest", largest_,
                        "Pixels on a side: 4, 8, 16, 32, ...; 32 if not given", "N");
         options.option("--time", time_, "Seconds that a run may take; 10 if not given", "SECONDS");

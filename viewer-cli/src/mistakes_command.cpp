@@ -159,7 +159,7 @@ public:
     }
 
     void add_to(OptionList& options) override {
-        options.option("name", name_, "Only this one", "NAME");
+        options.option("name", name_, "Only this one", "NAME").names_of(NamesOf::mistakes);
         options.flag("--json", json_, "Print JSON");
         options.option("--gallery", gallery_,
                        "Print a page in Markdown: each with a picture of one of the scenes in this "

@@ -12,6 +12,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <cstddef>
 #include <optional>
@@ -97,6 +98,9 @@ std::vector<Value> values_of(std::string_view option, std::string_view what, std
 
 /// The value of --region, if it is given.
 std::optional<Region> region_of(const std::string& text);
+
+/// The values of --color.
+inline constexpr std::array<std::string_view, 3> color_choices{"auto", "always", "never"};
 
 /// The value of --color; automatic if it is not given.
 ColorChoice color_choice_of(const std::string& text);

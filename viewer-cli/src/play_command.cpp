@@ -207,7 +207,7 @@ public:
             fmt::format("Megabytes for pictures that are kept for going back, {} if not given",
                         Snapshots::usual_bytes / 1'000'000),
             "N");
-        options.option("--color", color_, "auto, always or never: colors", "WHEN");
+        options.option("--color", color_, "Colors", "WHEN").values(color_choices);
         options.option("--print", screen_size_,
                        "Print the first screen of a terminal of that size, and play nothing",
                        "COLUMNSxLINES");

@@ -166,11 +166,9 @@ public:
                     "or .txt; may be given again",
                     "FILE")
             .repeatable();
-        options.option("--format", format_,
-                       "text, json, csv, svg or html, whatever the file's name", "NAME");
-        options.option("--jobs", jobs_,
-                       fmt::format("Measure only these jobs: {}", joined(job_names(), ",")),
-                       "JOB,...");
+        options.option("--format", format_, "How to write it, whatever the file's name", "NAME")
+            .values({"text", "json", "csv", "svg", "html"});
+        options.option("--jobs", jobs_, "Measure only these jobs", "JOB,...").values(job_names());
         options.flag("--quick", command_.quick, "Take seconds, not minutes; times are rough");
         options.flag("--conventions", command_.by_conventions,
                      "Draw each scene by every convention, and show where the pictures differ");

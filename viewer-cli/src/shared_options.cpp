@@ -32,10 +32,10 @@ void choose_language(const std::string& option) {
 }
 
 void add_view_to(OptionList& options, std::string& view) {
-    options.option("--view", view,
-                   fmt::format("What a cell shows: {}; if none is given, what the scene is about",
-                               joined(view_names(), ", ")),
-                   "NAME");
+    options
+        .option("--view", view, "What a cell shows; if none is given, what the scene is about",
+                "NAME")
+        .values(view_names());
 }
 
 std::string option_named(std::string_view key) {
@@ -45,17 +45,25 @@ std::string option_named(std::string_view key) {
 }
 
 void MethodOptions::add_to(OptionList& options) {
+    const std::string title = "Method, instead of what the scene says";
     for (const MethodKey& key : method_keys())
         options
             .option(option_named(key.name), values_[std::string(key.name)],
-                    fmt::format("{}: {}", key.meaning, key.listed()),
-                    key.values.empty() ? "NUMBER" : "NAME")
-            .group("Method, instead of what the scene says");
-    options.option("--keep", keep_,
-                   fmt::format("Run these stages even if the scene does not need them: {}",
-                               joined(stage_names(), ",")),
-                   "STAGE,...");
-    options.flag("--full", full_, "Run every stage that the method has");
+                    key.values.empty() ? fmt::format("{}: {}", key.meaning, key.listed())
+                    : key.more.empty() ? std::string(key.meaning)
+                                       : fmt::format("{}, also {}", key.meaning, key.more),
+                    !key.values.empty()     ? "NAME"
+                    : key.name == "mistake" ? "MISTAKE"
+                                            : "NUMBER")
+            .values(key.values)
+            .names_of(key.name == "mistake" ? NamesOf::mistakes : NamesOf::nothing)
+            .shared(title);
+    options
+        .option("--keep", keep_, "Run these stages even if the scene does not need them",
+                "STAGE,...")
+        .values(stage_names())
+        .shared(title);
+    options.flag("--full", full_, "Run every stage that the method has").shared(title);
 }
 
 MethodOverrides MethodOptions::overrides() const {
@@ -81,6 +89,8 @@ MethodOverrides MethodOptions::overrides() const {
 
 namespace {
 
+const std::string of_input = "What is read";
+
 std::size_t bytes_in(const std::string& text) {
     constexpr std::array<std::pair<std::string_view, std::size_t>, 3> units{
         {{"kB", 1'000}, {"MB", 1'000'000}, {"GB", 1'000'000'000}}};
@@ -103,17 +113,23 @@ std::size_t steps_in(const std::string& text) {
 } // namespace
 
 void InputOptions::add_to(OptionList& options, Holds holds) {
-    options.option("--max-input", max_input_,
-                   "The largest scene or OBJ file to read, in kB, MB or GB; 256MB if not "
-                   "given. A trace may have any size",
-                   "SIZE");
-    options.flag("--allow-outside", limits_.allow_outside,
-                 "Read OBJ files that lie outside of the scene's folder too");
+    options
+        .option("--max-input", max_input_,
+                "The largest scene or OBJ file to read, in kB, MB or GB; 256MB if not "
+                "given. A trace may have any size",
+                "SIZE")
+        .shared(of_input);
+    options
+        .flag("--allow-outside", limits_.allow_outside,
+              "Read OBJ files that lie outside of the scene's folder too")
+        .shared(of_input);
     if (holds == Holds::steps)
-        options.option("--max-steps", max_steps_,
-                       "The most steps of a trace to hold; 10 million if not given. Pixels of a "
-                       "row that follow one another in a trace that is drawn count as one",
-                       "N");
+        options
+            .option("--max-steps", max_steps_,
+                    "The most steps of a trace to hold; 10 million if not given. Pixels of a "
+                    "row that follow one another in a trace that is drawn count as one",
+                    "N")
+            .shared(of_input);
 }
 
 InputLimits InputOptions::limits() const {
@@ -132,9 +148,12 @@ void FrameOptions::add_to(OptionList& options, std::string_view without) {
                 "/camera/position/2=4:1:7 (from 4 to 1 in 7 steps) or =4,3,1; may be "
                 "given again",
                 "POINTER=VALUES")
-        .repeatable();
-    options.option("--frame", frame_,
-                   fmt::format("The frame of a scene that varies, from 1; {}", without), "N");
+        .repeatable()
+        .shared(of_input);
+    options
+        .option("--frame", frame_,
+                fmt::format("The frame of a scene that varies, from 1; {}", without), "N")
+        .shared(of_input);
 }
 
 FrameChoice FrameOptions::choice() const {

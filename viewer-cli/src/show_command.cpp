@@ -216,8 +216,7 @@ public:
             "In a frame, . is empty, # plotted, @ plotted by the step shown, x tested and not "
             "drawn, a letter a\nvertex; --view faces, shade, depth, writes or coverage show more.\n"
             "STEP is a number, first, last, or a kind of step with what it has:\n"
-            "14, scanline, \"scanline y=2\", \"depth x=3 y=2 fail\", \"face culled\", \"pixel "
-            "in=ABC\""};
+            "  14, scanline, \"scanline y=2\", \"depth x=3 y=2 fail\", \"pixel in=ABC\""};
     }
 
     void add_to(OptionList& options) override {
@@ -237,12 +236,10 @@ public:
                      "With --every: a frame for each step, also of kinds that are told as a table");
         options.flag("--working", command_.has_working,
                      "Write out how the numbers of a step come of one another");
-        options.option(
-            "--format", format_,
-            fmt::format("With --every: the steps as {}", joined(table_format_names(), ", ")),
-            "NAME");
+        options.option("--format", format_, "With --every: the steps in this form", "NAME")
+            .values(table_format_names());
         options.flag("--json", is_json_, "With --every: short for --format json");
-        options.option("--color", color_, "auto, always or never: colors, on a terminal", "WHEN");
+        options.option("--color", color_, "Colors, on a terminal", "WHEN").values(color_choices);
         options.language();
         drawing_.add_to(options, Holds::steps, "all if not given");
     }

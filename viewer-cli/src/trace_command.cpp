@@ -140,15 +140,16 @@ public:
         options.option("-o,--output", command_.output,
                        "Write to this file (.jsonl: JSON Lines) instead of standard output",
                        "FILE");
-        options.option("--format", format_, "json or jsonl, whatever the file's name", "NAME");
-        options.option(
-            "--only", only_,
-            fmt::format("Write only these kinds of step: {}", joined(step_kind_names(), ",")),
-            "KIND,...");
+        options.option("--format", format_, "How to write it, whatever the file's name", "NAME")
+            .values({"json", "jsonl"});
+        options.option("--only", only_, "Write only these kinds of step", "KIND,...")
+            .values(step_kind_names());
         options.option("--region", region_, "Write only steps that touch these pixels",
                        "x0,y0,x1,y1");
-        options.option("--primitive", command_.filter.primitive,
-                       "Write only the steps of this primitive and its parts", "NAME");
+        options
+            .option("--primitive", command_.filter.primitive,
+                    "Write only the steps of this primitive and its parts", "NAME")
+            .names_of(NamesOf::primitives);
         drawing_.add_to(options, Holds::no_steps, "without it, -o writes a file for each");
     }
 

@@ -361,22 +361,20 @@ public:
             "rastertrace validate examples/t0-fill/first-triangle.json\n\n"
             "What a file is, is found by its content. Exit status 2: one of them is not valid.\n"
             "--schema prints the JSON Schema of a kind of file, for an editor:\n"
-            "rastertrace validate --schema scene > scene.schema.json"};
+            "  rastertrace validate --schema scene > scene.schema.json"};
     }
 
     void add_to(OptionList& options) override {
         options.option("file", command_.files, "The files; - for standard input", "FILE");
-        options.option(
-            "--kind", kind_,
-            fmt::format("What each file has to be: {}", joined(schema_kind_names(), ", ")), "NAME");
+        options.option("--kind", kind_, "What each file has to be", "NAME")
+            .values(schema_kind_names());
         options.flag("--redo", command_.redo,
                      "Do every step of a trace again, and tell the first decision that its numbers "
                      "do not give");
-        options.option("--format", format_, "text or json", "NAME");
+        options.option("--format", format_, "How to print", "NAME").values({"text", "json"});
         options.flag("--json", is_json_, "Short for --format json");
-        options.option("--schema", schema_,
-                       fmt::format("Print a schema instead: {}", joined(schema_kind_names(), ", ")),
-                       "NAME");
+        options.option("--schema", schema_, "Print a schema instead", "NAME")
+            .values(schema_kind_names());
         input_.add_to(options, Holds::steps);
     }
 

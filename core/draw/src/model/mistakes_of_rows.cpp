@@ -84,10 +84,11 @@ constexpr Mistake rows_table[] = {
      fills_by_rows,
      [](ModelRules& rules) {
          rules.slope = [right = rules.slope](const ModelEdge& edge) {
-             return edge.role == ModelEdge::Role::long_edge
-                        ? right(edge)
-                        : Rational((edge.to.at.x - edge.from.at.x) /
-                                   (edge.to.at.y - edge.from.at.y + 1));
+             if (edge.role == ModelEdge::Role::long_edge)
+                 return right(edge);
+             // Of vertices that were not sorted, -1 is a height too.
+             const Rational height = edge.to.at.y - edge.from.at.y + 1;
+             return height == 0 ? Rational(0) : Rational((edge.to.at.x - edge.from.at.x) / height);
          };
      }},
     {"pre-step-a-row-off",

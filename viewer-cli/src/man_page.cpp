@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: MIT
+#include "help_table.h"
+
+#include "command_words.h"
+
+#include <rastertrace/trace/text/text.h>
+
+#include <fmt/core.h>
+
+#include <algorithm>
+
+namespace rastertrace {
+
+namespace {
+
+/// A line of text as roff takes it: dashes are those of options, and no line is a command.
+std::string roff(std::string_view text) {
+    std::string line;
+    for (const char c : text)
+        line += c == '\\' ? "\\e" : c == '-' ? "\\-" : std::string(1, c);
+    return (line.starts_with('.') || line.starts_with('\'') ? "\\&" : "") + line;
+}
+
+std::string heading(std::string_view name, std::string_view meaning) {
+    std::string upper(name);
+    std::transform(upper.begin(), upper.end(), upper.begin(), [](char c) {
+        return 'a' <= c && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c;
+    });
+    return fmt::format(".TH {} 1 \"\" \"rastertrace {}\"\n.SH NAME\n{} \\- {}\n", roff(upper),
+                       RASTERTRACE_VERSION, roff(name), roff(meaning));
+}
+
+/// A term in bold, and what it means.
+std::string entry(std::string_view term, std::string_view type, std::string_view meaning) {
+    return fmt::format(".TP\n\\fB{}\\fR{}\n{}\n", roff(term),
+                       type.empty() ? "" : fmt::format(" \\fI{}\\fR", roff(type)), roff(meaning));
+}
+
+/// Lines as they stand.
+std::string as_typed(const std::vector<std::string>& lines) {
+    std::string text = ".nf\n";
+    for (const std::string& line : lines)
+        text += roff(line) + "\n";
+    return text + ".fi\n";
+}
+
+std::string end_of(std::string_view others) {
+    return fmt::format(".SH EXIT STATUS\n{}\n.SH SEE ALSO\n{}\n",
+                       roff(exit_statuses.substr(exit_statuses.find(':') + 2)), others);
+}
+
+} // namespace
+
+std::string man_page(const CommandTable& command) {
+    const CommandAbout& about = command.about;
+    std::string text = heading("rastertrace-" + about.name, about.meaning) + ".SH SYNOPSIS\n" +
+                       roff(command.usage()) + "\n";
+    const auto lines = split_at(about.example, '\n');
+    const auto behind = std::find(lines.begin(), lines.end(), "");
+    std::string description;
+    for (auto line = behind; line != lines.end(); ++line)
+        description += line->empty()             ? ".PP\n"
+                       : line->starts_with("  ") ? as_typed({*line})
+                                                 : roff(*line) + "\n";
+    if (!description.empty())
+        text += ".SH DESCRIPTION\n" + description;
+    for (const std::string& title : command.headings()) {
+        const auto rows = command.rows_below(title);
+        if (title.empty())
+            text += ".SH OPTIONS\n";
+        else
+            text += fmt::format(".SS {}\n", roff(title));
+        for (const OptionGroup& group : command.groups)
+            if (group.title == title)
+                text += roff(group.note) + "\n";
+        for (const OptionRow* row : rows)
+            text += row->is_argument()
+                        ? entry(row->type, "", row->whole_meaning())
+                        : entry(joined(row->all_names(), ", "), row->type, row->whole_meaning());
+    }
+    std::vector<std::string> examples;
+    for (auto line = lines.begin(); line != behind; ++line)
+        examples.emplace_back(without_blanks(*line));
+    return text + ".SH EXAMPLES\n" + as_typed(examples) + end_of("\\fBrastertrace\\fR(1)");
+}
+
+std::string man_page(const std::vector<CommandGroup>& groups) {
+    std::string text =
+        heading("rastertrace", "a rasterizer you can watch think") +
+        ".SH SYNOPSIS\nrastertrace \\fICOMMAND\\fR [OPTIONS]\n"
+        ".SH DESCRIPTION\nIt draws a scene with the algorithm of the textbook, writes "
+        "down every decision with the numbers that made it, and shows them. A file "
+        "without a command is shown.\n";
+    std::string others;
+    for (const CommandGroup& group : groups) {
+        text += fmt::format(".SS {}\n", roff(group.title));
+        for (const CommandTable* command : group.commands) {
+            text += entry(command->about.name, "", command->about.meaning);
+            others += fmt::format("{}\\fB{}\\fR(1)", others.empty() ? "" : ", ",
+                                  roff("rastertrace-" + command->about.name));
+        }
+    }
+    return text + end_of(others);
+}
+
+} // namespace rastertrace
