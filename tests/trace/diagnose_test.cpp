@@ -210,6 +210,19 @@ TEST(Diagnose, FindsTwoMistakesWhereNoSingleRuleDrawsThem) {
     EXPECT_GE(both_named * 100, all * 70); // of 10; 80 of 300
 }
 
+// Mistakes that no one has made together must not end the program, nor mistakes in what a scene does not have. Vertices
+// that are not sorted have heights below 0.
+TEST(Diagnose, AnyMistakesDrawTogether) {
+    const Source scene{"scene.json", R"({"canvas": {"width": 9, "height": 9, "origin": "top-left"},
+        "vertices": {"A": [1, 2, 3], "B": [7, 1, 2], "C": [3, 7, 4]}, "triangles": ["BAC"],
+        "method": {"depth": "linear-z"}})"};
+    std::size_t drawn = 0;
+    for (const Mistake& a : mistakes())
+        for (const Mistake& b : mistakes())
+            drawn += drawn_by({{}, {&a, &b}}, scene) ? 1 : 0;
+    EXPECT_GT(drawn, mistakes().size() * mistakes().size() / 2);
+}
+
 TEST(Diagnose, FindsAMistakeThoughAFewPixelsAreOff) {
     std::mt19937 random(7);
     int all = 0;

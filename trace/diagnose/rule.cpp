@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <initializer_list>
+#include <iterator>
 
 namespace rastertrace {
 
@@ -148,16 +149,18 @@ std::optional<Image> drawn_by(const Rule& rule, const Source& scene, DrawnIn num
         read_by(all_settings(rule), scene, numbers == DrawnIn::doubles ? "double" : "exact");
     if (!read)
         return std::nullopt;
-    const bool needs_model = std::ranges::any_of(
-        rule.mistakes, [](const Mistake* one) { return one->put_in != nullptr; });
-    if (!needs_model)
+    // A mistake in what a scene does not have, like a camera, changes nothing.
+    std::vector<const Mistake*> made;
+    std::ranges::copy_if(rule.mistakes, std::back_inserter(made), [&read](const Mistake* one) {
+        return one->put_in != nullptr && one->concerns(read->scene);
+    });
+    if (made.empty())
         return draw(read->scene, read->plan);
     if (!has_model(read->scene))
         return std::nullopt;
     ModelRules rules(read->scene);
-    for (const Mistake* const mistake : rule.mistakes)
-        if (mistake->put_in != nullptr)
-            mistake->put_in(rules);
+    for (const Mistake* const mistake : made)
+        mistake->put_in(rules);
     return draw_by(rules);
 }
 
