@@ -404,7 +404,8 @@ def check_tikz(figures, points_of, folder):
     pages = ""
     for figure in figures:
         # Of letters of this size, as in the .svg: without, a wide .tex has larger ones.
-        rastertrace("figure", figure.scene, *figure.options, "--font-size", "10", "-o", os.path.join(folder, figure.name + ".tex"))
+        letters = [] if "--bare" in figure.options else ["--font-size", "10"]
+        rastertrace("figure", figure.scene, *figure.options, *letters, "-o", os.path.join(folder, figure.name + ".tex"))
         pages += rf"\message{{[figure {figure.name}]}}\input{{{figure.name}}}\newpage" + "\n"
     with open(os.path.join(folder, "all.tex"), "w", encoding="utf-8") as file:
         file.write(DOCUMENT % pages)
