@@ -21,7 +21,7 @@ namespace {
 
 constexpr std::string_view files = ":files";
 
-/// The names of a scene, or of the scene in whose folder or words the command stands.
+/// The names in the first of the words that is the file of a scene; none if no word is one.
 std::vector<std::string> names_in_file(NamesOf what, std::span<const std::string> words) {
     std::vector<std::string> names;
     for (const std::string& word : words) {

@@ -44,7 +44,8 @@ void tell_cut_faces(const Scene& scene, const Listener& listener) {
 
 Image draw(const Scene& scene, const Plan& plan, const Listener& listener, Fallbacks* fallbacks) {
     tell_cut_faces(scene, listener);
-    if (const Mistake* const mistake = scene.method.mistake; mistake && mistake->put_in && mistake->concerns(scene)) {
+    if (const Mistake* const mistake = scene.method.mistake;
+        mistake && mistake->put_in && mistake->concerns(scene)) {
         ModelRules rules(scene);
         mistake->put_in(rules);
         return draw_by(rules, listener);
