@@ -84,7 +84,7 @@ TEST_F(DiffFormsTest, RulesStandBesideTheGolden) {
     EXPECT_THAT(diff("a.golden.jsonl b.jsonl").err, HasSubstr("opengl"));
 }
 
-TEST_F(DiffFormsTest, TheConventionOfTheRulesDrawsScenes) {
+TEST_F(DiffFormsTest, TheMethodOfTheRulesDrawsScenes) {
     write(
         "scene.json",
         R"({"canvas":{"width":9,"height":9,"origin":"top-left"},"vertices":{"A":[1,1],"B":[7,2],"C":[3,8]},"triangles":["ABC"]})");
@@ -94,6 +94,15 @@ TEST_F(DiffFormsTest, TheConventionOfTheRulesDrawsScenes) {
     const Outcome told = diff("scene.golden.jsonl scene.json");
     EXPECT_EQ(told.status, 0) << told.out << told.err;
     EXPECT_EQ(diff("scene.golden.jsonl scene.json --convention cgfs").status, 1);
+
+    // The same by a file that the rules name, from their own folder.
+    shell("mkdir rules; mv rastertrace-rules.json rules");
+    write("rules/rastertrace-rules.json", R"({"method": "ours.json"})");
+    write("rules/ours.json", R"({"convention": "direct3d"})");
+    EXPECT_EQ(diff("scene.golden.jsonl scene.json --rules rules/rastertrace-rules.json").status, 0);
+    write("rules/ours.json", R"({"convention": "direct4d"})");
+    EXPECT_THAT(diff("scene.golden.jsonl scene.json --rules rules/rastertrace-rules.json").err,
+                HasSubstr("rules/ours.json:1:16: "));
 }
 
 TEST_F(DiffFormsTest, SeveralGoldensMayBeAccepted) {

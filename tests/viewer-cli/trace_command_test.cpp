@@ -11,6 +11,7 @@
 namespace rastertrace {
 namespace {
 
+using testing::AllOf;
 using testing::HasSubstr;
 using testing::StartsWith;
 
@@ -124,6 +125,32 @@ TEST_F(ProgramTest, MethodIsOverriddenOnTheCommandLine) {
               "rastertrace: --rounding: expected one of floor, nearest, truncate, inside, "
               "half-open, found "
               "\"trunkate\"\nhint: did you mean truncate?\n");
+}
+
+TEST_F(ProgramTest, AMethodMayStandInAFile) {
+    const std::string scene = "$examples/t0-fill/first-triangle.json ";
+    write("ours.json", "{\"fill\": \"top-left\",\n \"sample\": [\"1/4\", 0]}");
+    EXPECT_EQ(shell("$rastertrace trace " + scene + "--method ours.json").out,
+              shell("$rastertrace trace " + scene + "--fill top-left --sample '1/4 0'").out);
+    // What is asked for beside it counts more; a scene says less.
+    write("scalar.json", R"({"scalar": "double", "convention": "direct3d"})");
+    EXPECT_EQ(shell("$rastertrace trace " + scene + "--method scalar.json --convention opengl").out,
+              shell("$rastertrace trace " + scene + "--scalar double --convention opengl").out);
+
+    const auto refusal = [&](const std::string& text) {
+        write("wrong.json", text);
+        const Outcome outcome = shell("$rastertrace show " + scene + "--method wrong.json");
+        EXPECT_EQ(outcome.status, 2) << text;
+        return outcome.err;
+    };
+    EXPECT_THAT(refusal("{\"fill\": \"top-left\",\n \"sample\": \"centre\"}"),
+                AllOf(StartsWith("wrong.json:2:12: expected one of integer, center, "),
+                      HasSubstr("^\nhint: did you mean \"center\"?\n")));
+    EXPECT_THAT(refusal(R"({"fil": "top-left"})"), HasSubstr("did you mean \"fill\"?"));
+    EXPECT_THAT(refusal("[]"), StartsWith("wrong.json:1:1: expected an object with the keys "));
+    EXPECT_THAT(refusal("{"), StartsWith("wrong.json:1:"));
+    EXPECT_THAT(shell("$rastertrace show " + scene + "--method none.json").err,
+                StartsWith("rastertrace: none.json: "));
 }
 
 TEST_F(ProgramTest, RegionMayBeginWithANegativeNumber) {

@@ -3,7 +3,7 @@
 
 #include <rastertrace/trace/record/step_kind.h>
 #include <rastertrace/trace/text/json_reader.h>
-#include <rastertrace/trace/text/method_names.h>
+#include <rastertrace/trace/text/method_file.h>
 #include <rastertrace/trace/text/text.h>
 
 #include <fmt/core.h>
@@ -28,6 +28,7 @@ constexpr std::array rules_keys{
     JsonKey{"only", "texts", "The kinds of step that are compared"},
     JsonKey{"common", "boolean", "Only kinds and fields that both traces have are compared"},
     JsonKey{"any_order", "boolean", "Steps may come in another order"},
+    JsonKey{"method", "text", "The file with the method that scenes are drawn by"},
     JsonKey{"convention", "convention", "The named set that scenes are drawn by"},
 };
 
@@ -35,7 +36,7 @@ class RulesReader {
 public:
     explicit RulesReader(const Source& source) : json_{source} {}
 
-    DiffRules read() const {
+    DiffRules read(const InputLimits& limits) const {
         auto document = parse_json(json_.source);
         if (!document)
             throw document.problem();
@@ -57,13 +58,15 @@ public:
                     add_step_key(rules.options,
                                  fmt::format("{}={}", kind.text, joined(texts_in(fields), ",")));
                 });
-        if (const auto convention = root.find("convention")) {
-            const MethodKey& names = *find_method_key("convention");
-            rules.convention = json_.string_in(*convention, "the name of a convention");
-            if (Method scratch; !names.set(scratch, rules.convention))
-                json_.fail_expecting(*convention, fmt::format("a convention ({})", names.listed()),
-                                     did_you_mean(rules.convention, names.values, "\""));
-        }
+        if (const auto method = root.find("method"))
+            rules.method =
+                read_method_file((std::filesystem::path(json_.source.name).parent_path() /
+                                  json_.string_in(*method, "the name of a file with a method"))
+                                     .string(),
+                                 limits);
+        if (const auto convention = root.find("convention"))
+            rules.method.emplace_back(
+                "convention", choice_in(json_, *find_method_key("convention"), *convention));
         return rules;
     }
 
@@ -101,7 +104,7 @@ DiffRules read_rules(const std::string& path, const InputLimits& limits) {
     const auto source = read_named_file(path, limits);
     if (!source)
         throw source.problem();
-    return RulesReader(source.value()).read();
+    return RulesReader(source.value()).read(limits);
 }
 
 std::optional<DiffRules> rules_beside(const std::string& golden, const InputLimits& limits) {

@@ -4,11 +4,12 @@
 // What a team has agreed on for its goldens: rastertrace-rules.json, in the folder of the golden.
 //
 //     {"ignore": ["header", "pixel.color"], "tolerance": ["depth=4ulp"], "key": {"tile": ["tx", "ty"]},
-//      "convention": "opengl"}
+//      "method": "our-method.json"}
 
 #include "diff.h"
 
 #include <rastertrace/trace/text/input.h>
+#include <rastertrace/trace/text/method_names.h>
 
 #include <optional>
 #include <string>
@@ -18,8 +19,7 @@ namespace rastertrace {
 
 struct DiffRules {
     DiffOptions options{};
-    std::string
-        convention{}; ///< that scenes are drawn by, unless they are asked for another; "": their own
+    MethodOverrides method{}; ///< that scenes are drawn by, but for what they are asked for
 };
 
 /// The rules in the folder of a golden; nothing if there are none. Throws a Problem.

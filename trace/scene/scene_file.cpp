@@ -22,6 +22,7 @@
 #include <rastertrace/trace/text/json_document.h>
 #include <rastertrace/trace/text/json_reader.h>
 #include <rastertrace/trace/text/json_scanner.h>
+#include <rastertrace/trace/text/method_file.h>
 #include <rastertrace/trace/text/name_index.h>
 #include <rastertrace/trace/text/primitive_name.h>
 #include <rastertrace/trace/text/stage_name.h>
@@ -214,22 +215,8 @@ private:
     }
 
     void read_choice(const MethodKey& key, const JsonValue& value) {
-        const bool is_word = value.kind == JsonValue::Kind::string ||
-                             (value.kind == JsonValue::Kind::number && key.takes_number()) ||
-                             (value.kind == JsonValue::Kind::array && !key.more.empty());
-        if (!is_word || !key.set(scene_.method, words_of(value)))
-            json_.fail_expecting(value, key.expected(), did_you_mean(value.text, key.values, "\""));
+        key.set(scene_.method, choice_in(json_, key, value));
         said_.insert(key.name);
-    }
-
-    /// A word, or the elements of an array with spaces between.
-    static std::string words_of(const JsonValue& value) {
-        if (value.kind != JsonValue::Kind::array)
-            return value.text;
-        std::vector<std::string> words;
-        for (const JsonValue& element : value.elements())
-            words.push_back(element.text);
-        return joined(words, " ");
     }
 
     /// The stages that run although the scene does not need them.

@@ -120,10 +120,10 @@ struct FigureCommand {
     FigureStyle style;
     std::optional<Sheet> sheet;
     std::optional<SpaceFrames> frames_in_space; ///< in the place of all other pictures
-    std::string house_style;  ///< a file, see HouseStyle
-    bool is_animated = false; ///< all frames in one .svg
-    bool is_bare = false;     ///< only the pixels
-    std::string against;      ///< METHOD, or a file: see FigureOptions
+    std::string house_style;                    ///< a file, see HouseStyle
+    bool is_animated = false;                   ///< all frames in one .svg
+    bool is_bare = false;                       ///< only the pixels
+    std::string against;                        ///< METHOD, or a file: see FigureOptions
     MethodOverrides method;
     InputLimits input;
     FrameChoice frames;
@@ -192,7 +192,7 @@ struct DiffCommand {
     std::string against; ///< METHOD: the only scene, drawn by another one
     DiffOptions options;
     std::optional<Color> background{}; ///< of a picture: what is not drawn
-    std::string convention{};          ///< of the rules, for scenes
+    MethodOverrides method_of_rules{}; ///< for scenes
     std::string rules; ///< a file of them; "": the one beside the first file, if there is one
     DiffFormat format = DiffFormat::text;
     std::string pictures{}; ///< of markdown: the folder that they are written to

@@ -63,7 +63,7 @@ void mark_wrong_sentences(const TraceText& text, std::vector<DiffStep>& before,
     std::for_each(after.begin(), after.end(), mark);
 }
 
-/// With the rules that the team shares. A convention is about scenes alone.
+/// With the rules that the team shares. Their method is about scenes alone.
 DiffCommand with_rules(const DiffCommand& command) {
     const auto rules = command.rules.empty()
                            ? rules_beside(command.files.front(), command.input)
@@ -72,17 +72,16 @@ DiffCommand with_rules(const DiffCommand& command) {
     if (!rules)
         return asked;
     asked.options = joined_options(rules->options, command.options);
-    const auto names_convention = [](const auto& choice) { return choice.first == "convention"; };
-    if (!rules->convention.empty() && std::ranges::none_of(asked.method, names_convention))
-        asked.convention = rules->convention;
+    asked.method_of_rules = rules->method;
     return asked;
 }
 
-/// The method for one of the files: what is asked for, and the convention of the rules.
+/// The method for one of the files: what is asked for, before it what the rules say.
 SceneOptions options_for(const OpenedTrace& opened, const DiffCommand& command) {
     SceneOptions options = options_of(command);
-    if (is_scene(opened) && !command.convention.empty())
-        options.method.emplace(options.method.begin(), "convention", command.convention);
+    if (is_scene(opened))
+        options.method.insert(options.method.begin(), command.method_of_rules.begin(),
+                              command.method_of_rules.end());
     return options;
 }
 

@@ -9,6 +9,7 @@
 #include <rastertrace/trace/compare/diff_rules.h>
 #include <rastertrace/trace/text/color_text.h>
 #include <rastertrace/trace/text/language.h>
+#include <rastertrace/trace/text/method_file.h>
 #include <rastertrace/trace/text/stage_name.h>
 #include <rastertrace/trace/text/text.h>
 
@@ -46,6 +47,12 @@ std::string option_named(std::string_view key) {
 
 void MethodOptions::add_to(OptionList& options) {
     const std::string title = "Method, instead of what the scene says";
+    options
+        .option("--method", file_,
+                "The choices in this file, JSON like {\"fill\": \"top-left\"}; other options count "
+                "more",
+                "FILE")
+        .shared(title);
     for (const MethodKey& key : method_keys())
         options
             .option(option_named(key.name), values_[std::string(key.name)],
@@ -68,6 +75,8 @@ void MethodOptions::add_to(OptionList& options) {
 
 MethodOverrides MethodOptions::overrides() const {
     MethodOverrides overrides;
+    if (!file_.empty())
+        overrides = read_method_file(file_, InputLimits{});
     for (const MethodKey& key : method_keys()) {
         const std::string& value = values_.at(std::string(key.name));
         if (value.empty())

@@ -39,6 +39,7 @@ public:
     MethodOverrides overrides() const;
 
 private:
+    std::string file_;
     std::map<std::string, std::string> values_;
     std::string keep_;
     bool full_ = false;
