@@ -88,7 +88,7 @@ TEST_F(ProgramTest, UsageErrorsNameTheWordAndANearOne) {
               "rastertrace: expected a command out of trace, "
               "show, play, figure, explain, stats, check, sheet, exercise, diff, review, "
               "diagnose, tell-apart, mistakes, fuzz, stress, report, validate, plan, scene, "
-              "conventions, renew, help, found "
+              "conventions, examples, renew, help, found "
               "\"shw\"\n"
               "hint: did you mean show?\n");
     EXPECT_EQ(shell("$rastertrace show x --evry pixel").err,

@@ -82,3 +82,18 @@ pane 80 24 "TERM=dumb COLORTERM=truecolor" "$lit"
 pane 80 24 "COLORTERM=" "'$examples/t0-projection/turning.json' --vary /model/0/rotate/degrees=0:360:1001"
 tr -d '\n' <"$folder/pane" | grep -q 'at most 1000 frames' || fail "1001 frames on a terminal"
 grep -q -- '--frame 1 shows the first' "$folder/pane" || fail "no hint at --frame"
+
+# Standard input that is a terminal: somebody who wrote - is told that the program waits.
+tmux -L "$server" new-session -d -s one -x 80 -y 40 "'$program' show -; printf '%s' '\$ the prompt'; sleep 60"
+seen() { # seen TEXT: waits until the screen shows it
+    tries=0
+    until tmux -L "$server" capture-pane -p -t one >"$folder/pane" && grep -q "$1" "$folder/pane"; do
+        tries=$((tries + 1))
+        [ "$tries" -lt 100 ] || fail "show - does not come to: $1"
+        sleep 0.1
+    done
+}
+seen 'Ctrl-D'
+tmux -L "$server" send-keys -t one '{"vertices": {"A": [2, 5], "B": [-4, -3], "C": [5, -3]}, "triangles": ["ABC"]}' Enter C-d
+seen '^\$ the prompt'
+grep -q '##########' "$folder/pane" || fail "no picture of what was typed"

@@ -137,6 +137,7 @@ std::unique_ptr<Command> tell_apart_command();
 std::unique_ptr<Command> mistakes_command();
 std::unique_ptr<Command> scene_command();
 std::unique_ptr<Command> conventions_command();
+std::unique_ptr<Command> examples_command();
 std::unique_ptr<Command> stress_command();
 std::unique_ptr<Command> report_command();
 std::unique_ptr<Command> renew_command();

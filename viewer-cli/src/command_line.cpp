@@ -8,6 +8,7 @@
 #include "commands.h"
 #include "load.h"
 #include "shared_options.h"
+#include "version_text.h"
 
 #include <rastertrace/trace/text/language.h>
 #include <rastertrace/trace/text/problem.h>
@@ -15,6 +16,8 @@
 
 #include <CLI/CLI.hpp>
 #include <fmt/core.h>
+
+#include <unistd.h>
 
 #include <algorithm>
 #include <array>
@@ -114,7 +117,8 @@ const std::array<MakersOfGroup, 5> command_groups{
        fuzz_command}},
      {"Error and time", {stress_command, report_command}},
      {"Files and pages",
-      {validate_command, plan_command, scene_command, conventions_command, renew_command}}}};
+      {validate_command, plan_command, scene_command, conventions_command, examples_command,
+       renew_command}}}};
 
 /// The program: its commands, the one that is run, and messages about how it was called.
 class Program {
@@ -122,7 +126,8 @@ public:
     Program() {
         app_.require_subcommand(1);
         app_.set_help_flag("-h,--help");
-        app_.set_version_flag("-V,--version", std::string("rastertrace ") + RASTERTRACE_VERSION);
+        CLI::Option* const version = app_.set_version_flag("-V,--version", RASTERTRACE_VERSION);
+        app_.add_flag("--verbose", is_verbose_)->needs(version);
         for (const auto& [title, makers] : command_groups) {
             CommandGroup& group = groups_.emplace_back(CommandGroup{std::string(title), {}});
             for (const auto make : makers)
@@ -150,11 +155,11 @@ public:
             if (!std::string_view(words[1]).starts_with('-'))
                 table_of(words[1], groups_); // throws if there is none
             app_.parse(static_cast<int>(words.size()), words.data());
-            return run_chosen();
+            return run_chosen(words);
         } catch (const CLI::CallForHelp&) {
             print_help(words);
         } catch (const CLI::CallForVersion&) {
-            print(fmt::format("rastertrace {}\n", RASTERTRACE_VERSION));
+            print(version_text(is_verbose_));
         } catch (const CLI::ParseError& error) {
             return complain(error, words);
         }
@@ -178,8 +183,10 @@ private:
         return found == commands_.end() ? nullptr : found->second.get();
     }
 
-    int run_chosen() {
+    int run_chosen(std::span<const char* const> words) {
         Command& command = *command_named(chosen().get_name());
+        if (::isatty(STDIN_FILENO) != 0 && reads_standard_input(words))
+            print_error("rastertrace: reading what you type; Ctrl-D on an empty line ends it\n");
         command.read();
         choose_language(language_);
         return command.run();
@@ -229,6 +236,7 @@ private:
     std::map<std::string, CommandTable> tables_;                            ///< the same
     std::vector<CommandGroup> groups_;                                      ///< of the help
     std::string language_;
+    bool is_verbose_ = false;
 };
 
 } // namespace

@@ -43,6 +43,14 @@ std::optional<Complaint> unknown_option(std::span<const char* const> words,
     return std::nullopt;
 }
 
+bool reads_standard_input(std::span<const char* const> words) {
+    for (std::size_t i = 2; i < words.size(); ++i)
+        const std::string_view before = words[i - 1];
+    if (words[i] == std::string_view("-") && before != "-o" && before != "--output")
+        return true;
+    return false;
+}
+
 bool have_condition(std::span<const char* const> words) {
     return std::any_of(words.begin() + 1, words.end(), [](std::string_view word) {
         return !word.starts_with('-') && word.find('=') != std::string_view::npos;

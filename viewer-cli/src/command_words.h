@@ -12,6 +12,9 @@
 
 namespace rastertrace {
 
+/// True if one of the words behind a command is the file `-`.
+bool reads_standard_input(std::span<const char* const> words);
+
 /// What the program says if it is called without a word.
 inline constexpr std::string_view welcome = R"(rastertrace: a rasterizer you can watch think
 

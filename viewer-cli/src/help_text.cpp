@@ -172,7 +172,8 @@ std::string help_text(const std::vector<CommandGroup>& groups) {
             text += help_row(command->about.name, command->about.meaning);
     }
     text += "\n" + help_row("-h, --help", "Print this help; of a command, --help has all options") +
-            help_row("-V, --version", "Print the version");
+            help_row("-V, --version",
+                     "Print the version; with --verbose also how the program was built");
     text += "\nExample:\n" + command_lines("rastertrace show examples/t0-fill/first-triangle.json");
     return text + "\n" +
            paragraphs({"A file without a command is shown. " + std::string(exit_statuses)});

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: MIT
+// What the program came with, and how it was built.
+
+#include "program.h"
+
+#include <gmock/gmock.h>
+
+#include <string>
+
+namespace rastertrace {
+namespace {
+
+using testing::AllOf;
+using testing::HasSubstr;
+using testing::MatchesRegex;
+using testing::Not;
+using testing::StartsWith;
+
+using ExamplesTest = ProgramTest;
+
+TEST_F(ExamplesTest, AreListedWithTheirTitles) {
+    const std::string all = shell("$rastertrace examples").out;
+    EXPECT_THAT(all, HasSubstr("\nt0-fill/first-triangle.json                  First triangle\n"));
+    EXPECT_THAT(all, HasSubstr("\nclaims/t0-rows.claims                        T0, the triangle "));
+    EXPECT_THAT(all, HasSubstr("\nmodels/cube.obj\n"));
+    EXPECT_EQ(shell("$rastertrace examples | wc -l").out,
+              shell("find $examples -type f | wc -l").out);
+    const std::string some = shell("$rastertrace examples first-triangle").out;
+    EXPECT_THAT(some, AllOf(HasSubstr("t0-fill/first-triangle.json"), Not(HasSubstr("models/"))));
+    const Outcome none = shell("$rastertrace examples teapot");
+    EXPECT_EQ(none.status, 2);
+    EXPECT_THAT(none.err, HasSubstr("found \"teapot\""));
+}
+
+TEST_F(ExamplesTest, AreCopiedWithoutLoss) {
+    EXPECT_EQ(shell("$rastertrace examples -o here/mine").status, 0);
+    EXPECT_EQ(shell("diff -r here/mine $examples").out, "");
+    write("here/mine/t0-fill/first-triangle.json", "my own");
+    EXPECT_EQ(shell("$rastertrace examples -o here/mine").out, "0 files copied to here/mine\n");
+    EXPECT_EQ(content("here/mine/t0-fill/first-triangle.json"), "my own");
+    EXPECT_EQ(shell("$rastertrace examples cube -o more").status, 2);
+    write("file", "");
+    const Outcome refused = shell("$rastertrace examples -o file");
+    EXPECT_NE(refused.status, 0);
+    EXPECT_THAT(refused.err, StartsWith("rastertrace: file"));
+}
+
+TEST_F(ExamplesTest, TheVersionTellsHowTheProgramWasBuilt) {
+    const std::string version = shell("$rastertrace --version").out;
+    EXPECT_THAT(version, MatchesRegex("rastertrace [0-9]+\\.[0-9]+\\.[0-9]+\n"));
+    const std::string verbose = shell("$rastertrace --version --verbose").out;
+    EXPECT_THAT(verbose, AllOf(StartsWith(version), HasSubstr("-ffp-contract=off"),
+                               HasSubstr("GMP "), HasSubstr("/examples\n")));
+    EXPECT_EQ(shell("$rastertrace --verbose").status, 2);
+}
+
+} // namespace
+} // namespace rastertrace

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: MIT
+#include "installed_files.h"
+
+#include <rastertrace/trace/text/problem.h>
+
+#include <system_error>
+
+namespace rastertrace {
+
+std::filesystem::path examples_folder() {
+    std::error_code error;
+    const auto program = std::filesystem::read_symlink("/proc/self/exe", error).parent_path();
+    for (const auto* const place :
+         {RASTERTRACE_SHARE "/examples", "../../../examples", "../../examples"}) {
+        auto folder = (program / place).lexically_normal();
+        if (std::filesystem::exists(folder / "t0-fill/first-triangle.json", error))
+            return folder;
+    }
+    throw problem_of("",
+                     "expected the examples in " +
+                         (program / RASTERTRACE_SHARE "/examples").lexically_normal().string() +
+                         ", found none",
+                     "cmake --install and the packages put them there");
+}
+
+} // namespace rastertrace
