@@ -1,21 +1,84 @@
-# `cmake --install` puts the program, the libraries and what find_package(rastertrace) needs in place.
+# `cmake --install` puts in place what is built: the libraries and what find_package(rastertrace) and pkg-config need,
+# the program with its pages of the manual and completions, and examples, schemas, styles and docs.
+# Components: program, development.
 include(CMakePackageConfigHelpers)
 set(package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/rastertrace)
+set(share_dir ${CMAKE_INSTALL_DATADIR}/rastertrace)
 
-install(TARGETS rastertrace_core rastertrace_draw ${rastertrace_rooms} rastertrace_trace rastertrace_emit rastertrace_program
-  EXPORT rastertrace-targets FILE_SET HEADERS)
-install(EXPORT rastertrace-targets NAMESPACE rastertrace:: DESTINATION ${package_dir})
+set(libraries rastertrace_core rastertrace_draw)
+set(find_modules ${CMAKE_CURRENT_LIST_DIR}/FindGMP.cmake)
+if(RASTERTRACE_BUILD_TRACE)
+  list(APPEND libraries ${rastertrace_rooms} rastertrace_trace rastertrace_emit)
+  list(APPEND find_modules ${CMAKE_CURRENT_LIST_DIR}/FindUnistring.cmake)
+endif()
+set(version_of_binaries ${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR})
+set_target_properties(${libraries} PROPERTIES VERSION ${PROJECT_VERSION} SOVERSION ${version_of_binaries})
+install(TARGETS ${libraries} EXPORT rastertrace-targets FILE_SET HEADERS COMPONENT development
+  ARCHIVE COMPONENT development
+  LIBRARY COMPONENT program NAMELINK_COMPONENT development)
+if(RASTERTRACE_BUILD_PROGRAM)
+  install(TARGETS rastertrace_program EXPORT rastertrace-targets COMPONENT program)
+endif()
+install(EXPORT rastertrace-targets NAMESPACE rastertrace:: DESTINATION ${package_dir} COMPONENT development)
 # What needs GoogleTest has an export of its own: nobody else looks for GoogleTest.
 if(TARGET rastertrace_testing)
-  install(TARGETS rastertrace_testing EXPORT rastertrace-testing-targets FILE_SET HEADERS)
-  install(EXPORT rastertrace-testing-targets NAMESPACE rastertrace:: DESTINATION ${package_dir})
+  install(TARGETS rastertrace_testing EXPORT rastertrace-testing-targets FILE_SET HEADERS COMPONENT development
+    ARCHIVE COMPONENT development
+    LIBRARY COMPONENT program NAMELINK_COMPONENT development)
+  install(EXPORT rastertrace-testing-targets NAMESPACE rastertrace:: DESTINATION ${package_dir} COMPONENT development)
 endif()
 write_basic_package_version_file(rastertrace-config-version.cmake COMPATIBILITY SameMinorVersion)
 install(FILES
     ${CMAKE_CURRENT_LIST_DIR}/rastertrace-config.cmake
     ${CMAKE_CURRENT_LIST_DIR}/rastertrace-golden.cmake
     ${CMAKE_CURRENT_LIST_DIR}/golden-test.cmake
-    ${CMAKE_CURRENT_LIST_DIR}/FindGMP.cmake
-    ${CMAKE_CURRENT_LIST_DIR}/FindUnistring.cmake
+    ${find_modules}
     ${CMAKE_CURRENT_BINARY_DIR}/rastertrace-config-version.cmake
-  DESTINATION ${package_dir})
+  DESTINATION ${package_dir} COMPONENT development)
+
+if(RASTERTRACE_BUILD_TRACE)
+  # A library comes before those that it uses.
+  set(library_flags rastertrace_core rastertrace_draw ${rastertrace_rooms})
+  list(REVERSE library_flags)
+  list(TRANSFORM library_flags PREPEND -l)
+  list(JOIN library_flags " " library_flags)
+  get_target_property(core_options rastertrace_core INTERFACE_COMPILE_OPTIONS)
+  file(RELATIVE_PATH prefix_from_pc /${CMAKE_INSTALL_LIBDIR}/pkgconfig /)
+  configure_file(${CMAKE_CURRENT_LIST_DIR}/rastertrace.pc.in rastertrace.pc @ONLY)
+  install(FILES ${CMAKE_CURRENT_BINARY_DIR}/rastertrace.pc
+    DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig COMPONENT development)
+endif()
+install(FILES LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT program)
+if(NOT RASTERTRACE_BUILD_PROGRAM)
+  return()
+endif()
+
+install(DIRECTORY examples DESTINATION ${share_dir} COMPONENT program)
+install(FILES docs/claims.schema.json docs/scene.schema.json docs/trace.schema.json
+  DESTINATION ${share_dir}/schemas COMPONENT program)
+install(FILES examples/figures/rastertrace.sty DESTINATION ${share_dir}/styles COMPONENT program)
+install(FILES viewer-cli/python/rastertrace.py DESTINATION ${share_dir} COMPONENT program)
+install(FILES README.md DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT program)
+install(DIRECTORY docs DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT program PATTERN *.schema.json EXCLUDE)
+if(RASTERTRACE_WASM)
+  install(FILES ${PROJECT_BINARY_DIR}/wasm/module/rastertrace.js DESTINATION ${share_dir} COMPONENT program)
+endif()
+
+# The program writes its manual. One for another machine cannot be run here.
+if(NOT CMAKE_CROSSCOMPILING)
+  set(manual ${PROJECT_BINARY_DIR}/manual)
+  add_custom_command(OUTPUT ${manual}/man1/rastertrace.1
+    COMMAND ${CMAKE_COMMAND} -DPROGRAM=$<TARGET_FILE:rastertrace_program> -DFOLDER=${manual}
+      -P ${CMAKE_CURRENT_LIST_DIR}/manual.cmake
+    DEPENDS rastertrace_program ${CMAKE_CURRENT_LIST_DIR}/manual.cmake VERBATIM)
+  add_custom_target(rastertrace_manual ALL DEPENDS ${manual}/man1/rastertrace.1)
+  install(DIRECTORY ${manual}/man1 DESTINATION ${CMAKE_INSTALL_MANDIR} COMPONENT program)
+  foreach(file IN ITEMS bash-completion/completions/rastertrace=bash zsh/site-functions/_rastertrace=zsh
+      fish/vendor_completions.d/rastertrace.fish=fish)
+    string(REGEX MATCH "(.*)/(.*)=(.*)" ignored ${file})
+    install(FILES ${manual}/${CMAKE_MATCH_3} DESTINATION ${CMAKE_INSTALL_DATADIR}/${CMAKE_MATCH_1}
+      RENAME ${CMAKE_MATCH_2} COMPONENT program)
+  endforeach()
+endif()
+
+include(${CMAKE_CURRENT_LIST_DIR}/package.cmake)
