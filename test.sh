@@ -16,7 +16,8 @@ scripts/install-packages.sh g++ cmake ninja-build binutils libglm-dev nlohmann-j
     libfmt-dev libagg-dev libcli11-dev libexpat1-dev libgif-dev libgmp-dev libpng-dev libstb-dev libunistring-dev zlib1g-dev libgtest-dev libgmock-dev \
     librapidcheck-dev libtinyobjloader-dev tmux git
 [ "$all" = OFF ] || scripts/install-packages.sh asciinema chromium clang fonts-dejavu-core gdb libbenchmark-dev libosmesa6-dev librsvg2-bin mkdocs pandoc \
-    poppler-utils python3-jsonschema python3-pil python3-pymdownx python3-sphinx texlive-latex-base texlive-latex-recommended texlive-pictures
+    poppler-utils python3-ipykernel python3-jsonschema python3-nbconvert python3-pil python3-pymdownx python3-sphinx \
+    texlive-latex-base texlive-latex-recommended texlive-pictures
 [ "$all" = OFF ] || command -v rustc >/dev/null || scripts/install-packages.sh rustc
 [ "$all" = OFF ] || command -v npm >/dev/null || scripts/install-packages.sh nodejs npm
 [ -f build/test/build.ninja ] || cmake --preset test -G Ninja -DCMAKE_UNITY_BUILD=ON
@@ -31,7 +32,7 @@ Left out, as they
 - build other projects: Consumer.*, Algorithms.ANewOneIsMissedInEveryTable
 - renew whole pages: docs-are-up-to-date, stress
 - need another compiler: BitmapsAreTheSameByAnyCompiler, ClangAcceptsTheSources, NullSinkCostsNothing.clang++, wasm-*
-- need other programs: schemas (jsonschema), walk (gdb), benchmarks, against-mesa-*, figures-in-other-programs, figures-in-tex, pages, site
+- need other programs: schemas (jsonschema), walk (gdb), benchmarks, against-mesa-*, figures-in-other-programs, figures-in-tex, pages, site, python (nbconvert)
 - need Python, node and rustc: Emit.foreign, Emit.page
 ./test.sh --all installs what these need (also a browser, TeX and Emscripten), and runs all tests.
 END

@@ -61,6 +61,7 @@ SECTIONS = [
         ("docs/your-own-rasterizer.md", None),
         ("docs/troubleshooting.md", None),
         ("docs/library.md", None),
+        ("docs/python.md", None),
         ("docs/regression-tests.md", None),
         ("docs/architecture.md", None),
         ("docs/performance.md", None),
