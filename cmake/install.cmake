@@ -58,7 +58,7 @@ install(FILES docs/claims.schema.json docs/scene.schema.json docs/trace.schema.j
   DESTINATION ${share_dir}/schemas COMPONENT program)
 install(FILES examples/figures/rastertrace.sty DESTINATION ${share_dir}/styles COMPONENT program)
 install(FILES viewer-cli/python/rastertrace.py DESTINATION ${share_dir} COMPONENT program)
-install(FILES README.md DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT program)
+install(FILES README.md CHANGELOG.md DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT program)
 install(DIRECTORY docs DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT program PATTERN *.schema.json EXCLUDE)
 if(RASTERTRACE_WASM)
   install(FILES ${PROJECT_BINARY_DIR}/wasm/module/rastertrace.js DESTINATION ${share_dir} COMPONENT program)

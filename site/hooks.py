@@ -44,6 +44,7 @@ SECTIONS = [
         ("docs/stress-command.md", "stress"),
         ("docs/pages.md", "renew"),
         ("examples/page.md", "A page to renew"),
+        ("docs/install.md", None),
     ]),
     ("How it draws", [
         ("docs/pipeline.md", None),
@@ -66,6 +67,7 @@ SECTIONS = [
         ("docs/architecture.md", None),
         ("docs/performance.md", None),
         ("docs/contributing.md", None),
+        ("CHANGELOG.md", None),
     ]),
 ]
 
