@@ -1,5 +1,5 @@
-# cpack makes, of what is installed, two packages for Debian (the program; the libraries) and an archive.
-# scripts/package.sh builds for it.
+# cpack -G DEB makes two packages for Debian of what is installed: the program, and the libraries. scripts/package.sh
+# calls it.
 set(CPACK_PACKAGE_CONTACT "The rastertrace authors <maintainers@rastertrace.invalid>")
 set(CPACK_PACKAGE_DESCRIPTION "It draws a scene with the textbook's algorithm, writes down every decision\n\
 with the numbers that made it, and shows them step by step: as text, as\n\
@@ -8,7 +8,6 @@ and compares the decisions of two renderers.")
 set(CPACK_RESOURCE_FILE_LICENSE ${PROJECT_SOURCE_DIR}/LICENSE)
 set(CPACK_VERBATIM_VARIABLES ON)
 set(CPACK_STRIP_FILES ON)
-set(CPACK_PACKAGE_FILE_NAME rastertrace-${PROJECT_VERSION}-linux-x86_64)
 set(CPACK_COMPONENTS_ALL program development)
 set(CPACK_DEB_COMPONENT_INSTALL ON)
 set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)

@@ -32,7 +32,7 @@ for schema in scene trace claims; do
 done
 [ -f "$share/rastertrace/styles/rastertrace.sty" ] && [ -f "$share/rastertrace/rastertrace.py" ] ||
     fail "expected styles and the module for Python"
-[ -f "$share/doc/rastertrace/LICENSE" ] && [ -f "$share/doc/rastertrace/docs/commands.md" ] || fail "expected the docs"
+[ -f "$share/doc/rastertrace/copyright" ] && [ -f "$share/doc/rastertrace/docs/commands.md" ] || fail "expected the docs"
 
 # Without CMake, by pkg-config.
 pc=$(dirname "$(find "$prefix" -name rastertrace.pc)")

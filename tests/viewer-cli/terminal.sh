@@ -83,17 +83,30 @@ pane 80 24 "COLORTERM=" "'$examples/t0-projection/turning.json' --vary /model/0/
 tr -d '\n' <"$folder/pane" | grep -q 'at most 1000 frames' || fail "1001 frames on a terminal"
 grep -q -- '--frame 1 shows the first' "$folder/pane" || fail "no hint at --frame"
 
-# Standard input that is a terminal: somebody who wrote - is told that the program waits.
-tmux -L "$server" new-session -d -s one -x 80 -y 40 "'$program' show -; printf '%s' '\$ the prompt'; sleep 60"
+# started COMMAND: on a terminal of 80 columns, in the folder of the test.
+started() {
+    tmux -L "$server" new-session -d -s one -x 80 -y 40 -c "$folder" "$1; printf '%s' '\$ the prompt'; sleep 60"
+}
 seen() { # seen TEXT: waits until the screen shows it
     tries=0
     until tmux -L "$server" capture-pane -p -t one >"$folder/pane" && grep -q "$1" "$folder/pane"; do
         tries=$((tries + 1))
-        [ "$tries" -lt 100 ] || fail "show - does not come to: $1"
+        [ "$tries" -lt 200 ] || fail "the screen does not come to: $1"
         sleep 0.1
     done
 }
+
+# Standard input that is a terminal: somebody who wrote - is told that the program waits.
+started "'$program' show -"
 seen 'Ctrl-D'
 tmux -L "$server" send-keys -t one '{"vertices": {"A": [2, 5], "B": [-4, -3], "C": [5, -3]}, "triangles": ["ABC"]}' Enter C-d
 seen '^\$ the prompt'
 grep -q '##########' "$folder/pane" || fail "no picture of what was typed"
+tmux -L "$server" kill-session -t one
+
+# Long work shows how far it has come, and when it is ended what was done.
+started "'$program' trace 512x512.json --vary /vertices/A/0=0:500:501 -o all.jsonl"
+seen 'trace: [0-9.]* MB written, [0-9.]* a second'
+tmux -L "$server" send-keys -t one C-c
+seen 'ended after trace: [0-9.]* MB written'
+[ -z "$(ls "$folder" | grep all)" ] || fail "files of a trace that was ended"

@@ -8,6 +8,7 @@
 
 #include <rastertrace/trace/text/input_check.h>
 #include <rastertrace/trace/text/json_scanner.h>
+#include <rastertrace/trace/text/process_files.h>
 #include <rastertrace/trace/text/text.h>
 #include <rastertrace/trace/text/trace_layout.h>
 
@@ -115,6 +116,7 @@ bool StepLines::read_more() {
     const std::size_t size = std::min(block_size, end_ - std::min(end_, begin));
     buffer_.resize(kept + size);
     const std::size_t count = text_.read(begin, std::span(buffer_).subspan(kept));
+    add_bytes_done({.read = count});
     buffer_.resize(kept + count);
     has_all_ = count == 0;
     return !has_all_;

@@ -21,6 +21,7 @@
 #include <rastertrace/trace/text/input.h>
 #include <rastertrace/trace/text/json_document.h>
 #include <rastertrace/trace/text/json_scanner.h>
+#include <rastertrace/trace/text/process_files.h>
 #include <rastertrace/trace/text/text.h>
 #include <rastertrace/trace/text/trace_layout.h>
 #include <rastertrace/trace/text/zero_byte.h>
@@ -708,6 +709,9 @@ private:
                             .length = static_cast<std::uint32_t>(size),
                             .kind = kind,
                             .is_plain = is_plain});
+        constexpr std::size_t seldom = 4096;
+        if (trace_.size() % seldom == 0)
+            add_bytes_done({.read = begin - std::exchange(counted_, begin)});
     }
 
     /// The first pixel that is off the canvas is told.
@@ -794,6 +798,7 @@ private:
     bool is_block_;
     bool was_cut_short_ = false;
     bool has_stray_pixel_ = false;
+    std::size_t counted_ = 0; ///< of the bytes, see add_bytes_done
     std::optional<PictureOfSteps>
         picture_; ///< that the steps draw, if it is held against the end record
     StepCounts counts_;

@@ -36,9 +36,10 @@ constexpr std::string_view not_named = "could not be given its name";
 void write_all(int descriptor, std::string_view bytes, const std::string& name) {
     while (!bytes.empty()) {
         const ssize_t count = ::write(descriptor, bytes.data(), bytes.size());
-        if (count >= 0)
+        if (count >= 0) {
+            add_bytes_done({.written = static_cast<std::uint64_t>(count)});
             bytes.remove_prefix(static_cast<std::size_t>(count));
-        else if (errno == EAGAIN)
+        } else if (errno == EAGAIN)
             wait_until_writable(descriptor);
         else if (errno != EINTR)
             fail(name, not_written, errno);

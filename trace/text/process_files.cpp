@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <mutex>
 #include <utility>
 
@@ -23,6 +24,8 @@ namespace {
 std::vector<FileId> opened;
 std::mutex opened_mutex; // several threads may open files
 FileRules rules;
+std::atomic<std::uint64_t> bytes_read = 0;
+std::atomic<std::uint64_t> bytes_written = 0;
 
 void refuse_outside(const std::string& place, const std::string& path) {
     const std::string folder = rules.below == "/" ? "" : rules.below;
@@ -36,6 +39,15 @@ void refuse_outside(const std::string& place, const std::string& path) {
 
 const std::vector<FileId>& opened_files() {
     return opened;
+}
+
+BytesDone bytes_done() {
+    return {.read = bytes_read, .written = bytes_written};
+}
+
+void add_bytes_done(const BytesDone& more) {
+    bytes_read += more.read;
+    bytes_written += more.written;
 }
 
 void set_file_rules(FileRules new_rules) {

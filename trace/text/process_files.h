@@ -8,6 +8,7 @@
 
 #include "descriptor.h"
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -16,6 +17,15 @@ namespace rastertrace {
 /// The regular files that have been opened to be read since the process began, whoever named them. Not to be asked for
 /// while other threads open files.
 const std::vector<FileId>& opened_files();
+
+/// How many bytes of traces the process has gone through, and how many bytes of files it has written: for whoever shows
+/// how far it has come, in another thread.
+struct BytesDone {
+    std::uint64_t read = 0;
+    std::uint64_t written = 0;
+};
+BytesDone bytes_done();
+void add_bytes_done(const BytesDone& more);
 
 /// Where the files of a process may lie.
 struct FileRules {

@@ -2,6 +2,7 @@
 #include "check_class.h"
 
 #include "claims_checker.h"
+#include "progress.h"
 
 #include <rastertrace/trace/check/claims.h>
 #include <rastertrace/trace/check/slips.h>
@@ -12,6 +13,8 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
+#include <cstdint>
 #include <filesystem>
 #include <map>
 #include <system_error>
@@ -134,9 +137,17 @@ ClassMarks mark_class(const std::string& folder,
     for (std::size_t i = 0; i < jobs; ++i)
         checkers.push_back(make_checker());
     std::vector<std::optional<SheetMark>> found(names.size());
-    in_threads(names.size(), jobs, [&](std::size_t i, std::size_t thread) {
-        found[i] = mark_in(folder, names[i], checkers[thread]);
-    });
+    std::atomic<std::uint64_t> done = 0;
+    {
+        const Progress progress(
+            {.doing = "check", .unit = "sheets", .total = names.size(), .done = [&] {
+                 return done.load();
+             }});
+        in_threads(names.size(), jobs, [&](std::size_t i, std::size_t thread) {
+            found[i] = mark_in(folder, names[i], checkers[thread]);
+            ++done;
+        });
+    }
     for (std::size_t i = 0; i < names.size(); ++i) {
         if (found[i])
             marks.sheets.push_back(*std::move(found[i]));

@@ -120,6 +120,10 @@ const std::array<MakersOfGroup, 5> command_groups{
       {validate_command, plan_command, scene_command, conventions_command, examples_command,
        renew_command}}}};
 
+bool has_word(std::span<const char* const> words, std::string_view word) {
+    return std::ranges::find(words, word) != words.end();
+}
+
 /// The program: its commands, the one that is run, and messages about how it was called.
 class Program {
 public:
@@ -127,7 +131,7 @@ public:
         app_.require_subcommand(1);
         app_.set_help_flag("-h,--help");
         CLI::Option* const version = app_.set_version_flag("-V,--version", RASTERTRACE_VERSION);
-        app_.add_flag("--verbose", is_verbose_)->needs(version);
+        app_.add_flag("--verbose")->needs(version);
         for (const auto& [title, makers] : command_groups) {
             CommandGroup& group = groups_.emplace_back(CommandGroup{std::string(title), {}});
             for (const auto make : makers)
@@ -159,7 +163,7 @@ public:
         } catch (const CLI::CallForHelp&) {
             print_help(words);
         } catch (const CLI::CallForVersion&) {
-            print(version_text(is_verbose_));
+            print(version_text(has_word(words, "--verbose")));
         } catch (const CLI::ParseError& error) {
             return complain(error, words);
         }
@@ -194,7 +198,7 @@ private:
 
     /// What was asked by -h or --help.
     void print_help(std::span<const char* const> words) const {
-        const bool is_whole = std::ranges::find(words, std::string_view("--help")) != words.end();
+        const bool is_whole = has_word(words, "--help");
         if (&chosen() == &app_)
             print(help_text(groups_));
         else
@@ -236,7 +240,6 @@ private:
     std::map<std::string, CommandTable> tables_;                            ///< the same
     std::vector<CommandGroup> groups_;                                      ///< of the help
     std::string language_;
-    bool is_verbose_ = false;
 };
 
 } // namespace

@@ -44,10 +44,11 @@ std::optional<Complaint> unknown_option(std::span<const char* const> words,
 }
 
 bool reads_standard_input(std::span<const char* const> words) {
-    for (std::size_t i = 2; i < words.size(); ++i)
+    for (std::size_t i = 2; i < words.size(); ++i) {
         const std::string_view before = words[i - 1];
-    if (words[i] == std::string_view("-") && before != "-o" && before != "--output")
-        return true;
+        if (words[i] == std::string_view("-") && before != "-o" && before != "--output")
+            return true;
+    }
     return false;
 }
 

@@ -7,6 +7,7 @@
 #include "diff_report.h"
 #include "load.h"
 #include "option_values.h"
+#include "progress.h"
 #include "shared_options.h"
 
 #include <rastertrace/trace/audit/redo.h>
@@ -284,7 +285,9 @@ int run(const DiffCommand& command) {
     const DiffCommand asked = with_rules(command);
     if (!asked.against.empty())
         return tell(asked, diff_of_methods(asked));
+    std::optional<Progress> progress(std::in_place, reading_of("diff", asked.files));
     TraceDiff found = diff_of_inputs(asked.files[0], asked.files[1], asked);
+    progress.reset();
     if (!found.is_same && found.damage.empty())
         for (const std::string& other : other_goldens(asked.files[0]))
             if (TraceDiff accepted = diff_of_inputs(other, asked.files[1], asked);

@@ -8,6 +8,7 @@
 #include "frame_files.h"
 #include "frame_text.h"
 #include "load.h"
+#include "progress.h"
 
 #include <rastertrace/figures/figure.h>
 #include <rastertrace/figures/gif.h>
@@ -27,7 +28,9 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cstddef>
+#include <cstdint>
 #include <map>
 #include <memory>
 #include <optional>
@@ -267,10 +270,14 @@ public:
     }
 
     std::size_t count() const { return places_.size(); }
+
+    /// How far it has come, for another thread.
+    std::uint64_t drawn() const { return drawn_; }
     ExitStatus status() const { return status_; }
     std::string title() { return of(input_.first()).trace().title; }
 
     Drawing drawing(std::size_t i) {
+        drawn_ = i + 1;
         Drawing drawn = of(places_[i].scene).drawing(places_[i].frame);
         apply(style_, drawn);
         return drawn;
@@ -327,6 +334,7 @@ private:
     InputFrames& input_;
     HouseStyle style_;
     std::size_t scene_ = 0; ///< that figures_ are of
+    std::atomic<std::uint64_t> drawn_ = 0;
     std::unique_ptr<TraceFigures> figures_;
     std::map<std::size_t, std::unique_ptr<TraceFigures>> kept_; ///< so that no scene is drawn twice
     std::size_t room_ = 200'000'000;                            ///< for more of them, in bytes
@@ -463,6 +471,10 @@ int run(const FigureCommand& asked) {
         is_animation(command, format) && !input.is_sequence())
         command.which = FigureCommand::Which::film;
     AllFigures figures(command, input);
+    const Progress progress(
+        {.doing = "figure", .unit = "frames", .total = figures.count(), .done = [&] {
+             return figures.drawn();
+         }});
     if (chooses_letters(command, format)) {
         const std::size_t columns =
             command.sheet ? std::min(command.sheet->columns, figures.count()) : 1;

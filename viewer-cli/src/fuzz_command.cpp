@@ -8,6 +8,7 @@
 #include "driven_program.h"
 #include "load.h"
 #include "option_values.h"
+#include "progress.h"
 #include "run_program.h"
 #include "shared_options.h"
 
@@ -64,6 +65,10 @@ public:
     /// The failing scene of the smallest seed; nothing if there is none. Throws a Problem.
     std::optional<FoundScene> run() {
         const EndingHeldBack ending;
+        const Progress progress(
+            {.doing = "fuzz", .unit = "scenes", .total = command_.runs, .done = [this] {
+                 return std::min<std::uint64_t>(next_, command_.runs);
+             }});
         std::vector<std::jthread> threads;
         for (std::size_t i = 1; i < command_.jobs; ++i)
             threads.emplace_back([this] { work(); });

@@ -3,6 +3,7 @@
 
 #include "command.h"
 #include "completion.h"
+#include "load.h"
 #include "option_values.h"
 
 #include <rastertrace/trace/text/output.h>

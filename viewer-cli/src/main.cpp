@@ -5,6 +5,7 @@
 #include "command_line.h"
 #include "commands.h"
 #include "load.h"
+#include "progress.h"
 #include "run_self.h"
 #include "terminal_session.h"
 
@@ -58,6 +59,7 @@ void release(void* memory, std::size_t) {
 /// The signal does what it would have done, once nothing is left behind.
 extern "C" void end_by_signal(int signal) {
     rastertrace::remove_unfinished_files();
+    rastertrace::tell_work_that_ends();
     ::raise(signal);
 }
 

@@ -7,6 +7,7 @@
 #include "load.h"
 #include "option_values.h"
 #include "output_ending.h"
+#include "progress.h"
 #include "report_file.h"
 #include "shared_options.h"
 
@@ -15,8 +16,6 @@
 #include <rastertrace/trace/text/text.h>
 
 #include <fmt/core.h>
-
-#include <unistd.h>
 
 #include <array>
 #include <memory>
@@ -57,23 +56,6 @@ ReportFormat format_of(const std::string& path) {
         return *format;
     refuse_ending(path, endings_in<ReportFormat>(report_endings));
 }
-
-/// Says on a terminal what is being done, on one line that is cleared in the end.
-class Progress {
-public:
-    Progress() : is_shown_(::isatty(STDERR_FILENO) != 0) {}
-    Progress(const Progress&) = delete;
-    Progress& operator=(const Progress&) = delete;
-    ~Progress() { say({}); }
-
-    void say(std::string_view what) const {
-        if (is_shown_)
-            print_error(fmt::format("\r\x1b[K{}", what));
-    }
-
-private:
-    bool is_shown_;
-};
 
 /// Why nothing of a scene could be measured.
 std::string reasons_of(const SceneReport& scene) {
@@ -125,7 +107,7 @@ int run_report(const ReportCommand& command) {
     if (command.quick)
         report.timing = quick_timing;
     {
-        const Progress progress;
+        Progress progress({.doing = "report"});
         for (std::size_t i = 0; i < scenes.size(); ++i) {
             const std::string title = shortened(printable(scenes[i].title), 40);
             ReportOptions options{.timing = report.timing, .progress = [&](std::string_view what) {

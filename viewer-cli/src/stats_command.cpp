@@ -5,6 +5,7 @@
 #include "commands.h"
 #include "load.h"
 #include "option_values.h"
+#include "progress.h"
 #include "shared_options.h"
 #include "stats_text.h"
 
@@ -86,9 +87,12 @@ bool has_wrong_decision(const Trace& trace) {
 } // namespace
 
 int run(const StatsCommand& command) {
-    const Trace trace =
-        load_trace(command.trace,
-                   {.method = command.method, .limits = command.input, .frames = command.frames});
+    const Trace trace = [&] {
+        const Progress progress(reading_of("stats", {command.trace}));
+        return load_trace(
+            command.trace,
+            {.method = command.method, .limits = command.input, .frames = command.frames});
+    }();
     if (trace.is_partial && !command.fail_on.empty())
         throw problem_of(command.trace, "--fail-on: expected a trace with all its steps, found one "
                                         "that steps were left out of");

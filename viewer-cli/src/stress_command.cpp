@@ -5,6 +5,7 @@
 #include "commands.h"
 #include "load.h"
 #include "option_values.h"
+#include "progress.h"
 #include "run_case.h"
 #include "shared_options.h"
 #include "stress_markdown.h"
@@ -17,10 +18,9 @@
 
 #include <fmt/core.h>
 
-#include <unistd.h>
-
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -48,20 +48,6 @@ struct StressCommand {
 
 /// How wide the text is, in columns.
 constexpr std::size_t text_width = 100;
-
-/// Says on a terminal which case is run; nothing elsewhere.
-class Progress {
-public:
-    void show(std::string_view what) const {
-        if (is_terminal_)
-            print_error(fmt::format("\r{:<{}}", what, width));
-    }
-    ~Progress() { show(""); }
-
-private:
-    static constexpr int width = 48;
-    bool is_terminal_ = ::isatty(STDERR_FILENO) != 0;
-};
 
 /// Text over as many lines as it needs. The first begins with `first`, which is padded to `indent`
 /// columns; the others are indented by as many.
@@ -384,10 +370,9 @@ int look_at_scene(const StressCommand& command) {
     std::vector<CliffGroup> groups;
     std::vector<ComparedPicture> pictures;
     {
-        const Progress progress;
-        progress.show("looking for cliffs");
+        Progress progress({.doing = "looking for cliffs"});
         groups = cliffs_of(scene);
-        progress.show("drawing with every scalar");
+        progress.say("drawing with every scalar");
         pictures = compared_pictures(source, command.method, command.input, command.frames);
     }
     const std::string title = shown_title(scene.title, command.scene);
@@ -404,10 +389,13 @@ int run_stress(const StressCommand& command) {
 
     std::vector<RunCase> cases;
     {
-        const Progress progress;
+        std::atomic<std::uint64_t> done = 0;
+        Progress progress(
+            {.unit = "cases", .total = chosen.size(), .done = [&] { return done.load(); }});
         for (const StressCase* one : chosen) {
-            progress.show(fmt::format("{} {}", one->id, one->title));
+            progress.say(fmt::format("{} {}", one->id, one->title));
             cases.push_back({one, rows_of(*one, {.quick = command.quick})});
+            ++done;
         }
     }
     if (command.json) {

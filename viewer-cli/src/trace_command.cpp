@@ -7,6 +7,7 @@
 #include "load.h"
 #include "option_values.h"
 #include "output_ending.h"
+#include "progress.h"
 #include "shared_options.h"
 
 #include <rastertrace/trace/record/excerpt.h>
@@ -17,10 +18,13 @@
 
 #include <fmt/core.h>
 
+#include <unistd.h>
+
 #include <algorithm>
 #include <array>
 #include <cstddef>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -87,6 +91,12 @@ int run(const TraceCommand& command) {
         command.scene,
         {.method = command.method, .limits = command.input, .frames = command.frames});
     const bool is_printed = command.output.empty() || command.output == "-";
+    std::optional<Progress> progress;
+    if (!is_printed || ::isatty(STDOUT_FILENO) == 0)
+        progress.emplace(LongWork{.doing = "trace",
+                                  .unit = "MB written",
+                                  .done = [] { return bytes_done().written; },
+                                  .one_unit = bytes_in_a_megabyte});
     if (const Source* const given = input.given_trace()) {
         if (is_printed) {
             DescriptorOutput output = standard_output();

@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: MIT
+#include "progress.h"
+
+#include "load.h"
+
+#include <rastertrace/trace/text/process_files.h>
+
+#include <fmt/core.h>
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <atomic>
+#include <chrono>
+#include <cmath>
+#include <condition_variable>
+#include <cstring>
+#include <filesystem>
+#include <string_view>
+#include <utility>
+
+namespace rastertrace {
+
+namespace {
+
+using Seconds = std::chrono::duration<double>;
+using Text = std::array<char, 200>;
+
+/// What a signal handler prints: one is read while the other is written. Nothing is shown while it is nullptr.
+std::array<Text, 2> last_words;
+std::atomic<const Text*> words_shown = nullptr;
+
+/// 1, 1.2, 12, 120.
+std::string short_number(double value) {
+    return value < 9.95 && value != std::floor(value) ? fmt::format("{:.1f}", value)
+                                                      : fmt::format("{:.0f}", value);
+}
+
+std::string time_text(double seconds) {
+    constexpr double minute = 60;
+    return seconds < 2 * minute ? fmt::format("{:.0f} s", seconds)
+                                : fmt::format("{:.0f} min", seconds / minute);
+}
+
+/// "fuzz: 120 of 1000 scenes"
+std::string amount_text(const LongWork& work, std::uint64_t done) {
+    const auto in_units = [&](std::uint64_t count) {
+        return short_number(static_cast<double>(count) / static_cast<double>(work.one_unit));
+    };
+    return fmt::format("{}: {}{} {}", work.doing, in_units(done),
+                       work.total == 0 ? "" : " of " + in_units(work.total), work.unit);
+}
+
+} // namespace
+
+LongWork reading_of(std::string doing, const std::vector<std::string>& paths) {
+    std::uint64_t total = 0;
+    for (const std::string& path : paths)
+        if (std::error_code error; std::filesystem::is_regular_file(path, error))
+            total += std::filesystem::file_size(path, error);
+    if (total < bytes_in_a_megabyte)
+        return {.doing = doing + ": drawing"}; // a scene, or what is read in no time
+    return {.doing = std::move(doing),
+            .unit = "MB",
+            .total = total,
+            .done = [total] { return std::min(bytes_done().read, total); },
+            .one_unit = bytes_in_a_megabyte};
+}
+
+std::string progress_line(const LongWork& work, std::uint64_t done, double seconds) {
+    if (!work.done)
+        return work.doing;
+    const double rate = static_cast<double>(done) / seconds;
+    std::string line = fmt::format("{}, {} a second", amount_text(work, done),
+                                   short_number(rate / static_cast<double>(work.one_unit)));
+    if (done > 0 && done < work.total)
+        line += fmt::format(", {} left", time_text(static_cast<double>(work.total - done) / rate));
+    return line;
+}
+
+Progress::Progress(LongWork work) : work_(std::move(work)) {
+    if (::isatty(STDERR_FILENO) != 0)
+        thread_ = std::jthread([this](const std::stop_token& stopped) { show_until(stopped); });
+}
+
+Progress::~Progress() {
+    if (!thread_.joinable())
+        return;
+    thread_.request_stop();
+    thread_.join();
+    if (words_shown.exchange(nullptr) != nullptr)
+        print_error("\r\x1b[K");
+}
+
+void Progress::say(std::string doing) {
+    const std::scoped_lock lock(mutex_);
+    work_.doing = std::move(doing);
+}
+
+void Progress::show_until(const std::stop_token& stopped) {
+    using namespace std::chrono_literals;
+    const auto begin = std::chrono::steady_clock::now();
+    std::condition_variable_any never;
+    std::mutex unused;
+    std::unique_lock waiting(unused);
+    for (std::size_t turn = 0;; ++turn) {
+        never.wait_for(waiting, stopped, turn == 0 ? 1000ms : 200ms, [] { return false; });
+        if (stopped.stop_requested())
+            return;
+        const std::scoped_lock lock(mutex_);
+        const std::uint64_t done = work_.done ? work_.done() : 0;
+        print_error(
+            "\r\x1b[K" +
+            progress_line(work_, done, Seconds(std::chrono::steady_clock::now() - begin).count()));
+        Text& words = last_words[turn % last_words.size()];
+        const std::string ended =
+            fmt::format("\nended after {}\n", work_.done ? amount_text(work_, done) : work_.doing);
+        const std::size_t length = std::min(ended.size(), words.size() - 1);
+        std::copy_n(ended.begin(), length, words.begin());
+        words[length] = '\0';
+        words_shown = &words;
+    }
+}
+
+void tell_work_that_ends() noexcept {
+    if (const Text* const words = words_shown.exchange(nullptr)) [[maybe_unused]]
+        const auto written =
+            ::write(STDERR_FILENO, words->data(), ::strnlen(words->data(), words->size()));
+}
+
+} // namespace rastertrace
