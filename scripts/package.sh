@@ -1,7 +1,7 @@
 #!/bin/sh
 # Makes what can be carried away, in build/packages: two packages for Debian, an archive with a program that needs no
 # other library, and the sources. Each is tried: scripts/try-packages.sh.
-# usage: package.sh
+# usage: package.sh [OPTION OF CMAKE...]
 set -eu
 cd "$(dirname "$0")/.."
 packages=$PWD/build/packages
@@ -15,15 +15,18 @@ git archive --prefix="$name/" HEAD | gzip -9n >"$packages/$name.tar.gz"
 
 # build FOLDER OPTION...: a release of it, with pages that draw by themselves.
 build() {
-    folder=$1
-    shift
-    cmake --preset release -G Ninja -B "$folder" -DRASTERTRACE_WASM=ON -DRASTERTRACE_BUILD_MATCHERS=OFF \
-        -DCMAKE_INSTALL_PREFIX=/usr "$@" >/dev/null
-    cmake --build "$folder"
+    cmake --preset release -G Ninja -B "$@" -DRASTERTRACE_WASM=ON -DRASTERTRACE_BUILD_MATCHERS=OFF \
+        -DCMAKE_INSTALL_PREFIX=/usr >/dev/null
+    cmake --build "$1"
 }
-build build/debian
+build build/debian "$@"
 cpack --config build/debian/CPackConfig.cmake -G DEB -B "$packages"
-build build/static -DRASTERTRACE_STATIC=ON
-cpack --config build/static/CPackConfig.cmake -G TGZ -B "$packages" -D CPACK_PACKAGING_INSTALL_PREFIX=/ -D CPACK_COMPONENTS_ALL=program
 rm -rf "$packages/_CPack_Packages"
+
+build build/static -DRASTERTRACE_STATIC=ON "$@"
+archive=$name-linux-x86_64
+cmake --install build/static --component program --strip --prefix "$packages/$archive" >/dev/null
+tar -C "$packages" --sort=name --owner=0 --group=0 --numeric-owner --mtime="@$(git log -1 --format=%ct)" -cf - "$archive" |
+    gzip -9n >"$packages/$archive.tar.gz"
+rm -rf "${packages:?}/$archive"
 ls -l "$packages"

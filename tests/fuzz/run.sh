@@ -9,8 +9,9 @@
 # (or -timeout-, -oom-, -leak-); to see it fail again, give its name to
 # build/fuzz/tests/fuzz/TARGET. Exit status: 0 nothing found, 1 something found, 2 bad usage.
 set -eu
+all="fuzz_claims fuzz_number fuzz_obj fuzz_picture fuzz_scene fuzz_trace fuzz_words"
 usage() {
-    echo "usage: tests/fuzz/run.sh SECONDS|INPUTSx [fuzz_claims] [fuzz_number] [fuzz_obj] [fuzz_picture] [fuzz_scene] [fuzz_trace]" >&2
+    echo "usage: tests/fuzz/run.sh SECONDS|INPUTSx [$all]..." >&2
     exit 2
 }
 case ${1:-} in
@@ -21,12 +22,10 @@ case ${limit#*=} in
 '' | *[!0-9]*) usage ;;
 esac
 shift
-[ $# -gt 0 ] || set -- fuzz_claims fuzz_number fuzz_obj fuzz_picture fuzz_scene fuzz_trace
+# shellcheck disable=SC2086  # a list of words
+[ $# -gt 0 ] || set -- $all
 for target; do
-    case $target in
-    fuzz_claims | fuzz_number | fuzz_obj | fuzz_picture | fuzz_scene | fuzz_trace) ;;
-    *) usage ;;
-    esac
+    case " $all " in *" $target "*) ;; *) usage ;; esac
 done
 cd "$(dirname "$0")/../.."
 
@@ -38,8 +37,9 @@ cmake --build --preset fuzz --parallel "${CMAKE_BUILD_PARALLEL_LEVEL:-1}" \
 # both layouts, cut short. What is longer than an input may be is cut.
 longest=2560
 corpus=build/fuzz/corpus
-mkdir -p "$corpus/fuzz_claims" "$corpus/fuzz_number" "$corpus/fuzz_obj" "$corpus/fuzz_picture" \
-    "$corpus/fuzz_scene" "$corpus/fuzz_trace"
+for target in $all; do
+    mkdir -p "$corpus/$target"
+done
 for claims in examples/claims/*; do
     head -c "$longest" "$claims" >"$corpus/fuzz_claims/seed-$(basename "$claims")"
 done
@@ -77,6 +77,18 @@ printf '\0\1\11\0\0\1\0\30\0\0\0\0\3\0\2\0\10\0\1\2\3\204\0\0\0' >"$corpus/fuzz_
 # deep stacks of every allocation.
 export ASAN_OPTIONS="${ASAN_OPTIONS:-quarantine_size_mb=8:malloc_context_size=4}"
 found=0
+
+# What is typed: a byte that chooses the reader, and a text.
+words=0
+for text in '0scanline y=2' '0depth x=3 y=2 fail' '0pixel in=ABC' '1/vertices/A/0=0:5:6' '1/canvas/width=6,7' \
+    '2fill=top-left,sample=1/4 0' '3```
+$ rastertrace show small.json # exit 2
+...
+```'; do
+    words=$((words + 1))
+    printf %s "$text" >"$corpus/fuzz_words/seed-$words"
+done
+
 for target; do
     echo "$target: $limit"
     "build/fuzz/tests/fuzz/$target" "$corpus/$target" "$limit" -max_len="$longest" -entropic=0 \

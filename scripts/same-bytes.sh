@@ -1,0 +1,61 @@
+#!/bin/sh
+# Same scene, same bytes: builds the program with other compilers, flags and machines, draws every example with each, and
+# compares the hashes of the traces. Cross builds run by qemu. docs/performance.md has the last results.
+# usage: same-bytes.sh [NAME...]     all of the table below if none is named
+set -eu
+cd "$(dirname "$0")/.."
+
+# NAME COMPILER FLAGS
+table='g++-O3 g++ -O3
+g++-O0 g++ -O0
+g++-x86-64-v3 g++ -O3 -march=x86-64-v3
+clang++-O2 clang++ -O2
+arm64 aarch64-linux-gnu-g++ -O1
+s390x s390x-linux-gnu-g++ -O1'
+
+folder=$PWD/build/same-bytes
+mkdir -p "$folder"
+
+# hashes NAME PROGRAM...: of the trace of every example that is a scene, in the words of sha256sum.
+hashes() {
+    name=$1
+    shift
+    find examples -name '*.json' -o -name '*.svg' | LC_ALL=C sort | while read -r scene; do
+        trace=$("$@" trace "$scene" --frame 1 --format jsonl 2>/dev/null | sha256sum) && echo "$trace $scene"
+    done >"$folder/$name.hashes"
+}
+
+# The libraries of another machine, and what runs its programs.
+install_for() {
+    machine=$1
+    dpkg --print-foreign-architectures | grep -qx "$machine" || {
+        dpkg --add-architecture "$machine"
+        apt-get update -qq
+    }
+    scripts/install-packages.sh qemu-user "g++-$2" \
+        "libagg-dev:$machine" "libexpat1-dev:$machine" "libfmt-dev:$machine" "libgif-dev:$machine" "libgmp-dev:$machine" \
+        "libpng-dev:$machine" "libunistring-dev:$machine" "zlib1g-dev:$machine"
+}
+
+echo "| build | examples | differ from g++ -O3 |"
+echo "|---|---|---|"
+echo "$table" | while read -r name compiler flags; do
+    case " g++-O3 ${*:-$name} " in *" $name "*) ;; *) continue ;; esac
+    run=
+    case $name in
+    arm64) install_for arm64 aarch64-linux-gnu && run="qemu-aarch64 -L /usr/aarch64-linux-gnu" && other="-DCMAKE_SYSTEM_PROCESSOR=aarch64" ;;
+    s390x) install_for s390x s390x-linux-gnu && run="qemu-s390x -L /usr/s390x-linux-gnu" && other="-DCMAKE_SYSTEM_PROCESSOR=s390x" ;;
+    *) other= ;;
+    esac
+    build=$folder/$name
+    # shellcheck disable=SC2086  # lists of words
+    cmake -S . -B "$build" -G Ninja -DCMAKE_BUILD_TYPE=None -DCMAKE_UNITY_BUILD=ON -DRASTERTRACE_BUILD_TESTS=OFF \
+        -DRASTERTRACE_BUILD_MATCHERS=OFF -DRASTERTRACE_INSTALL=OFF -DCMAKE_CXX_COMPILER="$compiler" \
+        -DCMAKE_CXX_FLAGS="$flags -DNDEBUG" ${other:+-DCMAKE_SYSTEM_NAME=Linux $other} >/dev/null
+    cmake --build "$build" --target rastertrace_program >"$build/log" || { tail -n 20 "$build/log" >&2; exit 1; }
+    # shellcheck disable=SC2086  # a list of words
+    hashes "$name" $run "$build/viewer-cli/rastertrace"
+    differing=$(diff "$folder/g++-O3.hashes" "$folder/$name.hashes" | grep -c '^[<>]') || true
+    echo "| $compiler $flags | $(wc -l <"$folder/$name.hashes") | $differing |"
+    [ "$differing" = 0 ] || exit 1
+done

@@ -1,0 +1,69 @@
+#!/bin/sh
+# Tries what scripts/package.sh has made as somebody would who has never seen it: lintian, a clean root made by
+# debootstrap, an empty chroot, the oldest 64-bit processor that qemu has, and a build of the source archive.
+# Needs root. Takes some minutes, most of them for the sources.
+# usage: try-packages.sh [--without-sources]
+set -eu
+cd "$(dirname "$0")/.."
+scripts/install-packages.sh lintian debootstrap qemu-user binutils
+packages=$PWD/build/packages
+folder=$(mktemp -d)
+trap 'rm -rf "$folder"' EXIT
+fail() {
+    echo "try-packages.sh: $1" >&2
+    exit 1
+}
+
+# What the examples say, run in a folder that they were copied to, by the program that is named.
+try='set -e; cd "$1"; "$2" examples -o examples >/dev/null
+    "$2" show examples/t0-fill/first-triangle.json | grep -c "#" >/dev/null
+    "$2" check examples/claims/t0-rows.claims | tail -n 1 | grep "right"
+    "$2" figure examples/t0-fill/first-triangle.json -o first.png
+    "$2" figure examples/t0-fill/first-triangle.json -o first.html'
+
+for package in "$packages"/*.deb; do
+    lintian --fail-on error "$package"
+done
+
+# A clean root: installs with its dependencies, runs as typed, has its manual, and leaves nothing when it is removed.
+root=$folder/root
+mirror=$(apt-get indextargets --format '$(SITE)' 'Created-By: Packages' 'Codename: bookworm' | head -n 1)
+debootstrap --variant=minbase bookworm "$root" "$mirror" >"$folder/log" 2>&1 || { cat "$folder/log"; exit 1; }
+cp "$packages"/rastertrace_*.deb "$root/tmp/package.deb"
+cp /etc/apt/sources.list "$root/etc/apt/" 2>/dev/null || true
+cp -R /etc/apt/sources.list.d /etc/apt/apt.conf.d "$root/etc/apt/" 2>/dev/null || true
+inside() { chroot "$root" env DEBIAN_FRONTEND=noninteractive PATH=/usr/sbin:/usr/bin:/sbin:/bin "$@"; }
+(cd "$root" && find . -xdev -path ./proc -prune -o -path ./var -prune -o -path ./etc -prune -o -print | LC_ALL=C sort) >"$folder/before"
+inside apt-get update -qq
+inside dpkg -i --force-depends /tmp/package.deb >/dev/null
+inside apt-get install -y -qq -f --no-install-recommends >/dev/null
+inside rastertrace --version --verbose
+inside mkdir /root/mine
+inside sh -c "$try" sh /root/mine rastertrace
+[ -f "$root/usr/share/man/man1/rastertrace-show.1.gz" ] || fail "no manual in the package"
+inside apt-get purge -y -qq rastertrace >/dev/null
+[ -z "$(find "$root/usr" -name '*rastertrace*')" ] || fail "files are left behind"
+
+# The archive: no dynamic section, runs where there is nothing else, and on the oldest processor.
+mkdir "$folder/archive" "$folder/empty" "$folder/old"
+tar -C "$folder/archive" -xzf "$packages"/rastertrace-*-linux-x86_64.tar.gz
+unpacked=$(echo "$folder"/archive/*)
+! readelf -d "$unpacked/bin/rastertrace" 2>/dev/null | grep -q NEEDED || fail "the program of the archive needs libraries"
+cp -R "$unpacked"/* "$folder/empty"
+chroot "$folder/empty" /bin/rastertrace --version
+chroot "$folder/empty" /bin/rastertrace show /share/rastertrace/examples/t0-fill/first-triangle.json
+printf '#!/bin/sh\nexec qemu-x86_64 -cpu qemu64 "%s" "$@"\n' "$unpacked/bin/rastertrace" >"$folder/rastertrace"
+chmod +x "$folder/rastertrace"
+"$unpacked/bin/rastertrace" examples -o "$folder/old/examples" >/dev/null
+(cd "$folder/old" && "$folder/rastertrace" check examples/claims/t0-rows.claims | tail -n 1 &&
+    "$folder/rastertrace" figure examples/t0-fill/first-triangle.json -o first.png)
+
+# The sources build, and the program that they give tells the same.
+[ "${1:-}" != --without-sources ] || exit 0
+mkdir "$folder/sources"
+tar -C "$folder/sources" -xzf "$(ls "$packages"/rastertrace-*.tar.gz | grep -v linux)"
+cd "$folder"/sources/*
+cmake --preset release -G Ninja >/dev/null
+cmake --build build/release --target rastertrace_program
+"$unpacked/bin/rastertrace" trace examples/t0-fill/first-triangle.json >"$folder/trace"
+build/release/viewer-cli/rastertrace trace examples/t0-fill/first-triangle.json | cmp - "$folder/trace"
