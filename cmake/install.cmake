@@ -27,7 +27,15 @@ if(TARGET rastertrace_testing)
     LIBRARY COMPONENT program NAMELINK_COMPONENT development)
   install(EXPORT rastertrace-testing-targets NAMESPACE rastertrace:: DESTINATION ${package_dir} COMPONENT development)
 endif()
+# Before 1.0 another middle number may be another interface. Whoever names a range has tried all that lies in it.
 write_basic_package_version_file(rastertrace-config-version.cmake COMPATIBILITY SameMinorVersion)
+file(APPEND ${CMAKE_CURRENT_BINARY_DIR}/rastertrace-config-version.cmake [[
+if(PACKAGE_FIND_VERSION_RANGE AND PACKAGE_VERSION VERSION_GREATER_EQUAL PACKAGE_FIND_VERSION_MIN
+    AND (PACKAGE_VERSION VERSION_LESS PACKAGE_FIND_VERSION_MAX
+      OR (PACKAGE_FIND_VERSION_RANGE_MAX STREQUAL "INCLUDE" AND PACKAGE_VERSION VERSION_EQUAL PACKAGE_FIND_VERSION_MAX)))
+  set(PACKAGE_VERSION_COMPATIBLE TRUE)
+endif()
+]])
 install(FILES
     ${CMAKE_CURRENT_LIST_DIR}/rastertrace-config.cmake
     ${CMAKE_CURRENT_LIST_DIR}/rastertrace-golden.cmake

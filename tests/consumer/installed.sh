@@ -13,7 +13,7 @@ fail() {
 # A page of the manual for every command, which man can read.
 share=$prefix/share
 for command in $("$prefix/bin/rastertrace" help --complete -- ''); do
-    grep -q "rastertrace $command" "$share/man/man1/rastertrace-$command.1" || fail "no page of the manual: $command"
+    man -l "$share/man/man1/rastertrace-$command.1" 2>&1 | col -b | grep -q "rastertrace $command" || fail "no page of the manual: $command"
 done
 for file in bash-completion/completions/rastertrace zsh/site-functions/_rastertrace \
     fish/vendor_completions.d/rastertrace.fish; do
