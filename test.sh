@@ -15,9 +15,9 @@ fi
 scripts/install-packages.sh g++ cmake ninja-build binutils libglm-dev nlohmann-json3-dev \
     libfmt-dev libagg-dev libcli11-dev libexpat1-dev libgif-dev libgmp-dev libpng-dev libstb-dev libunistring-dev zlib1g-dev libgtest-dev libgmock-dev \
     librapidcheck-dev libtinyobjloader-dev tmux git
-[ "$all" = OFF ] || scripts/install-packages.sh asciinema chromium clang fonts-dejavu-core gdb libbenchmark-dev libosmesa6-dev librsvg2-bin mkdocs pandoc \
-    poppler-utils python3-ipykernel python3-jsonschema python3-nbconvert python3-pil python3-pymdownx python3-sphinx \
-    texlive-latex-base texlive-latex-recommended texlive-pictures
+[ "$all" = OFF ] || scripts/install-packages.sh asciinema bsdextrautils chromium clang fish fonts-dejavu-core gdb libbenchmark-dev libosmesa6-dev librsvg2-bin man-db \
+    mkdocs pandoc pkg-config poppler-utils python3-ipykernel python3-jsonschema python3-nbconvert python3-pil python3-pymdownx python3-sphinx \
+    texlive-latex-base texlive-latex-recommended texlive-pictures zsh
 [ "$all" = OFF ] || command -v rustc >/dev/null || scripts/install-packages.sh rustc
 [ "$all" = OFF ] || command -v npm >/dev/null || scripts/install-packages.sh nodejs npm
 [ -f build/test/build.ninja ] || cmake --preset test -G Ninja -DCMAKE_UNITY_BUILD=ON
