@@ -15,9 +15,11 @@ git archive --prefix="$name/" HEAD | gzip -9n >"$packages/$name.tar.gz"
 
 # build FOLDER OPTION...: a release of it, with pages that draw by themselves.
 build() {
-    cmake --preset release -G Ninja -B "$@" -DRASTERTRACE_WASM=ON -DRASTERTRACE_BUILD_MATCHERS=OFF \
-        -DCMAKE_INSTALL_PREFIX=/usr >/dev/null
-    cmake --build "$1"
+    folder=$1
+    shift
+    cmake --preset release -G Ninja -B "$folder" -DRASTERTRACE_WASM=ON -DRASTERTRACE_BUILD_MATCHERS=OFF \
+        -DCMAKE_INSTALL_PREFIX=/usr "$@" >/dev/null
+    cmake --build "$folder"
 }
 build build/debian "$@"
 cpack --config build/debian/CPackConfig.cmake -G DEB -B "$packages"

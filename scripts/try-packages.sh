@@ -2,7 +2,7 @@
 # Tries what scripts/package.sh has made as somebody would who has never seen it: lintian, a clean root made by
 # debootstrap, an empty chroot, the oldest 64-bit processor that qemu has, and a build of the source archive.
 # Needs root. Takes some minutes, most of them for the sources.
-# usage: try-packages.sh [--without-sources]
+# usage: try-packages.sh [--without-sources | OPTION OF CMAKE...]
 set -eu
 cd "$(dirname "$0")/.."
 scripts/install-packages.sh lintian debootstrap qemu-user binutils
@@ -58,12 +58,18 @@ chmod +x "$folder/rastertrace"
 (cd "$folder/old" && "$folder/rastertrace" check examples/claims/t0-rows.claims | tail -n 1 &&
     "$folder/rastertrace" figure examples/t0-fill/first-triangle.json -o first.png)
 
-# The sources build, and the program that they give tells the same.
+# The sources build, here with shared libraries, and what they give draws the same; a project of somebody else uses it.
 [ "${1:-}" != --without-sources ] || exit 0
 mkdir "$folder/sources"
 tar -C "$folder/sources" -xzf "$(ls "$packages"/rastertrace-*.tar.gz | grep -v linux)"
 cd "$folder"/sources/*
-cmake --preset release -G Ninja >/dev/null
-cmake --build build/release --target rastertrace_program
-"$unpacked/bin/rastertrace" trace examples/t0-fill/first-triangle.json >"$folder/trace"
-build/release/viewer-cli/rastertrace trace examples/t0-fill/first-triangle.json | cmp - "$folder/trace"
+cmake --preset release -G Ninja -DBUILD_SHARED_LIBS=ON "$@" >/dev/null
+cmake --build build/release
+cmake --install build/release --prefix "$folder/shared" >/dev/null
+scene=examples/t0-fill/first-triangle.json
+"$unpacked/bin/rastertrace" trace $scene >"$folder/trace"
+"$folder/shared/bin/rastertrace" trace $scene | cmp - "$folder/trace"
+readelf -d "$folder/shared/bin/rastertrace" | grep -q 'NEEDED.*librastertrace_core.so' || fail "expected shared libraries"
+cmake -S tests/consumer/project -B "$folder/consumer" -DCMAKE_PREFIX_PATH="$folder/shared" >/dev/null
+cmake --build "$folder/consumer"
+"$folder/consumer/consumer"

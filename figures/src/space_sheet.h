@@ -55,10 +55,8 @@ public:
     const Bounds& all() const { return all_; }
     double size() const { return vertices_.diagonal(); }
 
-    /// z in camera space of the plane that the picture is shown on, and of where lines of sight end. There must be a
-    /// camera.
+    /// z in camera space of the plane that the picture is shown on. There must be a camera.
     double plane_z() const { return plane_z_; }
-    double end_z() const { return end_z_; }
     /// The same of the sides of what is in view: where they go on for ever, they end soon.
     double sides_z() const { return sides_z_; }
     bool shows_far_plane() const { return shows_far_plane_; }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "figure_page.h"
 
+#include "command_words.h"
 #include "load.h"
 #include "page_scene.h"
 
@@ -16,27 +17,11 @@
 #include <cstddef>
 #include <filesystem>
 #include <string>
-#include <string_view>
 #include <vector>
 
 namespace rastertrace {
 
 namespace {
-
-/// A word as a shell takes it.
-std::string shell_word(const std::string& word) {
-    constexpr std::string_view plain =
-        "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789._+-";
-    if (!word.empty() && word.find_first_not_of(plain) == std::string::npos)
-        return word;
-    std::string quoted = "'";
-    for (const char c : word)
-        if (c == '\'')
-            quoted += "'\\''";
-        else
-            quoted += c;
-    return quoted + "'";
-}
 
 /// What a command that is typed beside the input calls it, with the options that it was drawn with; "" for a pipe.
 std::string input_of_page(const FigureCommand& command, const InputFrames& input,

@@ -18,6 +18,12 @@ struct CommandAbout {
     /// Commands to try, a line each; and after a blank line what else is to be said, in paragraphs. Lines that begin with
     /// two blanks stay as they are.
     std::string example;
+
+    /// The commands to try.
+    std::vector<std::string> commands() const;
+
+    /// What else is to be said, line by line; the first one is blank.
+    std::vector<std::string> remarks() const;
 };
 
 /// Where the names are told that an option takes, for completions.
@@ -57,6 +63,9 @@ struct CommandTable {
 
     /// "rastertrace show [OPTIONS] TRACE"
     std::string usage() const;
+
+    /// What is said below a heading; "" if nothing is.
+    std::string note_below(std::string_view heading) const;
 
     /// The headings in the order of the help, "" the first: the command's own, its groups, what many commands have.
     std::vector<std::string> headings() const;

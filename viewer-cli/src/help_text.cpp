@@ -72,6 +72,24 @@ std::string rows_text(const std::vector<const OptionRow*>& rows) {
 
 } // namespace
 
+std::vector<std::string> CommandAbout::commands() const {
+    std::vector<std::string> commands;
+    for (const std::string& line : split_at(example.substr(0, example.find("\n\n")), '\n'))
+        commands.emplace_back(without_blanks(line));
+    return commands;
+}
+
+std::vector<std::string> CommandAbout::remarks() const {
+    const std::size_t behind = example.find("\n\n");
+    return behind == std::string::npos ? std::vector<std::string>()
+                                       : split_at(example.substr(behind + 1), '\n');
+}
+
+std::string CommandTable::note_below(std::string_view heading) const {
+    const auto group = std::ranges::find(groups, heading, &OptionGroup::title);
+    return group == groups.end() ? std::string() : group->note;
+}
+
 std::vector<std::string> OptionRow::all_names() const {
     return split_at(names, ',');
 }
@@ -149,19 +167,16 @@ std::string help_text(const CommandTable& command, HelpLength length) {
             continue;
         }
         text += fmt::format("\n{}:\n", heading);
-        for (const OptionGroup& group : command.groups)
-            if (group.title == heading)
-                text += indented(wrapped(group.note + ":", widest_line - indent), indent);
+        if (const std::string note = command.note_below(heading); !note.empty())
+            text += indented(wrapped(note + ":", widest_line - indent), indent);
         text += rows_text(rows);
     }
     if (!left_out.empty())
         text += "\n" + paragraphs({"More with --help: " + joined(left_out, "; ") + "."});
-    const auto lines = split_at(about.example, '\n');
-    const auto behind = std::find(lines.begin(), lines.end(), "");
     text += "\nExample:\n";
-    for (auto line = lines.begin(); line != behind; ++line)
-        text += command_lines(std::string(without_blanks(*line)));
-    return text + paragraphs({behind, lines.end()});
+    for (const std::string& tried : about.commands())
+        text += command_lines(tried);
+    return text + paragraphs(about.remarks());
 }
 
 std::string help_text(const std::vector<CommandGroup>& groups) {

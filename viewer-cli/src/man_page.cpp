@@ -55,13 +55,11 @@ std::string man_page(const CommandTable& command) {
     const CommandAbout& about = command.about;
     std::string text = heading("rastertrace-" + about.name, about.meaning) + ".SH SYNOPSIS\n" +
                        roff(command.usage()) + "\n";
-    const auto lines = split_at(about.example, '\n');
-    const auto behind = std::find(lines.begin(), lines.end(), "");
     std::string description;
-    for (auto line = behind; line != lines.end(); ++line)
-        description += line->empty()             ? ".PP\n"
-                       : line->starts_with("  ") ? as_typed({*line})
-                                                 : roff(*line) + "\n";
+    for (const std::string& line : about.remarks())
+        description += line.empty()             ? ".PP\n"
+                       : line.starts_with("  ") ? as_typed({line})
+                                                : roff(line) + "\n";
     if (!description.empty())
         text += ".SH DESCRIPTION\n" + description;
     for (const std::string& title : command.headings()) {
@@ -70,18 +68,14 @@ std::string man_page(const CommandTable& command) {
             text += ".SH OPTIONS\n";
         else
             text += fmt::format(".SS {}\n", roff(title));
-        for (const OptionGroup& group : command.groups)
-            if (group.title == title)
-                text += roff(group.note) + "\n";
+        if (const std::string note = command.note_below(title); !note.empty())
+            text += roff(note) + "\n";
         for (const OptionRow* row : rows)
             text += row->is_argument()
                         ? entry(row->type, "", row->whole_meaning())
                         : entry(joined(row->all_names(), ", "), row->type, row->whole_meaning());
     }
-    std::vector<std::string> examples;
-    for (auto line = lines.begin(); line != behind; ++line)
-        examples.emplace_back(without_blanks(*line));
-    return text + ".SH EXAMPLES\n" + as_typed(examples) + end_of("\\fBrastertrace\\fR(1)");
+    return text + ".SH EXAMPLES\n" + as_typed(about.commands()) + end_of("\\fBrastertrace\\fR(1)");
 }
 
 std::string man_page(const std::vector<CommandGroup>& groups) {
