@@ -1,9 +1,10 @@
 # `cmake --install` puts in place what is built: the libraries and what find_package(rastertrace) and pkg-config need,
 # the program with its pages of the manual and completions, and examples, schemas, styles and docs.
 # Components: program, development.
-include(CMakePackageConfigHelpers)
 set(package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/rastertrace)
 set(share_dir ${CMAKE_INSTALL_DATADIR}/rastertrace)
+set(doc_dir ${CMAKE_INSTALL_DATADIR}/doc/rastertrace)
+set(doc_dir_of_development ${CMAKE_INSTALL_DATADIR}/doc/librastertrace-dev)
 
 set(libraries rastertrace_core rastertrace_draw)
 set(find_modules ${CMAKE_CURRENT_LIST_DIR}/FindGMP.cmake)
@@ -22,20 +23,13 @@ endif()
 install(EXPORT rastertrace-targets NAMESPACE rastertrace:: DESTINATION ${package_dir} COMPONENT development)
 # What needs GoogleTest has an export of its own: nobody else looks for GoogleTest.
 if(TARGET rastertrace_testing)
+  set_target_properties(rastertrace_testing PROPERTIES VERSION ${PROJECT_VERSION} SOVERSION ${version_of_binaries})
   install(TARGETS rastertrace_testing EXPORT rastertrace-testing-targets FILE_SET HEADERS COMPONENT development
     ARCHIVE COMPONENT development
     LIBRARY COMPONENT program NAMELINK_COMPONENT development)
   install(EXPORT rastertrace-testing-targets NAMESPACE rastertrace:: DESTINATION ${package_dir} COMPONENT development)
 endif()
-# Before 1.0 another middle number may be another interface. Whoever names a range has tried all that lies in it.
-write_basic_package_version_file(rastertrace-config-version.cmake COMPATIBILITY SameMinorVersion)
-file(APPEND ${CMAKE_CURRENT_BINARY_DIR}/rastertrace-config-version.cmake [[
-if(PACKAGE_FIND_VERSION_RANGE AND PACKAGE_VERSION VERSION_GREATER_EQUAL PACKAGE_FIND_VERSION_MIN
-    AND (PACKAGE_VERSION VERSION_LESS PACKAGE_FIND_VERSION_MAX
-      OR (PACKAGE_FIND_VERSION_RANGE_MAX STREQUAL "INCLUDE" AND PACKAGE_VERSION VERSION_EQUAL PACKAGE_FIND_VERSION_MAX)))
-  set(PACKAGE_VERSION_COMPATIBLE TRUE)
-endif()
-]])
+configure_file(${CMAKE_CURRENT_LIST_DIR}/rastertrace-config-version.cmake.in rastertrace-config-version.cmake @ONLY)
 install(FILES
     ${CMAKE_CURRENT_LIST_DIR}/rastertrace-config.cmake
     ${CMAKE_CURRENT_LIST_DIR}/rastertrace-golden.cmake
@@ -56,7 +50,7 @@ if(RASTERTRACE_BUILD_TRACE)
   install(FILES ${CMAKE_CURRENT_BINARY_DIR}/rastertrace.pc
     DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig COMPONENT development)
 endif()
-install(FILES LICENSE DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/librastertrace-dev COMPONENT development RENAME copyright)
+install(FILES LICENSE DESTINATION ${doc_dir_of_development} COMPONENT development RENAME copyright)
 if(NOT RASTERTRACE_BUILD_PROGRAM)
   return()
 endif()
@@ -66,10 +60,10 @@ install(FILES docs/claims.schema.json docs/scene.schema.json docs/trace.schema.j
   DESTINATION ${share_dir}/schemas COMPONENT program)
 install(FILES examples/figures/rastertrace.sty DESTINATION ${share_dir}/styles COMPONENT program)
 install(FILES viewer-cli/python/rastertrace.py DESTINATION ${share_dir} COMPONENT program)
-install(FILES LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT program RENAME copyright)
-install(FILES figures/font/LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT program RENAME copyright.DejaVu)
-install(FILES README.md CHANGELOG.md DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT program)
-install(DIRECTORY docs DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT program PATTERN *.schema.json EXCLUDE)
+install(FILES LICENSE DESTINATION ${doc_dir} COMPONENT program RENAME copyright)
+install(FILES figures/font/LICENSE DESTINATION ${doc_dir} COMPONENT program RENAME copyright.DejaVu)
+install(FILES README.md CHANGELOG.md DESTINATION ${doc_dir} COMPONENT program)
+install(DIRECTORY docs DESTINATION ${doc_dir} COMPONENT program PATTERN *.schema.json EXCLUDE)
 if(RASTERTRACE_WASM)
   install(FILES ${PROJECT_BINARY_DIR}/wasm/module/rastertrace.js DESTINATION ${share_dir} COMPONENT program)
 endif()
@@ -77,12 +71,14 @@ endif()
 # The program writes its manual. One for another machine cannot be run here.
 if(NOT CMAKE_CROSSCOMPILING)
   set(manual ${PROJECT_BINARY_DIR}/manual)
-  add_custom_command(OUTPUT ${manual}/man1/rastertrace.1
-    COMMAND ${CMAKE_COMMAND} -DPROGRAM=$<TARGET_FILE:rastertrace_program> -DFOLDER=${manual}
-      -P ${CMAKE_CURRENT_LIST_DIR}/manual.cmake
-    DEPENDS rastertrace_program ${CMAKE_CURRENT_LIST_DIR}/manual.cmake VERBATIM)
-  add_custom_target(rastertrace_manual ALL DEPENDS ${manual}/man1/rastertrace.1)
+  add_custom_command(OUTPUT ${manual}/changelog.gz
+    COMMAND ${CMAKE_COMMAND} -DPROGRAM=$<TARGET_FILE:rastertrace_program> -DCHANGES=${PROJECT_SOURCE_DIR}/CHANGELOG.md
+      -DFOLDER=${manual} -P ${CMAKE_CURRENT_LIST_DIR}/manual.cmake
+    DEPENDS rastertrace_program CHANGELOG.md ${CMAKE_CURRENT_LIST_DIR}/manual.cmake VERBATIM)
+  add_custom_target(rastertrace_manual ALL DEPENDS ${manual}/changelog.gz)
   install(DIRECTORY ${manual}/man1 DESTINATION ${CMAKE_INSTALL_MANDIR} COMPONENT program)
+  install(FILES ${manual}/changelog.gz DESTINATION ${doc_dir} COMPONENT program)
+  install(FILES ${manual}/changelog.gz DESTINATION ${doc_dir_of_development} COMPONENT development)
   foreach(file IN ITEMS bash-completion/completions/rastertrace=bash zsh/site-functions/_rastertrace=zsh
       fish/vendor_completions.d/rastertrace.fish=fish)
     string(REGEX MATCH "(.*)/(.*)=(.*)" ignored ${file})
@@ -91,4 +87,6 @@ if(NOT CMAKE_CROSSCOMPILING)
   endforeach()
 endif()
 
-include(${CMAKE_CURRENT_LIST_DIR}/package.cmake)
+if(PROJECT_IS_TOP_LEVEL)
+  include(${CMAKE_CURRENT_LIST_DIR}/package.cmake)
+endif()

@@ -1,9 +1,11 @@
 #!/bin/sh
-# Makes what can be carried away, in build/packages: two packages for Debian, an archive with a program that needs no
+# Makes the packages, in build/packages: two for Debian, an archive with a program that needs no
 # other library, and the sources. Each is tried: scripts/try-packages.sh.
 # usage: package.sh [OPTION OF CMAKE...]
 set -eu
 cd "$(dirname "$0")/.."
+scripts/install-packages.sh g++ cmake ninja-build dpkg-dev emscripten node-acorn libglm-dev nlohmann-json3-dev libfmt-dev libagg-dev libcli11-dev \
+    libexpat1-dev libgif-dev libgmp-dev libpng-dev libstb-dev libunistring-dev zlib1g-dev
 packages=$PWD/build/packages
 version=$(sed -n 's/^project(rastertrace VERSION \([^ ]*\).*/\1/p' CMakeLists.txt)
 name=rastertrace-$version

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Any bytes as what a user types or a page holds: a selector of steps, numbers that vary, a method, a Markdown page with
+// Any bytes as what a user types or a page holds: a selector of steps, numbers that vary, a method, a file of one, a Markdown page with
 // commands. What is wrong is said safely; what can be read holds together. The first byte chooses the reader.
 
 #include "check.h"
@@ -8,7 +8,7 @@
 #include <rastertrace/trace/record/selector.h>
 #include <rastertrace/trace/record/write_trace.h>
 #include <rastertrace/trace/scene/scene_file.h>
-#include <rastertrace/trace/text/method_names.h>
+#include <rastertrace/trace/text/method_file.h>
 
 #include <array>
 #include <cstddef>
@@ -64,6 +64,12 @@ void read_method(const Source& text) {
             check(false, "a method has a value that its key does not take");
 }
 
+void read_method_file(const Source& file) {
+    for (const auto& [key, value] : method_in(file))
+        if (Method scratch; !find_method_key(key)->set(scratch, value))
+            check(false, "a file of a method has a value that its key does not take");
+}
+
 /// Outputs that are put in place of those that are there: the same commands are on the page.
 void read_page(const Source& page) {
     const auto commands = commands_on(page);
@@ -87,7 +93,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
         return 0;
     const Source text = fuzz::source_of("fuzz", data + 1, size - 1);
     try {
-        switch (data[0] % 4) {
+        switch (data[0] % 5) {
         case 0:
             fuzz::read_selector(text);
             break;
@@ -96,6 +102,9 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
             break;
         case 2:
             fuzz::read_method(text);
+            break;
+        case 3:
+            fuzz::read_method_file(text);
             break;
         default:
             fuzz::read_page(text);

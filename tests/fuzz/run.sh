@@ -81,7 +81,7 @@ found=0
 # What is typed: a byte that chooses the reader, and a text.
 words=0
 for text in '0scanline y=2' '0depth x=3 y=2 fail' '0pixel in=ABC' '1/vertices/A/0=0:5:6' '1/canvas/width=6,7' \
-    '2fill=top-left,sample=1/4 0' '3```
+    '2fill=top-left,sample=1/4 0' '8{"fill": "top-left", "sample": ["1/4", 0]}' '4```
 $ rastertrace show small.json # exit 2
 ...
 ```'; do

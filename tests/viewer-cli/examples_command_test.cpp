@@ -3,6 +3,8 @@
 
 #include "program.h"
 
+#include <rastertrace/trace/text/text.h>
+
 #include <gmock/gmock.h>
 
 #include <string>
@@ -25,7 +27,7 @@ TEST_F(ExamplesTest, AreListedWithTheirTitles) {
     EXPECT_THAT(all, HasSubstr("\nmodels/cube.obj\n"));
     EXPECT_EQ(shell("$rastertrace examples | wc -l").out,
               shell("find $examples -type f | wc -l").out);
-    const std::string some = shell("$rastertrace examples first-triangle").out;
+    const std::string some = shell("$rastertrace examples First-Triangle").out;
     EXPECT_THAT(some, AllOf(HasSubstr("t0-fill/first-triangle.json"), Not(HasSubstr("models/"))));
     const Outcome none = shell("$rastertrace examples teapot");
     EXPECT_EQ(none.status, 2);
@@ -35,8 +37,11 @@ TEST_F(ExamplesTest, AreListedWithTheirTitles) {
 TEST_F(ExamplesTest, AreCopiedWithoutLoss) {
     EXPECT_EQ(shell("$rastertrace examples -o here/mine").status, 0);
     EXPECT_EQ(shell("diff -r here/mine $examples").out, "");
+    const std::string count =
+        std::string(without_blanks(shell("find $examples -type f | wc -l").out));
     write("here/mine/t0-fill/first-triangle.json", "my own");
-    EXPECT_EQ(shell("$rastertrace examples -o here/mine").out, "0 files copied to here/mine\n");
+    EXPECT_EQ(shell("$rastertrace examples -o here/mine").out,
+              "0 of " + count + " files copied to here/mine; the others are there already\n");
     EXPECT_EQ(content("here/mine/t0-fill/first-triangle.json"), "my own");
     EXPECT_EQ(shell("$rastertrace examples cube -o more").status, 2);
     write("file", "");

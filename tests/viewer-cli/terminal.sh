@@ -108,5 +108,5 @@ tmux -L "$server" kill-session -t one
 started "'$program' trace 512x512.json --vary /vertices/A/0=0:500:501 -o all.jsonl"
 seen 'trace: [0-9.]* MB written, [0-9.]* a second'
 tmux -L "$server" send-keys -t one C-c
-seen 'ended after trace: [0-9.]* MB written'
+seen 'interrupted: trace: [0-9.]* MB written'
 [ -z "$(ls "$folder" | grep all)" ] || fail "files of a trace that was ended"

@@ -19,7 +19,7 @@ namespace rastertrace {
 
 struct DiffRules {
     DiffOptions options{};
-    MethodOverrides method{}; ///< that scenes are drawn by, but for what they are asked for
+    MethodOverrides method{}; ///< for scenes; options of the command override it
 };
 
 /// The rules in the folder of a golden; nothing if there are none. Throws a Problem.

@@ -32,11 +32,8 @@ std::string choice_in(const JsonReader& json, const MethodKey& key, const JsonVa
     return words;
 }
 
-MethodOverrides read_method_file(const std::string& path, const InputLimits& limits) {
-    const auto source = read_named_file(path, limits);
-    if (!source)
-        throw source.problem();
-    const JsonReader json{source.value()};
+MethodOverrides method_in(const Source& file) {
+    const JsonReader json{file};
     const auto document = parse_json(json.source);
     if (!document)
         throw document.problem();
@@ -49,6 +46,13 @@ MethodOverrides read_method_file(const std::string& path, const InputLimits& lim
     for (const auto& [name, value] : root.members())
         method.emplace_back(name.text, choice_in(json, *find_method_key(name.text), value));
     return method;
+}
+
+MethodOverrides read_method_file(const std::string& path, const InputLimits& limits) {
+    const auto source = read_named_file(path, limits);
+    if (!source)
+        throw source.problem();
+    return method_in(source.value());
 }
 
 } // namespace rastertrace

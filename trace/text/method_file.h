@@ -17,6 +17,9 @@ namespace rastertrace {
 /// at a value that it does not take.
 std::string choice_in(const JsonReader& json, const MethodKey& key, const JsonValue& value);
 
+/// The choices of such a file. Throws a Problem.
+MethodOverrides method_in(const Source& file);
+
 /// Reads a file whose keys are those of a scene's "method", and "convention". Throws a Problem.
 MethodOverrides read_method_file(const std::string& path, const InputLimits& limits);
 

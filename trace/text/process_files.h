@@ -18,8 +18,8 @@ namespace rastertrace {
 /// while other threads open files.
 const std::vector<FileId>& opened_files();
 
-/// How many bytes of traces the process has gone through, and how many bytes of files it has written: for whoever shows
-/// how far it has come, in another thread.
+/// How many bytes of traces the process has gone through, and how many bytes of files it has written; another thread may
+/// ask for it, to show the progress.
 struct BytesDone {
     std::uint64_t read = 0;
     std::uint64_t written = 0;

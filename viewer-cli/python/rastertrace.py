@@ -47,7 +47,7 @@ class Answer:
 def program():
     """The path of the program: by RASTERTRACE, else PREFIX/bin/rastertrace, else the first on PATH: program()."""
     named = os.environ.get("RASTERTRACE")
-    installed = str(pathlib.Path(__file__).resolve().parents[2] / "bin" / "rastertrace")
+    installed = os.path.normpath(pathlib.Path(__file__).resolve().parent / "../../bin/rastertrace")
     path = shutil.which(named) if named else shutil.which(installed) or shutil.which("rastertrace")
     if path is None:
         places = f"as {named}, which RASTERTRACE says" if named else f"as {installed}, on the PATH or in RASTERTRACE"

@@ -77,7 +77,7 @@ DiffCommand with_rules(const DiffCommand& command) {
     return asked;
 }
 
-/// The method for one of the files: what is asked for, before it what the rules say.
+/// The method for one of the files: the choices of the rules, overridden by those of the command.
 SceneOptions options_for(const OpenedTrace& opened, const DiffCommand& command) {
     SceneOptions options = options_of(command);
     if (is_scene(opened))

@@ -13,6 +13,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <cctype>
 #include <filesystem>
 #include <memory>
 #include <string>
@@ -30,6 +31,15 @@ std::vector<std::string> names_of_examples(const std::filesystem::path& folder) 
             names.push_back(entry.path().lexically_relative(folder).generic_string());
     std::ranges::sort(names);
     return names;
+}
+
+/// True if a text has a word, in capitals or not.
+bool has(const std::string& text, const std::string& word) {
+    return !std::ranges::search(
+                text, word,
+                [](unsigned char a, unsigned char b) { return std::tolower(a) == std::tolower(b); })
+                .empty() ||
+           word.empty();
 }
 
 /// The title of a scene, or what the first line of claims says.
@@ -71,19 +81,22 @@ public:
         const std::filesystem::path examples = examples_folder();
         std::string listed;
         std::size_t copied = 0;
-        for (const std::string& name : names_of_examples(examples)) {
+        const std::vector<std::string> names = names_of_examples(examples);
+        for (const std::string& name : names) {
             const Source file = value_or_throw(read_bytes((examples / name).string(), {}));
             if (!folder_.empty()) {
                 copied += copy(file, std::filesystem::path(folder_) / name);
                 continue;
             }
             const std::string title = title_of(file);
-            if (name.find(word_) != std::string::npos || title.find(word_) != std::string::npos)
+            if (has(name, word_) || has(title, word_))
                 listed +=
                     fmt::format("{}\n", without_blanks(fmt::format("{:<44} {}", name, title)));
         }
         if (!folder_.empty())
-            listed = fmt::format("{} files copied to {}\n", copied, printable(folder_));
+            listed = fmt::format("{} of {} files copied to {}{}\n", copied, names.size(),
+                                 printable(folder_),
+                                 copied == names.size() ? "" : "; the others are there already");
         else if (listed.empty())
             throw problem_of("",
                              fmt::format("expected a word of the name or the title of an "

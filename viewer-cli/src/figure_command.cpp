@@ -277,9 +277,9 @@ public:
     std::string title() { return of(input_.first()).trace().title; }
 
     Drawing drawing(std::size_t i) {
-        drawn_ = i + 1;
         Drawing drawn = of(places_[i].scene).drawing(places_[i].frame);
         apply(style_, drawn);
+        drawn_ = i + 1;
         return drawn;
     }
     TextFrame text(std::size_t i, ColorDepth colors) {
@@ -458,8 +458,10 @@ int run(const FigureCommand& asked) {
     FigureCommand command = asked;
     const FigureFormat format = format_of(command);
     check_format(command, format);
-    if (format == FigureFormat::html)
+    if (format == FigureFormat::html) {
+        const Progress progress({.doing = "drawing a page"});
         return write_page(command);
+    }
     InputFrames input(command.trace, {.method = command.method,
                                       .limits = command.input,
                                       .frames = command.frames,
@@ -471,10 +473,12 @@ int run(const FigureCommand& asked) {
         is_animation(command, format) && !input.is_sequence())
         command.which = FigureCommand::Which::film;
     AllFigures figures(command, input);
-    const Progress progress(
-        {.doing = "figure", .unit = "frames", .total = figures.count(), .done = [&] {
-             return figures.drawn();
-         }});
+    std::optional<Progress> progress;
+    if (figures.count() > 1)
+        progress.emplace(
+            LongWork{.doing = "figure", .unit = "frames", .total = figures.count(), .done = [&] {
+                         return figures.drawn();
+                     }});
     if (chooses_letters(command, format)) {
         const std::size_t columns =
             command.sheet ? std::min(command.sheet->columns, figures.count()) : 1;
@@ -491,7 +495,9 @@ int run(const FigureCommand& asked) {
             throw problem_of(
                 "", fmt::format("expected one figure for standard output, found {}", files.count()),
                 "--output FILE writes a file for each, --sheet CxR some side by side");
-        print(files.content(0));
+        const std::string bytes = files.content(0);
+        progress.reset();
+        print(bytes);
     } else if (files.count() == 1) {
         write_file(command.output, files.content(0), opened_files());
     } else {

@@ -10,11 +10,14 @@ namespace rastertrace {
 std::filesystem::path examples_folder() {
     std::error_code error;
     const auto program = std::filesystem::read_symlink("/proc/self/exe", error).parent_path();
+    const bool is_built_here = std::filesystem::exists(program / "../CMakeCache.txt", error);
     for (const auto* const place :
          {RASTERTRACE_SHARE "/examples", "../../../examples", "../../examples"}) {
         auto folder = (program / place).lexically_normal();
         if (std::filesystem::exists(folder / "t0-fill/first-triangle.json", error))
             return folder;
+        if (!is_built_here)
+            break;
     }
     throw problem_of("",
                      "expected the examples in " +

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "load.h"
 
+#include "progress.h"
+
 #include <rastertrace/trace/audit/redo.h>
 #include <rastertrace/trace/picture/picture_trace.h>
 #include <rastertrace/trace/scene/scene_file.h>
@@ -283,6 +285,7 @@ void print_error(std::string_view text) noexcept {
     struct sigaction before {};
     ignored.sa_handler = SIG_IGN;
     ::sigaction(SIGPIPE, &ignored, &before);
+    clear_progress_line();
     bool is_taken = true;
     while (is_taken && !text.empty()) {
         const ssize_t count = ::write(STDERR_FILENO, text.data(), text.size());

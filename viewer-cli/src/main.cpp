@@ -59,7 +59,8 @@ void release(void* memory, std::size_t) {
 /// The signal does what it would have done, once nothing is left behind.
 extern "C" void end_by_signal(int signal) {
     rastertrace::remove_unfinished_files();
-    rastertrace::tell_work_that_ends();
+    if (signal != SIGPIPE)
+        rastertrace::tell_interrupted_work();
     ::raise(signal);
 }
 

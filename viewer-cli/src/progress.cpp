@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "progress.h"
 
-#include "load.h"
-
 #include <rastertrace/trace/text/process_files.h>
+#include <rastertrace/trace/text/text.h>
 
 #include <fmt/core.h>
 
+#include <sys/ioctl.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -15,9 +15,11 @@
 #include <chrono>
 #include <cmath>
 #include <condition_variable>
+#include <csignal>
 #include <cstring>
 #include <filesystem>
 #include <string_view>
+#include <system_error>
 #include <utility>
 
 namespace rastertrace {
@@ -43,6 +45,18 @@ std::string time_text(double seconds) {
                                 : fmt::format("{:.0f} min", seconds / minute);
 }
 
+/// Writes at once, also from a signal handler. What cannot be written is of no importance.
+void write_error(std::string_view text) noexcept {
+    [[maybe_unused]] const auto written = ::write(STDERR_FILENO, text.data(), text.size());
+}
+
+std::size_t columns_of_error() {
+    constexpr std::size_t usual = 80;
+    struct winsize window {};
+    return ::ioctl(STDERR_FILENO, TIOCGWINSZ, &window) == 0 && window.ws_col > 1 ? window.ws_col
+                                                                                 : usual;
+}
+
 /// "fuzz: 120 of 1000 scenes"
 std::string amount_text(const LongWork& work, std::uint64_t done) {
     const auto in_units = [&](std::uint64_t count) {
@@ -60,7 +74,7 @@ LongWork reading_of(std::string doing, const std::vector<std::string>& paths) {
         if (std::error_code error; std::filesystem::is_regular_file(path, error))
             total += std::filesystem::file_size(path, error);
     if (total < bytes_in_a_megabyte)
-        return {.doing = doing + ": drawing"}; // a scene, or what is read in no time
+        return {.doing = "drawing a scene"}; // a scene, or what is read in no time
     return {.doing = std::move(doing),
             .unit = "MB",
             .total = total,
@@ -80,8 +94,19 @@ std::string progress_line(const LongWork& work, std::uint64_t done, double secon
 }
 
 Progress::Progress(LongWork work) : work_(std::move(work)) {
-    if (::isatty(STDERR_FILENO) != 0)
+    if (::isatty(STDERR_FILENO) == 0)
+        return;
+    // No signal comes to the thread: files are guarded against signals in the threads that write them (output.h).
+    sigset_t all;
+    sigset_t before;
+    ::sigfillset(&all);
+    ::pthread_sigmask(SIG_SETMASK, &all, &before);
+    try {
         thread_ = std::jthread([this](const std::stop_token& stopped) { show_until(stopped); });
+    } catch (const std::system_error&) {
+        // The work goes on, and nobody sees how far it is.
+    }
+    ::pthread_sigmask(SIG_SETMASK, &before, nullptr);
 }
 
 Progress::~Progress() {
@@ -89,8 +114,8 @@ Progress::~Progress() {
         return;
     thread_.request_stop();
     thread_.join();
-    if (words_shown.exchange(nullptr) != nullptr)
-        print_error("\r\x1b[K");
+    clear_progress_line();
+    words_shown = nullptr;
 }
 
 void Progress::say(std::string doing) {
@@ -98,7 +123,7 @@ void Progress::say(std::string doing) {
     work_.doing = std::move(doing);
 }
 
-void Progress::show_until(const std::stop_token& stopped) {
+void Progress::show_until(const std::stop_token& stopped) const {
     using namespace std::chrono_literals;
     const auto begin = std::chrono::steady_clock::now();
     std::condition_variable_any never;
@@ -110,12 +135,14 @@ void Progress::show_until(const std::stop_token& stopped) {
             return;
         const std::scoped_lock lock(mutex_);
         const std::uint64_t done = work_.done ? work_.done() : 0;
-        print_error(
-            "\r\x1b[K" +
-            progress_line(work_, done, Seconds(std::chrono::steady_clock::now() - begin).count()));
+        const Seconds seconds = std::chrono::steady_clock::now() - begin;
+        write_error("\r\x1b[K" +
+                    shortened(progress_line(work_, done, seconds.count()), columns_of_error() - 1));
         Text& words = last_words[turn % last_words.size()];
         const std::string ended =
-            fmt::format("\nended after {}\n", work_.done ? amount_text(work_, done) : work_.doing);
+            work_.done ? fmt::format("\ninterrupted: {}; unfinished files are removed\n",
+                                     amount_text(work_, done))
+                       : fmt::format("\ninterrupted while {}\n", work_.doing);
         const std::size_t length = std::min(ended.size(), words.size() - 1);
         std::copy_n(ended.begin(), length, words.begin());
         words[length] = '\0';
@@ -123,10 +150,14 @@ void Progress::show_until(const std::stop_token& stopped) {
     }
 }
 
-void tell_work_that_ends() noexcept {
-    if (const Text* const words = words_shown.exchange(nullptr)) [[maybe_unused]]
-        const auto written =
-            ::write(STDERR_FILENO, words->data(), ::strnlen(words->data(), words->size()));
+void clear_progress_line() noexcept {
+    if (words_shown.load() != nullptr)
+        write_error("\r\x1b[K");
+}
+
+void tell_interrupted_work() noexcept {
+    if (const Text* const words = words_shown.exchange(nullptr))
+        write_error({words->data(), ::strnlen(words->data(), words->size())});
 }
 
 } // namespace rastertrace

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// How far long work has come, on a terminal: one line of standard error, from the second second on, cleared in the end.
+// How far long work has come, on a terminal: one line of standard error, after the first second, cleared in the end.
 //
 //     std::atomic<std::uint64_t> done = 0;
 //     const Progress progress({.doing = "fuzz", .unit = "scenes", .total = 1000, .done = [&] { return done.load(); }});
@@ -22,12 +22,12 @@ struct LongWork {
     std::string unit{};
     std::uint64_t total = 0; ///< 0 if nobody knows
     std::function<std::uint64_t()> done{};
-    std::uint64_t one_unit = 1; ///< so many of `done`
+    std::uint64_t one_unit = 1; ///< how many of `done` are one `unit`
 };
 
 inline constexpr std::uint64_t bytes_in_a_megabyte = 1'000'000;
 
-/// Reads these files once.
+/// The progress of reading these files once.
 LongWork reading_of(std::string doing, const std::vector<std::string>& paths);
 
 /// The line after so many seconds.
@@ -45,14 +45,17 @@ public:
     void say(std::string doing);
 
 private:
-    void show_until(const std::stop_token& stopped);
+    void show_until(const std::stop_token& stopped) const;
 
     LongWork work_;
-    std::mutex mutex_; ///< of work_.doing
+    mutable std::mutex mutex_; ///< of work_.doing
     std::jthread thread_;
 };
 
+/// Clears the line of progress, if one is shown: a message is to stand in its place.
+void clear_progress_line() noexcept;
+
 /// For signal handlers: prints what had been done, if a line of progress is shown.
-void tell_work_that_ends() noexcept;
+void tell_interrupted_work() noexcept;
 
 } // namespace rastertrace
