@@ -56,8 +56,10 @@ public:
         const JsonValue root = document.root();
         refuse_other_files(root);
         json_.allow_keys(root, claims_keys);
-        if (const auto scene = root.find("scene"))
+        if (const auto scene = root.find("scene")) {
             claims_.scene = json_.string_in(*scene, "the name of a scene file");
+            claims_.scene_offset = scene->begin;
+        }
         if (const auto round = root.find("round"))
             claims_.truncates = truncates(*round);
         for (const JsonValue& claim :
