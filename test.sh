@@ -34,6 +34,7 @@ Left out, as they
 - need another compiler: BitmapsAreTheSameByAnyCompiler, ClangAcceptsTheSources, NullSinkCostsNothing.clang++, wasm-*
 - need other programs: schemas (jsonschema), walk (gdb), benchmarks, against-mesa-*, figures-in-other-programs, figures-in-tex, pages, site, python (nbconvert)
 - need Python, node and rustc: Emit.foreign, Emit.page
+- need node and npm: editors
 ./test.sh --all installs what these need (also a browser, TeX and Emscripten), and runs all tests.
 END
 fi

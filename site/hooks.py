@@ -37,6 +37,7 @@ SECTIONS = [
         ("docs/check.md", "check"),
         ("docs/diff.md", "diff"),
         ("docs/validate.md", "validate"),
+        ("docs/editors.md", "In an editor"),
         ("docs/report.md", "report"),
         ("docs/exercises.md", "exercise"),
         ("docs/for-teachers.md", "For teachers"),

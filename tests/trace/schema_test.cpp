@@ -80,6 +80,18 @@ TEST(Schema, EveryKeyHasAMeaning) {
     EXPECT_GT(keys, 80U);
 }
 
+TEST(Schema, EveryWordHasAMeaning) {
+    for (const SchemaKind kind : {SchemaKind::scene, SchemaKind::trace})
+        for_each_object(Json::parse(schema_of(kind)), [](const Json& object) {
+            if (!object.contains("enum") || object["enum"].front() == "NaN")
+                return;
+            EXPECT_EQ(object["enum"].size(), object.value("enumDescriptions", Json()).size())
+                << object;
+            for (const Json& meaning : object.value("enumDescriptions", Json()))
+                EXPECT_NE(meaning, "") << object;
+        });
+}
+
 TEST(Schema, HasEveryStepAndEveryChoiceOfTheMethod) {
     const Json steps = Json::parse(schema_of(SchemaKind::trace))["definitions"];
     for (const std::string_view name : step_kind_names())

@@ -377,9 +377,10 @@ TEST_F(CheckTest, FilesInTheWrongPlaceAreTold) {
         {"scene.json scene.json", "scene.json:1:1: expected claims, found a scene\n"
                                   "{\"title\": \"First triangle\",\n^\n"
                                   "hint: claims come behind the scene: check SCENE CLAIMS\n"},
-        {"turned.txt", "none.txt: expected a scene or a trace, found claims\n"},
-        {"lost.txt", "lost.json: expected a file that can be read, found: No such file or "
-                     "directory\n"},
+        {"turned.txt", "turned.txt:1:8: expected a scene or a trace, found claims (none.txt)\n"
+                       "scene: none.txt\n       ^\n"},
+        {"lost.txt", "lost.txt:1:8: expected a file that can be read, found: No such file or "
+                     "directory (lost.json)\nscene: lost.json\n       ^\n"},
         {"scene.json empty.txt", "empty.txt: expected claims, found none\n"
                                  "hint: rastertrace sheet SCENE writes a sheet to fill in\n"},
         {"ben.txt --hint=3", "--hint: expected one of 1, 2, found \"3\"\n"},

@@ -298,8 +298,8 @@ TEST_F(ValidateTest, ClaimsAreAboutWhatTheirSceneHas) {
     write("names.txt", "scene: scene.json\nedge AQ: 3/4\n");
     write("rows.txt", "scene: scene.json\ny=99: 1, 2\n");
     EXPECT_EQ(shell("$rastertrace validate lost.txt").err,
-              "rastertrace: nowhere.json: expected a file that can be read, found: No such file or "
-              "directory\n");
+              "rastertrace: lost.txt:1:8: expected a file that can be read, found: No such file or "
+              "directory (nowhere.json)\nscene: nowhere.json\n       ^\n");
     const Outcome names = shell("$rastertrace validate names.txt");
     EXPECT_EQ(names.status, 2);
     EXPECT_THAT(names.err, testing::StartsWith("rastertrace: names.txt:2:6: expected "));

@@ -56,8 +56,10 @@ public:
         const JsonValue root = document.root();
         refuse_other_files(root);
         json_.allow_keys(root, claims_keys);
-        if (const auto scene = root.find("scene"))
+        if (const auto scene = root.find("scene")) {
             claims_.scene = json_.string_in(*scene, "the name of a scene file");
+            claims_.scene_offset = scene->begin;
+        }
         if (const auto round = root.find("round"))
             claims_.truncates = truncates(*round);
         for (const JsonValue& claim :
@@ -86,7 +88,8 @@ private:
     }
 
     bool truncates(const JsonValue& round) const {
-        const std::vector<std::string_view> known(round_words.begin(), round_words.end());
+        constexpr auto names = names_of(round_words);
+        const std::vector<std::string_view> known(names.begin(), names.end());
         if (std::find(known.begin(), known.end(), round.text) == known.end())
             json_.fail_expecting(round, R"("nearest" or "truncate")",
                                  did_you_mean(round.text, known, "\""));

@@ -48,7 +48,8 @@ struct Claim {
 struct Claims {
     Source source;
     std::string scene = {}; ///< the file that they are about, as it is written there; may be empty
-    bool is_table = false;  ///< not JSON
+    std::size_t scene_offset = 0; ///< where it is written
+    bool is_table = false;        ///< not JSON
     bool truncates = false; ///< "round": "truncate": decimals may be cut off instead of rounded
     bool has_decimal_comma = false; ///< a table in which 0,25 is 1/4
     std::size_t not_judged = 0;     ///< lines of an answer that say nothing to be checked: pictures

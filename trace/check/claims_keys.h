@@ -21,7 +21,10 @@ inline constexpr std::array claims_keys{
     JsonKey{"claims", "claims", "What was worked out, in any order", true},
 };
 
-inline constexpr std::array<std::string_view, 2> round_words{"nearest", "truncate"};
+inline constexpr std::array round_words{
+    JsonWord{"nearest", "decimals have to be rounded"},
+    JsonWord{"truncate", "decimals may be rounded or cut off"},
+};
 
 /// Of a claim about the picture; all others are steps with fields left out.
 inline constexpr std::array picture_keys{

@@ -178,6 +178,7 @@ private:
     void read_scene(ClaimLine& line) {
         if (!claims_.scene.empty())
             line.fail_at_begin("expected one line `scene:`, found another");
+        claims_.scene_offset = line.peek().offset;
         claims_.scene = line.rest();
         if (claims_.scene.empty())
             line.fail(line.peek(), "the name of a scene file");

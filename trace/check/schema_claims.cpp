@@ -52,8 +52,9 @@ Json schema_of_field(const ClaimField& field) {
     const std::string form = form_of(field);
     if (field.is_key)
         return reference_to(form, "Says which step is meant");
-    return reference_to(fmt::format("{}-{}", field.is_list ? "list-of" : "claimed", form),
-                        "Claimed; null or \"?\" if it is left open");
+    return reference_to(
+        fmt::format("{}-{}", field.is_list ? "list-of" : "claimed", form),
+        fmt::format("Claimed: {}; null or \"?\" if it is left open", words_for_field(field.name)));
 }
 
 /// Two fields of one name take what either does.
@@ -74,6 +75,7 @@ Json schema_of_claim(std::string_view kind) {
         const Json value = schema_of_field(field);
         const bool is_known = properties.contains(name);
         properties[name] = is_known ? either(properties[name], value) : value;
+        properties[name]["description"] = value["description"];
         if (!field.is_key && !is_known)
             claimed.push_back({{"required", Json::array({name})}});
     }
@@ -89,13 +91,18 @@ Json claim() {
         const Json is_kind{{"properties", {{"step", {{"const", kind}}}}}, {"required", {"step"}}};
         cases.push_back({{"if", is_kind}, {"then", reference_to(fmt::format("claim-{}", kind))}});
     }
-    const Json about_step{{"properties", {{"step", one_of(claim_kinds())}}},
+    Json kinds = one_of(step_kind_words(claim_kinds()));
+    kinds["description"] = "The kind of step that is claimed about";
+    const Json about_step{{"properties", {{"step", std::move(kinds)}}},
                           {"required", {"step"}},
                           {"allOf", std::move(cases)}};
-    return {{"type", "object"},
-            {"if", {{"required", {picture_keys.front().name}}}},
-            {"then", object_with(picture_keys)},
-            {"else", about_step}};
+    // A claim with no key yet may become either; an editor offers what stands beside the condition.
+    Json schema = open_object_with(picture_keys);
+    schema.erase("required");
+    schema["if"] = {{"required", {picture_keys.front().name}}};
+    schema["then"] = object_with(picture_keys);
+    schema["else"] = about_step;
+    return schema;
 }
 
 /// Rows of marks.

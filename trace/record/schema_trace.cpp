@@ -82,11 +82,11 @@ Json schema_of_step(const StepRow& row) {
 
 /// Any step: one of a known kind has the fields of its row.
 Json step() {
-    Json kinds = one_of(step_kind_names());
+    Json kinds = one_of(step_kind_words(step_kind_names()));
     kinds["description"] = "The kinds that rastertrace writes; others are kept";
     Json cases = Json::array();
     for (const std::string_view name : step_kind_names()) {
-        const Json is_kind{{"properties", {{"step", {{"const", name}}}}}};
+        const Json is_kind{{"properties", {{"step", {{"const", name}}}}}, {"required", {"step"}}};
         cases.push_back({{"if", is_kind}, {"then", reference_to(fmt::format("step-{}", name))}});
     }
     return {{"type", "object"},

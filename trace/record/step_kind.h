@@ -6,6 +6,7 @@
 //
 //     fields_of(StepKind::scanline);  // y, left, right, from, ...
 
+#include <rastertrace/trace/text/json_key.h>
 #include <rastertrace/trace/text/language.h>
 
 #include <array>
@@ -110,5 +111,8 @@ std::optional<StepKind> step_kind_named(std::string_view name);
 
 /// All names.
 std::vector<std::string_view> step_kind_names();
+
+/// Some of them, and when their steps fire.
+std::vector<JsonWord> step_kind_words(std::span<const std::string_view> names);
 
 } // namespace rastertrace

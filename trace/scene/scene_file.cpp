@@ -361,7 +361,8 @@ private:
         if (const auto color = mesh.find("color"))
             face.color = color_in(*color);
         if (const auto draw = mesh.find("draw")) {
-            const std::vector<std::string_view> known(draw_words.begin(), draw_words.end());
+            constexpr auto names = names_of(draw_words);
+            const std::vector<std::string_view> known(names.begin(), names.end());
             if (std::find(known.begin(), known.end(), draw->text) == known.end())
                 json_.fail_expecting(*draw, "triangles, polygons, outlines or hidden-lines",
                                      did_you_mean(draw->text, known, "\""));

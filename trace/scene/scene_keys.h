@@ -68,8 +68,12 @@ inline constexpr std::array mesh_keys{
     JsonKey{"draw", "draw", "Faces as triangles, polygons or outlines, or their hidden lines"},
     JsonKey{"model", "model", "Moves the mesh's vertices: steps, in the order of the list"},
 };
-inline constexpr std::array<std::string_view, 4> draw_words{"triangles", "polygons", "outlines",
-                                                            "hidden-lines"};
+inline constexpr std::array draw_words{
+    JsonWord{"triangles", "faces are filled; one of more than three vertices is cut"},
+    JsonWord{"polygons", "faces are filled, and none is cut"},
+    JsonWord{"outlines", "the sides of faces are drawn"},
+    JsonWord{"hidden-lines", "the sides of faces are drawn where no face hides them"},
+};
 
 /// A step of a model has one of them.
 inline constexpr std::array model_keys{
@@ -85,7 +89,11 @@ inline constexpr std::array rotate_keys{
     JsonKey{"degrees", "number", "The angle; a right angle is 90", true},
 };
 /// An axis that is written as a word: the i-th has its 1 in coordinate i.
-inline constexpr std::array<std::string_view, 3> axis_words{"x", "y", "z"};
+inline constexpr std::array axis_words{
+    JsonWord{"x", "the axis [1, 0, 0]"},
+    JsonWord{"y", "the axis [0, 1, 0]"},
+    JsonWord{"z", "the axis [0, 0, 1]"},
+};
 
 inline constexpr std::array shear_keys{
     JsonKey{"xy", "number", "x grows by this times y"},
@@ -98,6 +106,12 @@ inline constexpr std::array shear_keys{
 
 /// In place of a camera or a viewport: one that fits.
 inline constexpr std::string_view fit_word = "fit";
+inline constexpr std::array camera_words{
+    JsonWord{fit_word, "as near as all that there is stays in view"},
+};
+inline constexpr std::array viewport_words{
+    JsonWord{fit_word, "all that is in view, to the centers of the outermost pixels"},
+};
 
 inline constexpr std::array camera_keys{
     JsonKey{"position", "numbers3", "Where the camera is", true},
@@ -113,7 +127,10 @@ inline constexpr std::array clip_space_keys{
     projection_type,
     JsonKey{"z", "z-range", "Which z is in view: -w to w, or 0 to w"},
 };
-inline constexpr std::array<std::string_view, 2> z_range_words{"minus-one-to-one", "zero-to-one"};
+inline constexpr std::array z_range_words{
+    JsonWord{"minus-one-to-one", "from -w to w, as in OpenGL"},
+    JsonWord{"zero-to-one", "from 0 to w, as in Direct3D and Vulkan"},
+};
 inline constexpr std::array orthographic_keys{
     projection_type,
     JsonKey{"left", "number", "The smallest x in view", true},
@@ -140,6 +157,7 @@ inline constexpr std::array frustum_keys{
 };
 /// A far plane that is none.
 inline constexpr std::string_view infinity_word = "infinity";
+inline constexpr std::array far_words{JsonWord{infinity_word, "the view does not end"}};
 
 /// Those of a projection.
 constexpr std::span<const JsonKey> keys_of(ProjectionType type) {
@@ -168,7 +186,10 @@ inline constexpr std::array pixels_keys{
     JsonKey{"depth_range", "numbers2", "The depths that z = -1 and z = 1 become: [near, far]"},
     JsonKey{"y", "viewport-y", "Where y = 1 is in the picture: up, at the top, if not given"},
 };
-inline constexpr std::array<std::string_view, 2> viewport_y_words{"up", "down"};
+inline constexpr std::array viewport_y_words{
+    JsonWord{"up", "y = 1 is at the top of the picture"},
+    JsonWord{"down", "y = 1 is at the bottom of the picture"},
+};
 
 /// ... or this alone.
 inline constexpr std::array viewport_keys{

@@ -114,24 +114,41 @@ Json sample_point() {
     return Json::array({point, {{"type", "string"}, {"pattern", both}}});
 }
 
+/// The values of a key of the method.
+Json one_of_values(const MethodKey& key) {
+    std::vector<JsonWord> words;
+    for (std::size_t i = 0; i < key.values.size(); ++i)
+        words.push_back({key.values[i], key.meanings[i]});
+    Json schema = one_of(words);
+    // A number may stand in quotes, or without.
+    if (key.is_number())
+        for (const JsonWord& word : words) {
+            schema["enum"].push_back(std::stoi(std::string(word.name)));
+            schema["enumDescriptions"].push_back(word.meaning);
+        }
+    return schema;
+}
+
+/// One line for people; with the default, where that hangs on nothing.
+std::string meaning_of(const MethodKey& key) {
+    const std::string value = key.get(Method{});
+    return std::string(key.meaning) + (value.empty() ? "" : "; without it, " + value);
+}
+
 Json method() {
     Json schema{{"type", "object"}, {"properties", Json::object()}};
     for (const MethodKey& key : method_keys()) {
         if (key.name == "convention")
             continue; // a key of the scene
-        Json value = key.values.empty() ? number_schema() : one_of(key.values);
+        Json value = key.values.empty() ? number_schema() : one_of_values(key);
         if (key.values.empty())
             value.update({{"minimum", 0}, {"maximum", 0.5}});
-        // A number may stand in quotes, or without.
-        if (key.is_number())
-            for (const std::string_view number : key.values)
-                value["enum"].push_back(std::stoi(std::string(number)));
-        value["description"] = key.meaning;
+        value["description"] = meaning_of(key);
         if (key.name == "sample") {
             Json forms = sample_point();
             value.erase("description");
             forms.insert(forms.begin(), std::move(value));
-            value = {{"description", key.meaning}, {"anyOf", std::move(forms)}};
+            value = {{"description", meaning_of(key)}, {"anyOf", std::move(forms)}};
         }
         schema["properties"][std::string(key.name)] = std::move(value);
     }
@@ -184,6 +201,7 @@ std::string scene_schema() {
     define_canvas(definitions);
 
     definitions["place"] = numbers(2, 4);
+    definitions["place"]["title"] = "A vertex: [x, y], [x, y, z] or [x, y, z, w]";
     definitions["vertices"] = map_to("place");
     definitions["vertices"]["propertyNames"] = {{"minLength", 1}};
     definitions["colors"] = map_to("color");
@@ -209,23 +227,23 @@ std::string scene_schema() {
     definitions["axis"] = {{"anyOf", Json::array({one_of(axis_words), reference_to("numbers3")})}};
     definitions["shear"] = object_with(shear_keys);
 
-    const Json fits{{"const", fit_word}};
-    definitions["camera"] = {{"anyOf", Json::array({fits, object_with(camera_keys)})}};
+    definitions["camera"] = {
+        {"anyOf", Json::array({one_of(camera_words), object_with(camera_keys)})}};
     definitions["projection"] = projection();
-    definitions["projection-type"] = one_of(projection_names());
-    definitions["far"] = {
-        {"anyOf", Json::array({{{"const", infinity_word}}, reference_to("positive")})}};
+    definitions["projection-type"] = one_of(projection_words());
+    definitions["far"] = {{"anyOf", Json::array({one_of(far_words), reference_to("positive")})}};
     definitions["viewport"] = {
-        {"anyOf", Json::array({fits, object_with(pixels_keys), object_with(viewport_keys)})}};
+        {"anyOf", Json::array({one_of(viewport_words), object_with(pixels_keys),
+                               object_with(viewport_keys)})}};
     definitions["z-range"] = one_of(z_range_words);
-    definitions["convention"] = one_of(find_method_key("convention")->values);
-    definitions["pixel-range"] = one_of(pixel_range_names());
+    definitions["convention"] = one_of_values(*find_method_key("convention"));
+    definitions["pixel-range"] = one_of(pixel_range_words());
     definitions["viewport-y"] = one_of(viewport_y_words);
     definitions["light"] = one_key_of(light_keys);
 
     definitions["method"] = method();
     definitions["stages"] = list_of("stage");
-    definitions["stage"] = one_of(stage_names());
+    definitions["stage"] = one_of(stage_words());
     definitions["vary"] = vary();
     const Json whole{{"type", "integer"}, {"minimum", 1}, {"maximum", most_frames}};
     const Json in_quotes{{"type", "string"}, {"pattern", number_pattern()}};

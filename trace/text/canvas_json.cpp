@@ -8,6 +8,7 @@
 
 #include <fmt/core.h>
 
+#include <cstddef>
 #include <cstdint>
 #include <utility>
 #include <variant>
@@ -17,10 +18,9 @@ namespace rastertrace {
 
 namespace {
 
-constexpr std::array<std::pair<Origin, std::string_view>, 3> origins{
-    {{Origin::center, "center"},
-     {Origin::bottom_left, "bottom-left"},
-     {Origin::top_left, "top-left"}}};
+constexpr std::array origins{JsonWord{"center", "(0, 0) is in the middle, y points up"},
+                             JsonWord{"bottom-left", "(0, 0) is the lower left pixel, y points up"},
+                             JsonWord{"top-left", "(0, 0) is the upper left pixel, y points down"}};
 
 /// The whole number from 1 to the largest side that a value is, if it is one.
 std::optional<int> side_in(const JsonValue& value) {
@@ -37,17 +37,16 @@ std::optional<int> side_in(const JsonValue& value) {
 } // namespace
 
 std::string_view name_of(Origin origin) {
-    for (const auto& [value, name] : origins)
-        if (value == origin)
-            return name;
-    return {};
+    return origins[static_cast<std::size_t>(origin)].name;
+}
+
+std::span<const JsonWord> origin_words() {
+    return origins;
 }
 
 std::vector<std::string_view> origin_names() {
-    std::vector<std::string_view> names;
-    for (const auto& [origin, name] : origins)
-        names.push_back(name);
-    return names;
+    constexpr auto names = names_of(origins);
+    return {names.begin(), names.end()};
 }
 
 std::optional<std::string> fault_of_size(const Canvas& canvas) {
@@ -76,9 +75,9 @@ Result<CanvasJson> read_canvas_json(const Source& source, const JsonValue& value
             (key.text == "width" ? canvas.has_width : canvas.has_height) = true;
         } else if (key.text == "origin") {
             bool known = false;
-            for (const auto& [origin, name] : origins)
-                if (item.kind == JsonValue::Kind::string && item.text == name) {
-                    canvas.origin = origin;
+            for (std::size_t i = 0; i < origins.size(); ++i)
+                if (item.kind == JsonValue::Kind::string && item.text == origins[i].name) {
+                    canvas.origin = static_cast<Origin>(i);
                     known = true;
                 }
             if (!known)

@@ -11,6 +11,7 @@
 
 #include <array>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -42,7 +43,8 @@ std::optional<std::string> fault_of_size(const Canvas& canvas);
 /// The word of a scene's canvas for it: center, bottom-left or top-left.
 std::string_view name_of(Origin origin);
 
-/// All three words.
+/// All three words, and what they mean.
+std::span<const JsonWord> origin_words();
 std::vector<std::string_view> origin_names();
 
 } // namespace rastertrace

@@ -31,6 +31,7 @@ struct MethodKey {
     bool (*in_force)(const Scene&);         ///< false if the picture cannot depend on it
     std::string_view number = {};           ///< `a number from 0 to 1/2`
     std::string_view more = {}; ///< what else it may be, beside its values: `a point [x, y]`
+    std::vector<std::string_view> meanings = {}; ///< of each of the values: one line for people
 
     /// Its values: `up, down`, or a number.
     std::string listed() const;

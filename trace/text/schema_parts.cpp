@@ -10,6 +10,7 @@
 
 #include <limits>
 #include <string>
+#include <utility>
 
 namespace rastertrace {
 
@@ -40,8 +41,13 @@ Json reference_to(std::string_view form, std::string_view meaning) {
     return {{"description", meaning}, {"allOf", Json::array({std::move(reference)})}};
 }
 
-Json one_of(std::span<const std::string_view> words) {
-    return {{"enum", Json(words)}};
+Json one_of(std::span<const JsonWord> words) {
+    Json schema{{"enum", Json::array()}, {"enumDescriptions", Json::array()}};
+    for (const JsonWord& word : words) {
+        schema["enum"].push_back(word.name);
+        schema["enumDescriptions"].push_back(word.meaning);
+    }
+    return schema;
 }
 
 Json list_of(std::string_view form, std::size_t least) {
@@ -66,7 +72,8 @@ std::string_view number_pattern() {
 
 Json number_schema() {
     constexpr double largest = std::numeric_limits<double>::max();
-    return {{"description", "A number, like 3 or -0.25, or a fraction in quotes, like \"25/8\""},
+    // A title stands above the meaning of the key that has the number. A description would take its place.
+    return {{"title", "A number, like 3 or -0.25, or a fraction in quotes, like \"25/8\""},
             {"type", {"number", "string"}},
             {"minimum", -largest},
             {"maximum", largest},
@@ -78,14 +85,17 @@ Json color_schema(std::string_view with_alpha) {
     const Json hexadecimal{
         {"type", "string"},
         {"pattern", fmt::format("^#([0-9a-fA-F]{{3}}|[0-9a-fA-F]{{6}}({})?)$", with_alpha)}};
-    return {{"description", "A color: #rgb, #rrggbb, #rrggbbaa, or a name of CSS 2.1"},
-            {"anyOf", Json::array({one_of(color_names()), hexadecimal})}};
+    Json names{{"enum", color_names()}};
+    for (const std::string_view name : color_names())
+        names["enumDescriptions"].push_back(to_text(*parse_color(name)));
+    return {{"title", "A color: #rgb, #rrggbb, #rrggbbaa, or a name of CSS 2.1"},
+            {"anyOf", Json::array({std::move(names), hexadecimal})}};
 }
 
 void define_canvas(Json& definitions) {
     definitions["canvas"] = object_with(canvas_keys);
     definitions["side"] = {{"type", "integer"}, {"minimum", 1}, {"maximum", largest_canvas_side}};
-    definitions["origin"] = one_of(origin_names());
+    definitions["origin"] = one_of(origin_words());
 }
 
 Json schema_titled(std::string_view title, std::string_view description) {

@@ -4,7 +4,7 @@
 // What schemas are put together from. The form of a key (json_key.h) is the name of a definition in its schema.
 //
 //     definitions["rotate"] = object_with(rotate_keys);
-//     definitions["origin"] = one_of(origin_names());
+//     definitions["origin"] = one_of(origin_words());
 
 #include "json_key.h"
 
@@ -27,8 +27,8 @@ Json open_object_with(std::span<const JsonKey> keys);
 /// What a definition says, with a line for people if there is one.
 Json reference_to(std::string_view form, std::string_view meaning = {});
 
-/// One of some words.
-Json one_of(std::span<const std::string_view> words);
+/// One of some words. Editors tell what each means beside it, by "enumDescriptions", which JSON Schema passes over.
+Json one_of(std::span<const JsonWord> words);
 
 /// A list whose elements a definition describes, of so many at least.
 Json list_of(std::string_view form, std::size_t least = 0);

@@ -5,9 +5,12 @@
 //
 //     stage_named("depth");  // Stage::depth
 
+#include "json_key.h"
+
 #include <rastertrace/core/draw/scene/stage.h>
 
 #include <optional>
+#include <span>
 #include <string_view>
 #include <vector>
 
@@ -19,7 +22,8 @@ std::string_view name_of(Stage stage);
 /// The stage of that name, if there is one.
 std::optional<Stage> stage_named(std::string_view name);
 
-/// All names, in the order in which the stages run.
+/// All names, in the order in which the stages run, and what each does.
+std::span<const JsonWord> stage_words();
 std::vector<std::string_view> stage_names();
 
 } // namespace rastertrace

@@ -103,7 +103,7 @@ const Truth& ClaimsChecker::truth_for(const Claims& claims) {
         return *last_;
     last_.reset();
     Source scene = exercises_ ? exercises_->exercise(exercise).scene
-                              : load_scene_of_claims(name, options_.limits);
+                              : load_scene_of_claims(claims, options_.limits);
     last_name_ = name;
     if (exercises_) {
         const auto planned =

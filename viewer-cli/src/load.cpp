@@ -239,11 +239,17 @@ std::string path_of_scene(const Claims& claims) {
     return (std::filesystem::path(claims.source.name).parent_path() / claims.scene).string();
 }
 
-Source load_scene_of_claims(const std::string& path, const InputLimits& limits) {
-    Source source = value_or_throw(read_named_file(path, limits));
-    if (is_claims(source))
-        throw problem_of(source.name, "expected a scene or a trace, found claims");
-    return source;
+Source load_scene_of_claims(const Claims& claims, const InputLimits& limits) {
+    const std::string path = path_of_scene(claims);
+    auto source = read_named_file(path, limits);
+    if (source && !is_claims(source.value()))
+        return std::move(source.value());
+    if (!source && source.problem().cause == Problem::Cause::system)
+        throw source.problem();
+    const Problem found =
+        source ? problem_of("", "expected a scene or a trace, found claims") : source.problem();
+    throw problem_at(claims.source, claims.scene_offset,
+                     fmt::format("{} ({})", found.message, path), found.hint);
 }
 
 Source load_page(const std::string& path) {

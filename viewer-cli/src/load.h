@@ -145,8 +145,8 @@ Truth truth_in(Source source, const SceneOptions& options);
 /// The path of the scene or trace that claims name, which starts from their folder. Throws a Problem if they name none.
 std::string path_of_scene(const Claims& claims);
 
-/// The scene or trace that claims name, at that path. Throws a Problem.
-Source load_scene_of_claims(const std::string& path, const InputLimits& limits);
+/// The scene or trace at that path. Throws a Problem, at the place where claims name a file that cannot be used.
+Source load_scene_of_claims(const Claims& claims, const InputLimits& limits);
 
 /// Reads the Markdown page in a file, which is no pipe and no device. Throws a Problem.
 Source load_page(const std::string& path);

@@ -88,8 +88,9 @@ PlayerInput open_input_of(const PlayCommand& command) {
     Source& source = std::get<Source>(input);
     std::string path = command.trace;
     if (is_claims(source)) { // what they claim something of
-        path = path_of_scene(value_or_throw(read_claims(std::move(source))));
-        source = load_scene_of_claims(path, command.input);
+        const Claims claims = value_or_throw(read_claims(std::move(source)));
+        path = path_of_scene(claims);
+        source = load_scene_of_claims(claims, command.input);
     }
     return input_from(
         std::make_shared<InputFrames>(path, std::move(source), scene_options(command)));

@@ -203,8 +203,7 @@ void validate_claims(Source source, const InputLimits& limits, ValidatedFile& fi
         return;
     }
     file.about += " about " + printable(claims.scene);
-    const std::string path = path_of_scene(claims);
-    Source scene = load_scene_of_claims(path, limits);
+    Source scene = load_scene_of_claims(claims, limits);
     const Truth truth = is_trace(scene)
                             ? Truth(value_or_throw(read_trace(std::move(scene), limits.steps)))
                             : Truth(std::move(scene), {}, limits);
