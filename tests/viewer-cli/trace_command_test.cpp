@@ -144,11 +144,12 @@ TEST_F(ProgramTest, AMethodMayStandInAFile) {
         return outcome.err;
     };
     EXPECT_THAT(refusal("{\"fill\": \"top-left\",\n \"sample\": \"centre\"}"),
-                AllOf(StartsWith("wrong.json:2:12: expected one of integer, center, "),
+                AllOf(StartsWith("rastertrace: wrong.json:2:12: expected one of integer, center, "),
                       HasSubstr("^\nhint: did you mean \"center\"?\n")));
     EXPECT_THAT(refusal(R"({"fil": "top-left"})"), HasSubstr("did you mean \"fill\"?"));
-    EXPECT_THAT(refusal("[]"), StartsWith("wrong.json:1:1: expected an object with the keys "));
-    EXPECT_THAT(refusal("{"), StartsWith("wrong.json:1:"));
+    EXPECT_THAT(refusal("[]"),
+                StartsWith("rastertrace: wrong.json:1:1: expected an object with the keys "));
+    EXPECT_THAT(refusal("{"), StartsWith("rastertrace: wrong.json:1:"));
     EXPECT_THAT(shell("$rastertrace show " + scene + "--method none.json").err,
                 StartsWith("rastertrace: none.json: "));
 }

@@ -35,11 +35,11 @@ std::vector<std::string> names_of_examples(const std::filesystem::path& folder) 
 
 /// True if a text has a word, in capitals or not.
 bool has(const std::string& text, const std::string& word) {
-    return !std::ranges::search(
-                text, word,
-                [](unsigned char a, unsigned char b) { return std::tolower(a) == std::tolower(b); })
-                .empty() ||
-           word.empty();
+    const auto is_same = [](unsigned char a, unsigned char b) {
+        return std::tolower(a) == std::tolower(b);
+    };
+    return word.empty() ||
+           std::search(text.begin(), text.end(), word.begin(), word.end(), is_same) != text.end();
 }
 
 /// The title of a scene, or what the first line of claims says.

@@ -126,11 +126,11 @@ void Progress::say(std::string doing) {
 void Progress::show_until(const std::stop_token& stopped) const {
     using namespace std::chrono_literals;
     const auto begin = std::chrono::steady_clock::now();
-    std::condition_variable_any never;
+    std::condition_variable_any ticks; // by time alone
     std::mutex unused;
     std::unique_lock waiting(unused);
     for (std::size_t turn = 0;; ++turn) {
-        never.wait_for(waiting, stopped, turn == 0 ? 1000ms : 200ms, [] { return false; });
+        ticks.wait_for(waiting, stopped, turn == 0 ? 1000ms : 200ms, [] { return false; });
         if (stopped.stop_requested())
             return;
         const std::scoped_lock lock(mutex_);
