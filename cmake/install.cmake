@@ -63,7 +63,7 @@ install(FILES viewer-cli/python/rastertrace.py DESTINATION ${share_dir} COMPONEN
 install(FILES LICENSE DESTINATION ${doc_dir} COMPONENT program RENAME copyright)
 install(FILES figures/font/LICENSE DESTINATION ${doc_dir} COMPONENT program RENAME copyright.DejaVu)
 install(FILES README.md CHANGELOG.md DESTINATION ${doc_dir} COMPONENT program)
-install(DIRECTORY docs DESTINATION ${doc_dir} COMPONENT program PATTERN *.schema.json EXCLUDE)
+install(DIRECTORY docs DESTINATION ${doc_dir} COMPONENT program)
 if(RASTERTRACE_WASM)
   install(FILES ${PROJECT_BINARY_DIR}/wasm/module/rastertrace.js DESTINATION ${share_dir} COMPONENT program)
 endif()

@@ -22,6 +22,7 @@
 #include <algorithm>
 #include <array>
 #include <exception>
+#include <filesystem>
 #include <functional>
 #include <map>
 #include <memory>
@@ -216,6 +217,8 @@ private:
     int complain(const CLI::ParseError& error, std::span<const char* const> words) const {
         const CLI::App& command = chosen();
         std::vector<std::string> options{"--help"};
+        if (&command == &app_)
+            options.insert(options.end(), {"--version", "--verbose"});
         if (const auto table = tables_.find(command.get_name()); table != tables_.end())
             for (const OptionRow& row : table->second.options)
                 for (const std::string& name : row.all_names())
@@ -249,7 +252,11 @@ int run_command_line(int count, const char* const* arguments) noexcept {
         try {
             Program program;
             return program.run(count, arguments);
-        } catch (const Problem& problem) {
+        } catch (Problem& problem) {
+            std::error_code error;
+            if (problem.hint.empty() && problem.file.starts_with("examples/") &&
+                !std::filesystem::exists("examples", error))
+                problem.hint = "rastertrace examples -o examples copies the examples";
             print_error(problem);
             return problem.cause == Problem::Cause::system ? exit_system : exit_bad_input;
         }

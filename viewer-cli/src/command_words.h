@@ -20,6 +20,7 @@ inline constexpr std::string_view welcome = R"(rastertrace: a rasterizer you can
 
 It draws a scene, writes down every decision with its numbers, and shows them.
 
+  rastertrace examples -o examples     copies the examples, if they are not there
   rastertrace show examples/t0-fill/first-triangle.json --every scanline
   rastertrace trace examples/t0-fill/first-triangle.json -o first.trace.json
 

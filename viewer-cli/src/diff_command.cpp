@@ -329,7 +329,8 @@ public:
                        "METHOD");
         comparison_.add_to(options);
         options.option("--rules", command_.rules,
-                       "What the team has agreed on; if not given, rastertrace-rules.json beside A",
+                       "What the team has agreed on, like {\"ignore\": [\"header\"], "
+                       "\"tolerance\": [\"4ulp\"]}; if not given, rastertrace-rules.json beside A",
                        "FILE");
         options.flag("--git", is_git_,
                      "Take the arguments that git gives to an external diff command; always "

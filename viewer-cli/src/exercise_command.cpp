@@ -103,11 +103,7 @@ private:
         const Trace trace = input.trace(input.first());
         const std::string sheet = fmt::format("{}{}\n{}", exercise_line(exercise.id),
                                               scene_line("scene.json"), claims_template(trace));
-        if (std::filesystem::exists(path("sheet.txt")) &&
-            value_or_throw(read_named_file(path("sheet.txt"), {})).view() != sheet)
-            throw problem_of(path("sheet.txt"),
-                             "expected no sheet that has been filled in, found one",
-                             "another folder behind -o, or remove it");
+        refuse_filled_sheet(path("sheet.txt"), sheet);
         make_folder(folder);
         write_file(path("scene.json"), exercise.scene.text);
         write_file(path("sheet.txt"), sheet);

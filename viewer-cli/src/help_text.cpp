@@ -105,6 +105,8 @@ std::string CommandTable::usage() const {
     for (const OptionRow& row : options)
         if (row.is_argument())
             text += row.is_required ? " " + row.type : fmt::format(" [{}]", row.type);
+        else if (row.is_required)
+            text += fmt::format(" {} {}", row.all_names().front(), row.type);
     return text;
 }
 
@@ -189,7 +191,8 @@ std::string help_text(const std::vector<CommandGroup>& groups) {
     text += "\n" + help_row("-h, --help", "Print this help; of a command, --help has all options") +
             help_row("-V, --version",
                      "Print the version; with --verbose also how the program was built");
-    text += "\nExample:\n" + command_lines("rastertrace show examples/t0-fill/first-triangle.json");
+    text += "\nExample:\n" + command_lines("rastertrace examples -o examples") +
+            command_lines("rastertrace show examples/t0-fill/first-triangle.json");
     return text + "\n" +
            paragraphs({"A file without a command is shown. " + std::string(exit_statuses)});
 }

@@ -26,7 +26,8 @@ std::string heading(std::string_view name, std::string_view meaning) {
     std::transform(upper.begin(), upper.end(), upper.begin(), [](char c) {
         return 'a' <= c && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c;
     });
-    return fmt::format(".TH {} 1 \"\" \"rastertrace {}\"\n.SH NAME\n{} \\- {}\n", roff(upper),
+    // Names of options and values are not hyphenated.
+    return fmt::format(".TH {} 1 \"\" \"rastertrace {}\"\n.nh\n.SH NAME\n{} \\- {}\n", roff(upper),
                        RASTERTRACE_VERSION, roff(name), roff(meaning));
 }
 
@@ -94,6 +95,20 @@ std::string man_page(const std::vector<CommandGroup>& groups) {
                                   roff("rastertrace-" + command->about.name));
         }
     }
+    text +=
+        ".SH OPTIONS\n" +
+        entry("-h, --help", "", "Print the help; of a command, --help has all options") +
+        entry("-V, --version", "", "Print the version; with --verbose also how it was built") +
+        ".SH ENVIRONMENT\n" +
+        entry("RASTERTRACE_LANGUAGE", "", "The language that steps are told in, as --language") +
+        ".SH FILES\n" +
+        entry("share/rastertrace/examples", "",
+              "Scenes, claims and traces; rastertrace examples lists and copies them") +
+        entry("share/rastertrace/schemas", "", "JSON schemas, for editors") +
+        entry("share/rastertrace/rastertrace.py", "", "The module for Python") +
+        entry("share/doc/rastertrace", "", "The documentation") + ".SH EXAMPLES\n" +
+        as_typed({"rastertrace examples -o examples",
+                  "rastertrace play examples/t0-fill/first-triangle.json"});
     return text + end_of(others);
 }
 

@@ -67,10 +67,15 @@ public:
             path_, std::move(source),
             {.method = options_.method, .limits = options_.input, .frames = options_.frames});
         const Trace trace = input.trace(input.first());
-        if (output_.empty() || output_ == "-")
-            print(sheet_of(trace, input.given_scene()));
-        else
-            write_file(output_, sheet_of(trace, input.given_scene()), opened_files());
+        const std::string sheet = sheet_of(trace, input.given_scene());
+        if (output_.empty() || output_ == "-") {
+            print(sheet);
+        } else {
+            const std::vector<FileId> read = opened_files();
+            if (format_ == SheetFormat::text || format_ == SheetFormat::columns)
+                refuse_filled_sheet(output_, sheet);
+            write_file(output_, sheet, read);
+        }
         return report_damage(trace);
     }
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "sheet_page.h"
 
+#include "load.h"
+
 #include <rastertrace/figures/figure.h>
 #include <rastertrace/trace/check/claims_template.h>
 #include <rastertrace/trace/record/traced_steps.h>
@@ -12,8 +14,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <filesystem>
 #include <set>
 #include <string>
+#include <system_error>
 #include <vector>
 
 namespace rastertrace {
@@ -143,6 +147,14 @@ Drawing sheet_page(const Trace& trace, const Source* scene, const std::string& e
     page.width = std::max(page.width, 2 * margin + columns * column_width);
     page.height += 2 * margin + static_cast<double>(rows) * line_height;
     return page;
+}
+
+void refuse_filled_sheet(const std::string& path, std::string_view empty) {
+    std::error_code error;
+    if (std::filesystem::is_regular_file(path, error) &&
+        value_or_throw(read_named_file(path, {})).view() != empty)
+        throw problem_of(path, "expected no sheet that has been filled in, found one",
+                         "give -o another name, or remove the file");
 }
 
 } // namespace rastertrace
