@@ -48,6 +48,13 @@ TEST_F(ExamplesTest, AreCopiedWithoutLoss) {
     EXPECT_THAT(refused.err, StartsWith("rastertrace: file"));
 }
 
+TEST_F(ExamplesTest, AreNamedWhereTheyAreMissing) {
+    EXPECT_THAT(shell("$rastertrace show examples/t0-fill/first-triangle.json").err,
+                HasSubstr("hint: rastertrace examples -o examples copies the examples\n"));
+    shell("mkdir examples");
+    EXPECT_THAT(shell("$rastertrace show examples/none.json").err, Not(HasSubstr("hint")));
+}
+
 TEST_F(ExamplesTest, TheVersionTellsHowTheProgramWasBuilt) {
     const std::string version = shell("$rastertrace --version").out;
     EXPECT_THAT(version, MatchesRegex("rastertrace [0-9]+\\.[0-9]+\\.[0-9]+\n"));

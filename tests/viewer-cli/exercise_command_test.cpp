@@ -274,6 +274,15 @@ TEST_F(ExerciseTest, AFilledInSheetIsNotWrittenOver) {
     EXPECT_EQ(again.status, 2);
     EXPECT_THAT(again.err, HasSubstr("expected no sheet that has been filled in, found one"));
     EXPECT_EQ(content("anna/sheet.txt"), filled);
+
+    // The same of the sheet of any scene.
+    const std::string sheet = "$rastertrace sheet $examples/t0-fill/first-triangle.json -o ";
+    for (const std::string name : {"mine.txt", "mine.csv"}) {
+        ASSERT_EQ(shell(sheet + name + " && " + sheet + name).status, 0);
+        ASSERT_EQ(shell("echo 'y=4: 2, 2' >> " + name).status, 0);
+        EXPECT_THAT(shell(sheet + name).err,
+                    HasSubstr(name + ": expected no sheet that has been filled in, found one"));
+    }
 }
 
 TEST_F(ExerciseTest, AClassMayHaveOtherFilesAndSheetsThatCannotBeRead) {

@@ -91,7 +91,7 @@ TEST_F(HelpTest, PagesOfTheManualAreRoff) {
         const std::string page = shell("$rastertrace help --man " + command).out;
         EXPECT_THAT(page, StartsWith(".TH ")) << command;
         for (const std::string& macro : found_in(page, "\n(\\.[^\n ]*)"))
-            EXPECT_THAT((std::set<std::string>{".SH", ".SS", ".TP", ".PP", ".nf", ".fi"}),
+            EXPECT_THAT((std::set<std::string>{".SH", ".SS", ".TP", ".PP", ".nf", ".fi", ".nh"}),
                         Contains(macro))
                 << command;
         for (const std::string section : {"NAME", "SYNOPSIS", "OPTIONS", "EXAMPLES", "EXIT STATUS"})
