@@ -8,7 +8,7 @@ cd "$(dirname "$0")/.."
 scripts/install-packages.sh lintian debootstrap qemu-user binutils
 packages=$PWD/build/packages
 folder=$(mktemp -d)
-trap 'rm -rf "$folder"' EXIT
+trap 'umount "$folder/root/proc" 2>/dev/null || true; rm -rf "$folder"' EXIT
 fail() {
     echo "try-packages.sh: $1" >&2
     exit 1
@@ -29,6 +29,7 @@ done
 root=$folder/root
 mirror=$(apt-get indextargets --format '$(SITE)' 'Created-By: Packages' 'Codename: bookworm' | head -n 1)
 debootstrap --variant=minbase bookworm "$root" "$mirror" >"$folder/log" 2>&1 || { cat "$folder/log"; exit 1; }
+mount -t proc proc "$root/proc"
 for package in rastertrace librastertrace-dev; do
     cp "$packages/$package"_*.deb "$root/tmp/$package.deb"
 done

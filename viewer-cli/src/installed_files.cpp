@@ -10,6 +10,10 @@ namespace rastertrace {
 std::filesystem::path examples_folder() {
     std::error_code error;
     const auto program = std::filesystem::read_symlink("/proc/self/exe", error).parent_path();
+    if (error)
+        throw problem_of("",
+                         "expected /proc/self/exe, which says where the program lies, found none",
+                         "mount -t proc proc /proc");
     const bool is_built_here = std::filesystem::exists(program / "../CMakeCache.txt", error);
     for (const auto* const place :
          {RASTERTRACE_SHARE "/examples", "../../../examples", "../../examples"}) {
