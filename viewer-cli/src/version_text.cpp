@@ -26,18 +26,18 @@ std::string place_of_examples() {
 } // namespace
 
 std::string version_text(bool is_verbose) {
+    const std::string text = fmt::format("rastertrace {}\n", RASTERTRACE_VERSION);
+    if (!is_verbose)
+        return text;
     const Machine machine = this_machine();
-    std::string text = fmt::format("rastertrace {}\n", machine.version);
-    if (is_verbose)
-        text += fmt::format("  compiler  {}\n  flags     {}\n  packages  GMP {}, fmt {}.{}.{}\n"
-                            "  pages     {}\n  examples  {}\n",
-                            machine.compiler, machine.flags, gmp_version, FMT_VERSION / 10000,
-                            FMT_VERSION / 100 % 100, FMT_VERSION % 100,
-                            wasm_module().empty()
-                                ? "show what was drawn: built without RASTERTRACE_WASM"
-                                : "draw by themselves, with the arithmetic of this program",
-                            place_of_examples());
-    return text;
+    return text + fmt::format("  compiler  {}\n  flags     {}\n  packages  GMP {}, fmt {}.{}.{}\n"
+                              "  pages     {}\n  examples  {}\n",
+                              machine.compiler, machine.flags, gmp_version, FMT_VERSION / 10000,
+                              FMT_VERSION / 100 % 100, FMT_VERSION % 100,
+                              wasm_module().empty()
+                                  ? "show what was drawn: built without RASTERTRACE_WASM"
+                                  : "draw by themselves, with the arithmetic of this program",
+                              place_of_examples());
 }
 
 } // namespace rastertrace
