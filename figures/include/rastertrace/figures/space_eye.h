@@ -14,9 +14,9 @@ namespace rastertrace {
 struct SpaceEye {
     /// 35 degrees around y, and 20 degrees of height.
     std::array<double, 3> direction{0.5390, 0.3420, 0.7698};
-    bool is_named =
-        true; ///< z is toward where the scene's camera stands, not along its own axis; and it is seen from
-              ///< the other side if that would show one of its few faces as a line
+    /// z is toward where the scene's camera stands, not along its own axis; and it is seen from the other side if
+    /// that would show one of its few faces as a line
+    bool is_named = true;
 };
 
 /// corner, front, side, top
