@@ -183,7 +183,8 @@ TEST(Selector, SaysWhatIsWrongWithAText) {
                         "         ^"},
         {"scanline 2", "--step: expected field=value, found 2\n"
                        "scanline 2\n"
-                       "         ^"},
+                       "         ^\n"
+                       "hint: like y=2"},
         {"edge edge=\"BC", "--step: expected a closing quote, found none\n"
                            "edge edge=\"BC\n"
                            "          ^"},

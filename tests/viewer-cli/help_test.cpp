@@ -117,6 +117,19 @@ TEST_F(HelpTest, WordsAreCompleted) {
     EXPECT_THAT(completions("explain" + triangle + "--vertex ''"), ElementsAre("A", "B", "C"));
     EXPECT_THAT(completions("trace" + triangle + "--primitive ''"), ElementsAre("ABC"));
     EXPECT_THAT(completions("explain nothing.json --vertex ''"), IsEmpty());
+    EXPECT_THAT(completions("explain" + triangle + "--edge A"), ElementsAre("AB", "AC"));
+    const std::string quads = " $examples/t0-hidden/cube-culled.json ";
+    EXPECT_THAT(completions("explain" + quads + "--face AB"), ElementsAre("ABC"));
+    EXPECT_THAT(completions("explain" + quads + "--pair ABC,A"),
+                ElementsAre("ABC,ACD", "ABC,ADE", "ABC,AEF", "ABC,AFB"));
+    EXPECT_THAT(completions("figure x --with grid,g"), IsEmpty());
+    EXPECT_THAT(completions("show x --fill=two"), ElementsAre("--fill=two-halves"));
+    EXPECT_THAT(completions("show x --fill = two"), ElementsAre("two-halves"));
+    EXPECT_THAT(completions("show x --rounding ="), Contains("half-open"));
+    EXPECT_THAT(completions("explain x --against fill=top-left,rounding = h"),
+                ElementsAre("half-open"));
+    EXPECT_THAT(completions(triangle + "--fram"), ElementsAre("--frame", "--frames"));
+    EXPECT_THAT(completions("--v"), ElementsAre("--version"));
     EXPECT_THAT(completions("help figu"), ElementsAre("figure"));
     EXPECT_THAT(completions("nothing --x"), IsEmpty());
     EXPECT_THAT(shell("$rastertrace help --complete").out, "");

@@ -104,7 +104,7 @@ TEST_F(ProgramTest, ShowTellsManyStepsOfAKindAsATable) {
     ASSERT_EQ(steps.size(), 9u);
     EXPECT_EQ(steps[1]["left"], "5/4");
     EXPECT_EQ(shell("$rastertrace show $examples/t0-fill/first-triangle.json --format csv").err,
-              "rastertrace: --format: expected --every beside it, found \"csv\"\n");
+              "rastertrace: --format: expected --every or --step beside it, found \"csv\"\n");
     EXPECT_EQ(shell(rows + "--format cvs").err,
               "rastertrace: --format: expected one of table, markdown, csv, json, found \"cvs\"\n"
               "hint: did you mean csv?\n");

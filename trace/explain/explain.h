@@ -37,6 +37,9 @@ enum class Topic : std::uint8_t {
 /// pixel, scanline, ...
 std::string_view name_of(Topic topic);
 
+/// The names of what can be asked about: faces, vertices, edges; of Topic::pair, the triangles. None of other topics.
+std::vector<std::string> names_to_ask(const Trace& trace, Topic topic);
+
 struct Question {
     Topic about = Topic::pixel;
     Pixel pixel = {};   ///< of Topic::pixel; of Topic::scanline its y

@@ -56,20 +56,12 @@ std::vector<std::size_t> numbers_of(const Trace& trace,
     return numbers;
 }
 
-/// A name that nothing has: what there is.
-[[noreturn]] void refuse(std::string_view option, std::string_view what, const std::string& name,
-                         const std::set<std::string>& known) {
-    constexpr std::size_t most_listed = 12;
-    std::vector<std::string> listed(known.begin(), known.end());
-    const std::string near =
-        did_you_mean(name, std::vector<std::string_view>(listed.begin(), listed.end()));
-    const bool is_all = listed.size() <= most_listed;
-    listed.resize(std::min(listed.size(), most_listed));
-    throw problem_of("", fmt::format("{}: expected {}, found \"{}\"", option, what, name),
-                     !near.empty()   ? near
-                     : known.empty() ? std::string("the trace has none")
-                                     : fmt::format("there are {}{}", joined(listed, ", "),
-                                                   is_all ? "" : ", ..."));
+/// True of a `primitive` step that can be asked about as a face.
+bool is_face(const StepOf& primitive) {
+    const auto kind = primitive.step.as<PrimitiveStep>().kind;
+    return primitive.primitive != primitive.whole ||
+           (kind != PrimitiveKind::line && kind != PrimitiveKind::point &&
+            kind != PrimitiveKind::circle);
 }
 
 /// An answer that counts steps: not all of them are there if the trace lacks some.
@@ -193,26 +185,64 @@ Explanation explain_scanline(const Trace& trace, int y) {
     return explanation;
 }
 
+std::vector<std::string> names_to_ask(const Trace& trace, Topic topic) {
+    std::set<std::string> names;
+    for_each_step(trace, [&](const StepOf& one) {
+        if (topic == Topic::face && one.kind == StepKind::triangulate)
+            names.insert(one.step.as<TriangulateStep>().name.text());
+        if (topic == Topic::vertex && one.kind == StepKind::vertex)
+            names.insert(name_in(one.step).text());
+        if (topic == Topic::edge && one.kind == StepKind::edge)
+            names.insert(one.step.as<EdgeStep>().edge.text());
+        if (one.kind != StepKind::primitive)
+            return;
+        const PrimitiveText primitive = primitive_in(one.step);
+        if ((topic == Topic::face && is_face(one)) ||
+            (topic == Topic::pair && corners_of(primitive)))
+            names.insert(one.primitive);
+        if (topic == Topic::vertex)
+            names.insert(primitive.vertices.begin(), primitive.vertices.end());
+        for (std::size_t i = 0; topic == Topic::edge && i < primitive.vertices.size(); ++i)
+            for (std::size_t j = i + 1; j < primitive.vertices.size(); ++j)
+                names.insert(edge_name(primitive, i, j));
+    });
+    return {names.begin(), names.end()};
+}
+
+void refuse_name(const Trace& trace, Topic topic, const std::string& name) {
+    constexpr std::size_t most_listed = 12;
+    std::vector<std::string> known = names_to_ask(trace, topic);
+    std::string hint =
+        did_you_mean(name, std::vector<std::string_view>(known.begin(), known.end()));
+    if (hint.empty()) {
+        const bool is_all = known.size() <= most_listed;
+        known.resize(std::min(known.size(), most_listed));
+        hint = known.empty()
+                   ? std::string("the trace has none")
+                   : fmt::format("there are {}{}", joined(known, ", "), is_all ? "" : ", ...");
+    }
+    const std::string_view what = topic == Topic::face     ? "a face"
+                                  : topic == Topic::vertex ? "a vertex"
+                                  : topic == Topic::edge   ? "an edge"
+                                                           : "a triangle that is drawn";
+    throw problem_of(
+        "", fmt::format("--{}: expected the name of {}, found \"{}\"", name_of(topic), what, name),
+        std::move(hint));
+}
+
 std::vector<std::string> triangles_of_face(const Trace& trace, const std::string& name) {
-    std::set<std::string> known;
+    bool is_known = trace.lacks(StepKind::primitive);
     std::vector<std::string> triangles{name};
     for_each_step(trace, [&](const StepOf& one) {
-        if (one.kind == StepKind::triangulate) {
-            const auto face = one.step.as<TriangulateStep>();
-            known.insert(face.name.text());
-            if (face.name == name)
-                triangles = face.ears.texts();
+        if (one.kind == StepKind::triangulate && name_in(one.step) == name) {
+            triangles = one.step.as<TriangulateStep>().ears.texts();
+            is_known = true;
         }
-        if (one.kind == StepKind::primitive) {
-            const auto kind = one.step.as<PrimitiveStep>().kind;
-            const bool is_face = kind != PrimitiveKind::line && kind != PrimitiveKind::point &&
-                                 kind != PrimitiveKind::circle;
-            if (is_face || one.primitive != one.whole)
-                known.insert(one.primitive);
-        }
+        is_known =
+            is_known || (one.kind == StepKind::primitive && one.primitive == name && is_face(one));
     });
-    if (!trace.lacks(StepKind::primitive) && !known.contains(name))
-        refuse("--face", "the name of a face", name, known);
+    if (!is_known)
+        refuse_name(trace, Topic::face, name);
     return triangles;
 }
 
@@ -257,15 +287,12 @@ Explanation explain_face(const Trace& trace, const std::string& name) {
 }
 
 Explanation explain_vertex(const Trace& trace, const std::string& name) {
-    std::set<std::string> known;
     std::string place;
     Explanation explanation;
-    explanation.tries = tries_of(trace, numbers_of(trace, [&](const StepOf& one) {
-                                     if (one.kind != StepKind::vertex)
-                                         return false;
-                                     known.insert(name_in(one.step).text());
-                                     return name_in(one.step) == name;
-                                 }));
+    explanation.tries =
+        tries_of(trace, numbers_of(trace, [&](const StepOf& one) {
+                     return one.kind == StepKind::vertex && name_in(one.step) == name;
+                 }));
     const bool has_places = !explanation.tries.empty();
     if (has_places) {
         const auto last = StepView(explanation.tries.back().step).as<VertexStep>();
@@ -279,7 +306,6 @@ Explanation explain_vertex(const Trace& trace, const std::string& name) {
         const PrimitiveText primitive = primitive_in(one.step);
         bool is_corner = false;
         for (std::size_t i = 0; i < primitive.vertices.size(); ++i) {
-            known.insert(primitive.vertices[i]);
             is_corner = is_corner || primitive.vertices[i] == name;
             if (primitive.vertices[i] == name && place.empty() && i < primitive.positions.size())
                 place = fmt::format("{}, as it was typed: no matrix moves it",
@@ -287,8 +313,8 @@ Explanation explain_vertex(const Trace& trace, const std::string& name) {
         }
         return is_corner;
     });
-    if (!known.contains(name))
-        refuse("--vertex", "the name of a vertex", name, known);
+    if (!has_places && corners.empty())
+        refuse_name(trace, Topic::vertex, name);
     if (!has_places)
         explanation.tries = tries_of(trace, corners);
     explanation.lacks = what_lacks(trace, {StepKind::vertex});
@@ -326,10 +352,10 @@ std::string why_not_set_up(const Trace& trace, const std::set<std::string>& spel
 
 Explanation explain_edge(const Trace& trace, const std::string& name) {
     // AB is also BA: a trace names an edge from its upper vertex.
-    std::set<std::string> known, spellings;
+    std::set<std::string> spellings;
     for_each_step(trace, [&](const StepOf& one) {
-        if (one.kind == StepKind::edge)
-            known.insert(one.step.as<EdgeStep>().edge.text());
+        if (one.kind == StepKind::edge && one.step.as<EdgeStep>().edge == name)
+            spellings.insert(name);
         if (one.kind != StepKind::primitive)
             return;
         const PrimitiveText primitive = primitive_in(one.step);
@@ -337,15 +363,12 @@ Explanation explain_edge(const Trace& trace, const std::string& name) {
             for (std::size_t j = i + 1; j < primitive.vertices.size(); ++j) {
                 const std::string edge = edge_name(primitive, i, j);
                 const std::string back = edge_name(primitive, j, i);
-                known.insert(edge);
                 if (edge == name || back == name)
                     spellings.insert({edge, back});
             }
     });
-    if (known.contains(name))
-        spellings.insert(name);
     if (spellings.empty())
-        refuse("--edge", "the name of an edge", name, known);
+        refuse_name(trace, Topic::edge, name);
 
     // The edge is set up, and rows begin or end at it; or it is a line, with its own steps.
     bool is_in_line = false;

@@ -38,23 +38,20 @@ struct Pair {
 
 /// The triangle of a name, as its `primitive` step says.
 PrimitiveText triangle_named(const Trace& trace, const std::string& name) {
-    std::vector<std::string> known, parts;
+    std::vector<std::string> parts;
     for (std::size_t n = 1; n <= trace.size(); ++n) {
         if (trace.kind_of(n) != StepKind::primitive)
             continue;
         PrimitiveText primitive = primitive_in(trace.step(n));
         if (primitive.name == name && corners_of(primitive))
             return primitive;
-        if (corners_of(primitive))
-            known.push_back(primitive.name);
         if (is_part_of(trace.step(n).as<PrimitiveStep>(), name))
             parts.push_back(primitive.name);
     }
     if (!parts.empty())
         refuse("the name of a triangle that is drawn", name,
                fmt::format("{} was clipped: ask of its parts, {}", name, joined(parts, ", ")));
-    refuse("the name of a triangle that is drawn", name,
-           did_you_mean(name, std::vector<std::string_view>(known.begin(), known.end())));
+    refuse_name(trace, Topic::pair, name);
 }
 
 /// The two names that a text joins by a comma. A name may have commas too: the split is where both are known.

@@ -29,6 +29,9 @@ std::vector<Try> tries_of(const Trace& trace, const std::vector<std::size_t>& st
 /// True of a primitive that clipping has made of the one of that name: ABC/1 of ABC.
 bool is_part_of(const PrimitiveStep& primitive, std::string_view whole);
 
+/// Throws a Problem: nothing that can be asked about has this name, and what there is.
+[[noreturn]] void refuse_name(const Trace& trace, Topic topic, const std::string& name);
+
 /// The triangles that a face was cut into, or the one primitive that it is. A name that no face has is thrown as a
 /// Problem.
 std::vector<std::string> triangles_of_face(const Trace& trace, const std::string& name);

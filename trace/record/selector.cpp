@@ -250,7 +250,13 @@ private:
         std::string expected = "field=value";
         for (const std::string_view other : known)
             expected += fmt::format(" or {}", other);
-        fail(fmt::format("expected {}, found {}", expected, word), did_you_mean(word, known));
+        std::string hint = did_you_mean(word, known);
+        const auto key = std::find_if(fields_.begin(), fields_.end(), [](const StepField& field) {
+            return field.role == FieldRole::key;
+        });
+        if (hint.empty() && key != fields_.end())
+            hint = fmt::format("like {}={}", key->name, word);
+        fail(fmt::format("expected {}, found {}", expected, word), hint);
     }
 
     const Trace& trace_;

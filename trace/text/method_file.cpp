@@ -41,6 +41,9 @@ MethodOverrides method_in(const Source& file) {
     for (const MethodKey& key : method_keys())
         keys.push_back(key.name);
     const JsonValue root = document.value().root();
+    if (const auto method = root.find("method"); method)
+        json.fail(*method, "expected the choices alone, found the \"method\" of a scene",
+                  "a method file is what stands behind \"method\", like {\"fill\": \"top-left\"}");
     json.allow_keys(root, keys);
     MethodOverrides method;
     for (const auto& [name, value] : root.members())

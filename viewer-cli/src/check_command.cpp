@@ -201,8 +201,10 @@ public:
     CommandAbout about() const override {
         return {"check", "Say which line of a worked example is wrong, and why",
                 "rastertrace check examples/claims/t0-rows.claims\n\n"
-                "Claims are lines like these, in a file; docs/check.md has all of them:\n"
-                "  y=2: -1/4, 25/8 -> -1..3   (3,2): on   A screen: 2, 5   normal ABC: 0, 0, -4\n"
+                "Claims are lines like these, in a file; check.md of the documentation has all of "
+                "them:\n"
+                "  y=2: -1/4, 25/8 -> -1..3   (3,2): on\n"
+                "  A screen: 2, 5   normal ABC: 0, 0, -4\n"
                 "Exit status 1: a claim is wrong."};
     }
 

@@ -4,6 +4,7 @@
 #include "load.h"
 
 #include <rastertrace/core/draw/model/mistakes.h>
+#include <rastertrace/trace/explain/explain.h>
 #include <rastertrace/trace/record/step_kind.h>
 #include <rastertrace/trace/text/method_names.h>
 #include <rastertrace/trace/text/text.h>
@@ -12,6 +13,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdint>
 #include <filesystem>
 #include <utility>
 
@@ -21,27 +23,37 @@ namespace {
 
 constexpr std::string_view files = ":files";
 
-/// The names in the first of the words that is the file of a scene; none if no word is one.
+bool is_of_files(const std::vector<std::string>& names) {
+    return names.size() == 1 && names.front() == files;
+}
+
+/// A file that is larger is not drawn for a word.
+constexpr std::uintmax_t most_bytes_read = 1'000'000;
+
+/// The names in the first of the words that is the file of a scene or trace; none if no word is one.
 std::vector<std::string> names_in_file(NamesOf what, std::span<const std::string> words) {
-    std::vector<std::string> names;
+    constexpr std::array<std::pair<NamesOf, Topic>, 4> topics{{{NamesOf::faces, Topic::face},
+                                                               {NamesOf::vertices, Topic::vertex},
+                                                               {NamesOf::edges, Topic::edge},
+                                                               {NamesOf::triangles, Topic::pair}}};
     for (const std::string& word : words) {
         std::error_code error;
-        if (!std::filesystem::is_regular_file(word, error))
+        if (!std::filesystem::is_regular_file(word, error) ||
+            std::filesystem::file_size(word, error) > most_bytes_read)
             continue;
         try {
-            const Scene scene = InputFrames(word, {}).scene(1).scene;
-            if (what == NamesOf::vertices)
-                for (const auto& vertex : scene.vertices)
-                    names.push_back(vertex.name);
-            else
-                for (const ScenePrimitive& primitive : scene.primitives)
-                    names.push_back(primitive.name);
+            for (const auto& [names, topic] : topics)
+                if (names == what)
+                    return names_to_ask(load_trace(word), topic);
+            std::vector<std::string> names;
+            for (const ScenePrimitive& primitive : load_scene(word).scene.primitives)
+                names.push_back(primitive.name);
+            return names;
         } catch (const Problem&) {
-            continue; // a trace, or nothing that can be read
+            continue; // nothing that can be read
         }
-        break;
     }
-    return names;
+    return {};
 }
 
 /// `rounding=`, and behind it the values of rounding.
@@ -58,8 +70,7 @@ std::vector<std::string> choices_of_method(std::string_view word) {
 }
 
 bool is_list(const OptionRow& row) {
-    return row.type.find(",...") != std::string::npos || row.type == "KINDS" ||
-           row.type == "METHOD";
+    return row.type.find(',') != std::string::npos || row.type == "KINDS" || row.type == "METHOD";
 }
 
 /// The names that an option takes; of a list, the one that the word ends with.
@@ -93,7 +104,7 @@ std::vector<std::string> names_for(const OptionRow& row, std::string_view word,
 /// Those that begin with the word, with what stands before it in a list.
 std::vector<std::string> beginning_with(std::string_view word, std::string_view list_before,
                                         std::vector<std::string> names) {
-    if (names == std::vector<std::string>{std::string(files)})
+    if (is_of_files(names))
         return names;
     std::erase_if(names, [word](const std::string& name) { return !name.starts_with(word); });
     for (std::string& name : names)
@@ -103,14 +114,42 @@ std::vector<std::string> beginning_with(std::string_view word, std::string_view 
 
 std::vector<std::string> completed_value(const OptionRow& row, std::string_view word,
                                          std::span<const std::string> before) {
-    const std::size_t comma = is_list(row) ? word.rfind(',') : std::string_view::npos;
-    const std::size_t begin = comma == std::string_view::npos ? 0 : comma + 1;
-    return beginning_with(word.substr(begin), word.substr(0, begin),
-                          names_for(row, word.substr(begin), before));
+    const std::size_t begin = is_list(row) ? word.rfind(',') + 1 : 0; // npos + 1 is 0
+    const std::string_view list_before = word.substr(0, begin);
+    auto names =
+        beginning_with(word.substr(begin), list_before, names_for(row, word.substr(begin), before));
+    std::erase_if(names, [list_before](const std::string& name) {
+        const auto given = split_at(list_before, ',');
+        return std::find(given.begin(), given.end(), name.substr(list_before.size())) !=
+               given.end();
+    });
+    return names;
 }
 
-/// All names of options that begin with the word.
-std::vector<std::string> completed_option(const CommandTable& command, std::string_view word) {
+/// The option of this name that takes a value; nullptr if there is none.
+const OptionRow* option_with_value(const CommandTable& command, const std::string& name) {
+    for (const OptionRow& row : command.options) {
+        const auto all = row.all_names();
+        if (!row.is_argument() && !row.type.empty() &&
+            std::find(all.begin(), all.end(), name) != all.end())
+            return &row;
+    }
+    return nullptr;
+}
+
+/// All names of options that begin with the word; the values of `--fill=`.
+std::vector<std::string> completed_option(const CommandTable& command, const std::string& word,
+                                          std::span<const std::string> before) {
+    if (const std::size_t equals = word.find('='); equals != std::string::npos) {
+        const OptionRow* const row = option_with_value(command, word.substr(0, equals));
+        auto values = row == nullptr ? std::vector<std::string>()
+                                     : completed_value(*row, word.substr(equals + 1), before);
+        if (is_of_files(values))
+            return {};
+        for (std::string& value : values)
+            value.insert(0, word.substr(0, equals + 1));
+        return values;
+    }
     std::vector<std::string> names{"-h", "--help"};
     for (const OptionRow& row : command.options)
         if (!row.is_argument())
@@ -121,40 +160,67 @@ std::vector<std::string> completed_option(const CommandTable& command, std::stri
 
 } // namespace
 
+namespace {
+
+/// What the last word can become, with what it already has.
+std::vector<std::string> completed_word(std::span<const std::string> words,
+                                        const std::vector<CommandGroup>& groups) {
+    const std::string& word = words.back();
+    const auto before = words.first(words.size() - 1);
+    std::vector<std::string> names;
+    for (const CommandGroup& group : groups)
+        for (const CommandTable* command : group.commands)
+            names.push_back(command->about.name);
+    if (before.empty()) {
+        names.insert(names.end(), {"-h", "--help", "-V", "--version"});
+        names = beginning_with(word, "", std::move(names));
+        return names.empty() ? std::vector{std::string(files)} : names;
+    }
+    const bool is_command = std::find(names.begin(), names.end(), before.front()) != names.end();
+    std::error_code error;
+    if (!is_command && !std::filesystem::is_regular_file(before.front(), error))
+        return {};
+    // A file without a command is shown.
+    const CommandTable& command = table_of(is_command ? before.front() : "show", groups);
+    if (word.starts_with('-'))
+        return completed_option(command, word, before);
+    if (const OptionRow* const row = option_with_value(command, before.back()))
+        return completed_value(*row, word, before);
+    for (const OptionRow& row : command.options)
+        if (row.is_argument())
+            return row.type == "COMMAND" ? beginning_with(word, "", std::move(names))
+                                         : completed_value(row, word, before);
+    return {};
+}
+
+/// bash takes `--fill=two` for three words.
+std::vector<std::string> joined_at_equals(std::span<const std::string> words) {
+    std::vector<std::string> joined;
+    bool is_behind_equals = false;
+    for (const std::string& word : words) {
+        if (!joined.empty() && (word == "=" || is_behind_equals))
+            joined.back() += word;
+        else
+            joined.push_back(word);
+        is_behind_equals = word == "=";
+    }
+    return joined;
+}
+
+} // namespace
+
 std::vector<std::string> completions(std::span<const std::string> words,
                                      const std::vector<CommandGroup>& groups) {
     if (words.empty())
         return {};
-    const std::string& word = words.back();
-    const auto before = words.first(words.size() - 1);
-    std::vector<std::string> names;
-    const CommandTable* command = nullptr;
-    for (const CommandGroup& group : groups)
-        for (const CommandTable* one : group.commands) {
-            names.push_back(one->about.name);
-            if (!before.empty() && before.front() == one->about.name)
-                command = one;
-        }
-    if (before.empty()) {
-        names = beginning_with(word, "", std::move(names));
-        return names.empty() ? std::vector{std::string(files)} : names; // a file is shown
+    const std::vector<std::string> joined = joined_at_equals(words);
+    std::vector<std::string> names = completed_word(joined, groups);
+    if (joined.size() < words.size() && !is_of_files(names)) {
+        const std::size_t typed = words.back() == "=" ? 0 : words.back().size();
+        for (std::string& name : names)
+            name.erase(0, joined.back().size() - typed);
     }
-    if (command == nullptr)
-        return {};
-    if (word.starts_with('-'))
-        return completed_option(*command, word);
-    const OptionRow* argument = nullptr;
-    for (const OptionRow& row : command->options) {
-        const auto all = row.all_names();
-        if (row.is_argument())
-            argument = argument == nullptr ? &row : argument;
-        else if (!row.type.empty() && std::find(all.begin(), all.end(), before.back()) != all.end())
-            return completed_value(row, word, before);
-    }
-    if (argument == nullptr)
-        return {};
-    return argument->type == "COMMAND" ? beginning_with(word, "", std::move(names))
-                                       : completed_value(*argument, word, before);
+    return names;
 }
 
 namespace {

@@ -3,6 +3,7 @@
 
 #include "command.h"
 #include "load.h"
+#include "option_values.h"
 
 #include <rastertrace/trace/text/conventions.h>
 #include <rastertrace/trace/text/text.h>
@@ -10,6 +11,7 @@
 #include <fmt/core.h>
 
 #include <memory>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -17,6 +19,8 @@
 namespace rastertrace {
 
 namespace {
+
+using Rows = std::span<const ConventionRow>;
 
 /// What a row sets of a key; "" if it does not.
 std::string_view value_in(const ConventionRow& row, std::string_view key) {
@@ -35,25 +39,25 @@ std::string other_settings(const ConventionRow& row) {
     return all.empty() ? "-" : joined(all, ", ");
 }
 
-std::string as_text() {
+std::string as_text(Rows rows) {
     std::string text = fmt::format("{:<13} {:<12} {:<8} {:<13} {:<10} {}\n", "convention", "fill",
                                    "sample", "line", "depth", "other keys");
     const auto or_dash = [](std::string_view value) { return value.empty() ? "-" : value; };
-    for (const ConventionRow& row : convention_rows())
+    for (const ConventionRow& row : rows)
         text += fmt::format("{:<13} {:<12} {:<8} {:<13} {:<10} {}\n", row.name,
                             or_dash(value_in(row, "fill")), or_dash(value_in(row, "sample")),
                             or_dash(value_in(row, "line")), or_dash(value_in(row, "depth")),
                             other_settings(row));
-    for (const ConventionRow& row : convention_rows())
+    for (const ConventionRow& row : rows)
         text += fmt::format("\n{}: {}\n  viewport  {}\n  source    {}\n  unusual   {}\n", row.name,
                             row.what, name_of_view(row), row.source, row.unusual);
     return text;
 }
 
-std::string as_json() {
+std::string as_json(Rows rows) {
     std::string text = "{\"conventions\":[";
     std::string_view separator = "\n";
-    for (const ConventionRow& row : convention_rows()) {
+    for (const ConventionRow& row : rows) {
         std::string method;
         for (const auto& [name, value] : row.method)
             method += fmt::format("{}\"{}\":\"{}\"", method.empty() ? "" : ",", name, value);
@@ -71,19 +75,34 @@ class ConventionsCommandLine final : public Command {
 public:
     CommandAbout about() const override {
         return {"conventions", "List whose rules a scene can be drawn by, and what they set",
-                "rastertrace conventions"};
+                "rastertrace conventions opengl"};
     }
 
-    void add_to(OptionList& options) override { options.flag("--json", json_, "Print JSON"); }
+    void add_to(OptionList& options) override {
+        options.option("name", name_, "Only this one", "NAME").values(names());
+        options.flag("--json", json_, "Print JSON");
+    }
 
-    void read() override {}
+    void read() override {
+        if (const auto place = value_of<std::size_t>("conventions", name_, names()))
+            rows_ = rows_.subspan(*place, 1);
+    }
 
     int run() override {
-        print(json_ ? as_json() : as_text());
+        print(json_ ? as_json(rows_) : as_text(rows_));
         return exit_fine;
     }
 
 private:
+    static std::vector<std::string_view> names() {
+        std::vector<std::string_view> all;
+        for (const ConventionRow& row : convention_rows())
+            all.push_back(row.name);
+        return all;
+    }
+
+    std::string name_;
+    Rows rows_ = convention_rows();
     bool json_ = false;
 };
 

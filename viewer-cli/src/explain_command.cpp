@@ -138,11 +138,13 @@ public:
             return what.option(name, texts_[name], meaning, type);
         };
         add_text("--face", "How it is turned, lit and clipped, and what is seen of it", "NAME")
-            .names_of(NamesOf::primitives);
+            .names_of(NamesOf::faces);
         add_text("--vertex", "Where it is, from space to space", "NAME")
             .names_of(NamesOf::vertices);
-        add_text("--edge", "How it is set up, and the rows that end at it", "NAME");
-        add_text("--pair", "Who has each pixel along the edge of two triangles", "NAME,NAME");
+        add_text("--edge", "How it is set up, and the rows that end at it", "NAME")
+            .names_of(NamesOf::edges);
+        add_text("--pair", "Who has each pixel along the edge of two triangles", "NAME,NAME")
+            .names_of(NamesOf::triangles);
         add_text("--step", "One step: a number, or like \"scanline y=2\"", "STEP");
         options.option("--against", command_.against,
                        "Ask the same of the scene drawn by another method, like "

@@ -26,16 +26,15 @@ namespace {
 class FigureCommandLine final : public Command {
 public:
     CommandAbout about() const override {
-        std::string list;
+        std::vector<ExplainedWord> parts;
         for (const FigurePartRow& row : figure_parts())
-            list += help_row(row.name, row.shows);
+            parts.push_back({std::string(row.name), std::string(row.shows)});
         return {
             "figure", "Draw frames as figures for a page, a book or a talk",
             "rastertrace figure examples/t0-fill/first-triangle.json --step \"scanline y=2\" -o "
             "row.svg\n\n"
-            "An .html is a page to click through, forward and back, with all steps.\n\n"
-            "What a figure can show (PART), for --with and --without:\n" +
-                list};
+            "An .html is a page to click through, forward and back, with all steps.",
+            "What a figure can show (PART), for --with and --without", std::move(parts)};
     }
 
     void add_to(OptionList& options) override {

@@ -11,6 +11,12 @@
 
 namespace rastertrace {
 
+/// A word, and what it means.
+struct ExplainedWord {
+    std::string word;
+    std::string meaning;
+};
+
 /// What a command is for.
 struct CommandAbout {
     std::string name;
@@ -18,6 +24,9 @@ struct CommandAbout {
     /// Commands to try, a line each; and after a blank line what else is to be said, in paragraphs. Lines that begin with
     /// two blanks stay as they are.
     std::string example;
+    /// Words that options take, below a heading at the end.
+    std::string words_title = {};
+    std::vector<ExplainedWord> words = {};
 
     /// The commands to try.
     std::vector<std::string> commands() const;
@@ -27,7 +36,15 @@ struct CommandAbout {
 };
 
 /// Where the names are told that an option takes, for completions.
-enum class NamesOf : unsigned char { nothing, primitives, vertices, mistakes };
+enum class NamesOf : unsigned char {
+    nothing,
+    primitives, ///< of a scene
+    mistakes,
+    faces, ///< these and the others are names to ask about, see explain.h
+    vertices,
+    edges,
+    triangles
+};
 
 /// An option, or an argument.
 struct OptionRow {
@@ -92,6 +109,9 @@ std::string help_text(const std::vector<CommandGroup>& groups);
 
 /// A name, and beside it in lines of at most 80 columns what it means.
 std::string help_row(std::string_view name, std::string_view meaning);
+
+/// A command in lines of so many columns at most that a shell takes for one.
+std::vector<std::string> command_lines(const std::string& command, std::size_t columns);
 
 /// The page of the manual, section 1, in roff: of a command, or of the program.
 std::string man_page(const CommandTable& command);

@@ -25,15 +25,8 @@ std::string indented(const std::vector<std::string>& lines, std::size_t columns)
     return text;
 }
 
-/// A command in lines that a shell takes for one.
-std::string command_lines(const std::string& command) {
-    const std::string continued = " \\";
-    auto lines = wrapped(command, widest_line - indent - continued.size());
-    for (std::size_t i = 0; i + 1 < lines.size(); ++i)
-        lines[i] += continued;
-    for (std::size_t i = 1; i < lines.size(); ++i)
-        lines[i].insert(0, "  ");
-    return indented(lines, indent);
+std::string example(const std::string& command) {
+    return indented(command_lines(command, widest_line - indent), indent);
 }
 
 /// What stands behind the examples, in lines of at most 80 columns.
@@ -144,6 +137,16 @@ const CommandTable& table_of(std::string_view name, const std::vector<CommandGro
         did_you_mean(name, names));
 }
 
+std::vector<std::string> command_lines(const std::string& command, std::size_t columns) {
+    const std::string continued = " \\";
+    auto lines = wrapped(command, columns - continued.size());
+    for (std::size_t i = 0; i + 1 < lines.size(); ++i)
+        lines[i] += continued;
+    for (std::size_t i = 1; i < lines.size(); ++i)
+        lines[i].insert(0, "  ");
+    return lines;
+}
+
 std::string help_row(std::string_view name, std::string_view meaning) {
     const std::size_t column = indent + columns_in(name) + indent;
     const auto lines = wrapped(meaning, widest_line - meaning_column);
@@ -177,8 +180,13 @@ std::string help_text(const CommandTable& command, HelpLength length) {
         text += "\n" + paragraphs({"More with --help: " + joined(left_out, "; ") + "."});
     text += "\nExample:\n";
     for (const std::string& tried : about.commands())
-        text += command_lines(tried);
-    return text + paragraphs(about.remarks());
+        text += example(tried);
+    text += paragraphs(about.remarks());
+    if (!about.words.empty())
+        text += fmt::format("\n{}:\n", about.words_title);
+    for (const auto& [word, meaning] : about.words)
+        text += help_row(word, meaning);
+    return text;
 }
 
 std::string help_text(const std::vector<CommandGroup>& groups) {
@@ -191,8 +199,8 @@ std::string help_text(const std::vector<CommandGroup>& groups) {
     text += "\n" + help_row("-h, --help", "Print this help; of a command, --help has all options") +
             help_row("-V, --version",
                      "Print the version; with --verbose also how the program was built");
-    text += "\nExample:\n" + command_lines("rastertrace examples -o examples") +
-            command_lines("rastertrace show examples/t0-fill/first-triangle.json");
+    text += "\nExample:\n" + example("rastertrace examples -o examples") +
+            example("rastertrace show examples/t0-fill/first-triangle.json");
     return text + "\n" +
            paragraphs({"A file without a command is shown. " + std::string(exit_statuses)});
 }

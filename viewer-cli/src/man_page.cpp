@@ -13,6 +13,9 @@ namespace rastertrace {
 
 namespace {
 
+/// A page of 80 columns has so many behind the margin.
+constexpr std::size_t columns_of_text = 73;
+
 /// A line of text as roff takes it: dashes are those of options, and no line is a command.
 std::string roff(std::string_view text) {
     std::string line;
@@ -56,13 +59,11 @@ std::string man_page(const CommandTable& command) {
     const CommandAbout& about = command.about;
     std::string text = heading("rastertrace-" + about.name, about.meaning) + ".SH SYNOPSIS\n" +
                        roff(command.usage()) + "\n";
-    std::string description;
+    text += ".SH DESCRIPTION\n" + roff(about.meaning) + ".\n";
     for (const std::string& line : about.remarks())
-        description += line.empty()             ? ".PP\n"
-                       : line.starts_with("  ") ? as_typed({line})
-                                                : roff(line) + "\n";
-    if (!description.empty())
-        text += ".SH DESCRIPTION\n" + description;
+        text += line.empty()             ? ".PP\n"
+                : line.starts_with("  ") ? as_typed({line})
+                                         : roff(line) + "\n";
     for (const std::string& title : command.headings()) {
         const auto rows = command.rows_below(title);
         if (title.empty())
@@ -76,7 +77,14 @@ std::string man_page(const CommandTable& command) {
                         ? entry(row->type, "", row->whole_meaning())
                         : entry(joined(row->all_names(), ", "), row->type, row->whole_meaning());
     }
-    return text + ".SH EXAMPLES\n" + as_typed(about.commands()) + end_of("\\fBrastertrace\\fR(1)");
+    if (!about.words.empty())
+        text += fmt::format(".SS {}\n", roff(about.words_title));
+    for (const auto& [word, meaning] : about.words)
+        text += entry(word, "", meaning);
+    text += ".SH EXAMPLES\n";
+    for (const std::string& tried : about.commands())
+        text += as_typed(command_lines(tried, columns_of_text));
+    return text + end_of("\\fBrastertrace\\fR(1)");
 }
 
 std::string man_page(const std::vector<CommandGroup>& groups) {

@@ -17,6 +17,7 @@
 
 #include <algorithm>
 #include <array>
+#include <filesystem>
 #include <limits>
 #include <utility>
 
@@ -76,6 +77,9 @@ void MethodOptions::add_to(OptionList& options) {
 
 MethodOverrides MethodOptions::overrides() const {
     MethodOverrides overrides;
+    if (file_.find('=') != std::string::npos && !std::filesystem::exists(file_))
+        refuse_value("--method", "a file", file_,
+                     "a choice is an option by itself, like --fill top-left");
     if (!file_.empty())
         overrides = read_method_file(file_, InputLimits{});
     for (const MethodKey& key : method_keys()) {

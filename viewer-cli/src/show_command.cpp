@@ -91,7 +91,8 @@ void print_table(const Trace& trace, const std::vector<ShownSteps>& shown,
 /// True if steps are to be told as a table: asked for, or of a kind that there are many of.
 bool is_table(const ShowCommand& command, const Trace& trace,
               const std::vector<ShownSteps>& shown) {
-    if (command.which != ShowCommand::Which::every || command.bare || command.asks_for_frames())
+    const bool is_every = command.which == ShowCommand::Which::every;
+    if ((!is_every && !command.format) || command.bare || command.asks_for_frames())
         return false;
     const std::size_t first = shown.front().first;
     const auto kind = first == 0 ? std::nullopt : trace.kind_of(first);
@@ -236,9 +237,10 @@ public:
                      "With --every: a frame for each step, also of kinds that are told as a table");
         options.flag("--working", command_.has_working,
                      "Write out how the numbers of a step come of one another");
-        options.option("--format", format_, "With --every: the steps in this form", "NAME")
+        options
+            .option("--format", format_, "With --every or --step: the steps in this form", "NAME")
             .values(table_format_names());
-        options.flag("--json", is_json_, "With --every: short for --format json");
+        options.flag("--json", is_json_, "The same: short for --format json");
         options.option("--color", color_, "Colors, on a terminal", "WHEN").values(color_choices);
         options.language();
         drawing_.add_to(options, Holds::steps, "all if not given");
@@ -263,15 +265,14 @@ public:
         if (is_json_) {
             if (!format_.empty())
                 refuse_value("--json", "no --format beside it", format_);
-            if (command_.which != ShowCommand::Which::every || command_.bare ||
-                command_.asks_for_frames())
-                refuse_value("--json", "--every beside it, and no grid", "--json");
+            if (!tells_steps() || command_.bare || command_.asks_for_frames())
+                refuse_value("--json", "--every or --step beside it, and no grid", "--json");
             format_ = "json";
         }
         command_.format = value_of("--format", format_, table_format_names(), table_format_named);
         if (command_.format) {
-            if (command_.which != ShowCommand::Which::every)
-                refuse_value("--format", "--every beside it", format_);
+            if (!tells_steps())
+                refuse_value("--format", "--every or --step beside it", format_);
             if (command_.has_working && command_.format != TableFormat::table)
                 refuse_value("--working", "sentences, without --format " + format_, "--working");
             if (command_.bare || command_.asks_for_frames())
@@ -286,6 +287,11 @@ public:
     int run() override { return rastertrace::run(command_); }
 
 private:
+    bool tells_steps() const {
+        return command_.which == ShowCommand::Which::every ||
+               command_.which == ShowCommand::Which::step;
+    }
+
     ShowCommand command_;
     std::string step_;
     std::string every_;
