@@ -3,8 +3,8 @@
 set -eu
 cd "$(dirname "$0")"
 
-scripts/install-packages.sh g++ cmake ninja-build libglm-dev nlohmann-json3-dev libfmt-dev \
-    libagg-dev libcli11-dev libexpat1-dev libgif-dev libgmp-dev libpng-dev libstb-dev libunistring-dev zlib1g-dev
+# shellcheck disable=SC2046  # a list of words
+scripts/install-packages.sh $(cat scripts/program-packages.txt)
 [ -f build/release/build.ninja ] || cmake --preset release -G Ninja >/dev/null
 cmake --build build/release --target rastertrace_program
 

@@ -12,9 +12,9 @@ if [ "${1:-}" = --all ]; then
 fi
 
 [ "$all" = OFF ] || scripts/install-packages.sh emscripten node-acorn
-scripts/install-packages.sh g++ cmake ninja-build binutils libglm-dev nlohmann-json3-dev \
-    libfmt-dev libagg-dev libcli11-dev libexpat1-dev libgif-dev libgmp-dev libpng-dev libstb-dev libunistring-dev zlib1g-dev libgtest-dev libgmock-dev \
-    librapidcheck-dev libtinyobjloader-dev tmux git
+# shellcheck disable=SC2046  # a list of words
+scripts/install-packages.sh $(cat scripts/program-packages.txt) binutils libgtest-dev libgmock-dev librapidcheck-dev libtinyobjloader-dev \
+    tmux git
 [ "$all" = OFF ] || scripts/install-packages.sh asciinema bsdextrautils chromium clang fish fonts-dejavu-core gdb libbenchmark-dev libosmesa6-dev librsvg2-bin man-db \
     mkdocs pandoc pkg-config poppler-utils python3-ipykernel python3-jsonschema python3-nbconvert python3-pil python3-pymdownx python3-sphinx \
     texlive-latex-base texlive-latex-recommended texlive-pictures zsh

@@ -12,22 +12,23 @@ if(RASTERTRACE_BUILD_TRACE)
   list(APPEND libraries ${rastertrace_rooms} rastertrace_trace rastertrace_emit)
   list(APPEND find_modules ${CMAKE_CURRENT_LIST_DIR}/FindUnistring.cmake)
 endif()
-set(version_of_binaries ${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR})
-set_target_properties(${libraries} PROPERTIES VERSION ${PROJECT_VERSION} SOVERSION ${version_of_binaries})
-install(TARGETS ${libraries} EXPORT rastertrace-targets FILE_SET HEADERS COMPONENT development
-  ARCHIVE COMPONENT development
-  LIBRARY COMPONENT program NAMELINK_COMPONENT development)
+# The libraries that a program finds by one export.
+function(install_libraries export)
+  set_target_properties(${ARGN} PROPERTIES VERSION ${PROJECT_VERSION}
+    SOVERSION ${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR})
+  install(TARGETS ${ARGN} EXPORT ${export} FILE_SET HEADERS COMPONENT development
+    ARCHIVE COMPONENT development
+    LIBRARY COMPONENT program NAMELINK_COMPONENT development)
+  install(EXPORT ${export} NAMESPACE rastertrace:: DESTINATION ${package_dir} COMPONENT development)
+endfunction()
+
+install_libraries(rastertrace-targets ${libraries})
 if(RASTERTRACE_BUILD_PROGRAM)
   install(TARGETS rastertrace_program EXPORT rastertrace-targets COMPONENT program)
 endif()
-install(EXPORT rastertrace-targets NAMESPACE rastertrace:: DESTINATION ${package_dir} COMPONENT development)
 # What needs GoogleTest has an export of its own: nobody else looks for GoogleTest.
 if(TARGET rastertrace_testing)
-  set_target_properties(rastertrace_testing PROPERTIES VERSION ${PROJECT_VERSION} SOVERSION ${version_of_binaries})
-  install(TARGETS rastertrace_testing EXPORT rastertrace-testing-targets FILE_SET HEADERS COMPONENT development
-    ARCHIVE COMPONENT development
-    LIBRARY COMPONENT program NAMELINK_COMPONENT development)
-  install(EXPORT rastertrace-testing-targets NAMESPACE rastertrace:: DESTINATION ${package_dir} COMPONENT development)
+  install_libraries(rastertrace-testing-targets rastertrace_testing)
 endif()
 configure_file(${CMAKE_CURRENT_LIST_DIR}/rastertrace-config-version.cmake.in rastertrace-config-version.cmake @ONLY)
 install(FILES

@@ -4,8 +4,8 @@
 # usage: package.sh [OPTION OF CMAKE...]
 set -eu
 cd "$(dirname "$0")/.."
-scripts/install-packages.sh g++ cmake ninja-build dpkg-dev emscripten node-acorn libglm-dev nlohmann-json3-dev libfmt-dev libagg-dev libcli11-dev \
-    libexpat1-dev libgif-dev libgmp-dev libpng-dev libstb-dev libunistring-dev zlib1g-dev
+# shellcheck disable=SC2046  # a list of words
+scripts/install-packages.sh $(cat scripts/program-packages.txt) dpkg-dev emscripten node-acorn
 packages=$PWD/build/packages
 version=$(sed -n 's/^project(rastertrace VERSION \([^ ]*\).*/\1/p' CMakeLists.txt)
 name=rastertrace-$version

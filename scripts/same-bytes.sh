@@ -27,39 +27,47 @@ hashes() {
     done >"$folder/$name.hashes"
 }
 
-# The libraries of another machine, and what runs its programs.
-install_for() {
-    machine=$1
-    dpkg --print-foreign-architectures | grep -qx "$machine" || {
-        dpkg --add-architecture "$machine"
+# The compiler for another machine, what runs its programs, and its libraries, which are not installed but only unpacked:
+# unpack_for ARCHITECTURE MACHINE FOLDER
+unpack_for() {
+    dpkg --print-foreign-architectures | grep -qx "$1" || {
+        dpkg --add-architecture "$1"
         apt-get update -qq
     }
-    scripts/install-packages.sh qemu-user "g++-$2" \
-        "libagg-dev:$machine" "libexpat1-dev:$machine" "libfmt-dev:$machine" "libgif-dev:$machine" "libgmp-dev:$machine" \
-        "libpng-dev:$machine" "libunistring-dev:$machine" "zlib1g-dev:$machine"
+    scripts/install-packages.sh qemu-user "g++-$2-linux-gnu"
+    mkdir -p "$3/packages"
+    (cd "$3/packages" && apt-get download -qq "libagg-dev:$1" "libexpat1-dev:$1" "libfmt-dev:$1" "libfmt9:$1" "libgif-dev:$1" \
+        "libgmp-dev:$1" "libpng-dev:$1" "libunistring-dev:$1" "zlib1g-dev:$1")
+    for package in "$3/packages"/*.deb; do
+        dpkg-deb -x "$package" "$3"
+    done
 }
 
 echo "| build | examples | differ from g++ -O3 |"
 echo "|---|---|---|"
 echo "$table" | while read -r name compiler flags; do
     case " g++-O3 ${*:-$name} " in *" $name "*) ;; *) continue ;; esac
-    run=
     case $name in
     arm64) machine=aarch64 ;;
     s390x) machine=s390x ;;
     *) machine= ;;
     esac
+    run=
+    include=
     other=
     if [ "$machine" ]; then
-        install_for "$name" "$machine-linux-gnu"
-        run="qemu-$machine -L /usr/$machine-linux-gnu"
-        other="-DCMAKE_SYSTEM_NAME=Linux -DCMAKE_SYSTEM_PROCESSOR=$machine"
+        root=$folder/$name-root
+        [ -d "$root/usr" ] || unpack_for "$name" "$machine" "$root"
+        run=qemu-$machine
+        include="-isystem $root/usr/include/$machine-linux-gnu"
+        other="-DCMAKE_SYSTEM_NAME=Linux -DCMAKE_SYSTEM_PROCESSOR=$machine -DRASTERTRACE_STATIC=ON
+            -DCMAKE_FIND_ROOT_PATH=$root -DCMAKE_FIND_ROOT_PATH_MODE_LIBRARY=ONLY -DCMAKE_FIND_ROOT_PATH_MODE_PROGRAM=NEVER"
     fi
     build=$folder/$name
     # shellcheck disable=SC2086  # lists of words
     cmake -S . -B "$build" -G Ninja -DCMAKE_BUILD_TYPE=None -DCMAKE_UNITY_BUILD=ON -DRASTERTRACE_BUILD_TESTS=OFF \
         -DRASTERTRACE_BUILD_MATCHERS=OFF -DRASTERTRACE_INSTALL=OFF -DCMAKE_CXX_COMPILER="$compiler" \
-        -DCMAKE_CXX_FLAGS="$flags -DNDEBUG" $other >/dev/null
+        -DCMAKE_CXX_FLAGS="$flags -DNDEBUG $include" $other >/dev/null
     cmake --build "$build" --target rastertrace_program >"$build/log" || { tail -n 20 "$build/log" >&2; exit 1; }
     # shellcheck disable=SC2086  # a list of words
     hashes "$name" $run "$build/viewer-cli/rastertrace"

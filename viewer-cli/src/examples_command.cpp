@@ -33,6 +33,10 @@ std::vector<std::string> names_of_examples(const std::filesystem::path& folder) 
     return names;
 }
 
+Source bytes_of(const std::filesystem::path& file) {
+    return value_or_throw(read_bytes(file.string(), {}));
+}
+
 /// True if a text has a word, in capitals or not.
 bool has(const std::string& text, const std::string& word) {
     const auto is_same = [](unsigned char a, unsigned char b) {
@@ -83,12 +87,11 @@ public:
         std::size_t copied = 0;
         const std::vector<std::string> names = names_of_examples(examples);
         for (const std::string& name : names) {
-            const Source file = value_or_throw(read_bytes((examples / name).string(), {}));
             if (!folder_.empty()) {
-                copied += copy(file, std::filesystem::path(folder_) / name);
+                copied += copy(examples / name, std::filesystem::path(folder_) / name);
                 continue;
             }
-            const std::string title = title_of(file);
+            const std::string title = title_of(bytes_of(examples / name));
             if (has(name, word_) || has(title, word_))
                 listed +=
                     fmt::format("{}\n", without_blanks(fmt::format("{:<44} {}", name, title)));
@@ -109,11 +112,11 @@ public:
 
 private:
     /// Copies a file; false if it is there already.
-    static bool copy(const Source& file, const std::filesystem::path& to) {
+    static bool copy(const std::filesystem::path& from, const std::filesystem::path& to) {
         if (std::filesystem::exists(to))
             return false;
         make_folder(to.parent_path().string());
-        write_file(to.string(), file.view());
+        write_file(to.string(), bytes_of(from).view());
         return true;
     }
 
