@@ -66,11 +66,13 @@ install(FILES figures/font/LICENSE DESTINATION ${doc_dir} COMPONENT program RENA
 install(FILES README.md CHANGELOG.md DESTINATION ${doc_dir} COMPONENT program)
 install(DIRECTORY docs DESTINATION ${doc_dir} COMPONENT program)
 if(RASTERTRACE_WASM)
-  install(FILES ${PROJECT_BINARY_DIR}/wasm/module/rastertrace.js DESTINATION ${share_dir} COMPONENT program)
+  set(module ${PROJECT_BINARY_DIR}/wasm/module/rastertrace)
+  install(FILES ${module}.js ${module}.mjs ${module}.wasm DESTINATION ${share_dir} COMPONENT program)
 endif()
 
 # The program writes its manual. One for another machine cannot be run here.
 if(NOT CMAKE_CROSSCOMPILING)
+  install(FILES ${PROJECT_BINARY_DIR}/figures/raster-trace.js DESTINATION ${share_dir} COMPONENT program)
   set(manual ${PROJECT_BINARY_DIR}/manual)
   add_custom_command(OUTPUT ${manual}/changelog.gz
     COMMAND ${CMAKE_COMMAND} -DPROGRAM=$<TARGET_FILE:rastertrace_program> -DCHANGES=${PROJECT_SOURCE_DIR}/CHANGELOG.md

@@ -30,6 +30,7 @@ SECTIONS = [
         ("docs/frames.md", "show"),
         ("docs/player.md", "play"),
         ("docs/figures.md", "figure"),
+        ("docs/element.md", None),
         ("docs/explain.md", "explain"),
         ("docs/trace.md", "trace"),
         ("docs/stats.md", "stats"),

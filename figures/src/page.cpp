@@ -66,15 +66,30 @@ std::string variables_in(Theme theme) {
     return text;
 }
 
-std::string colors_of(Theme theme) {
-    const std::string scheme = theme == Theme::automatic ? "light dark"
-                               : theme == Theme::dark    ? "dark"
-                                                         : "light";
-    std::string text = fmt::format(":root{{color-scheme:{};{}}}", scheme, variables_in(theme));
-    if (theme == Theme::automatic)
-        text += fmt::format("\n@media (prefers-color-scheme:dark){{:root{{{}}}}}",
-                            variables_in(Theme::dark));
+std::string_view word_of(Theme theme) {
+    return theme_names()[static_cast<std::size_t>(theme)];
+}
+
+/// The colors of the element in each theme: as the reader has set it, or as its attribute says.
+std::string colors_of_themes() {
+    std::string text = fmt::format(":host{{color-scheme:light dark;{}}}\n@media "
+                                   "(prefers-color-scheme:dark){{:host(:not([theme])){{{}}}}}\n",
+                                   variables_in(Theme::light), variables_in(Theme::dark));
+    for (const Theme theme : {Theme::light, Theme::dark, Theme::print})
+        text += fmt::format(":host([theme={}]){{color-scheme:{};{}}}\n", word_of(theme),
+                            theme == Theme::dark ? "dark" : "light", variables_in(theme));
     return text;
+}
+
+/// The background of a page.
+std::string paper_of(Theme theme) {
+    const auto rule = [](Theme one) {
+        return fmt::format("html{{background:{}}}", to_text(paint_of(Role::paper, one).color));
+    };
+    if (theme != Theme::automatic)
+        return rule(theme);
+    return fmt::format("{}\n@media (prefers-color-scheme:dark){{{}}}", rule(Theme::light),
+                       rule(Theme::dark));
 }
 
 /// The keys that pages have: of each action its name, what it does, and its keys.
@@ -106,8 +121,9 @@ std::string strokes_text() {
 }
 
 std::string options_text(const PageOptions& options) {
-    std::string text = fmt::format("{{\"keys\":{},\"strokes\":{},\"language\":{}", keys_text(),
-                                   strokes_text(), json_quoted(code_of(language_of_steps())));
+    std::string text =
+        fmt::format("{{\"language\":{},\"title\":{}", json_quoted(code_of(language_of_steps())),
+                    json_quoted(printable(options.title.empty() ? "rastertrace" : options.title)));
     if (options.view)
         text += fmt::format(",\"view\":{}", json_quoted(name_of(*options.view)));
     if (options.step)
@@ -128,18 +144,31 @@ std::string data_text(std::span<const PageFrame> frames) {
 
 } // namespace
 
+std::string page_element() {
+    const std::string resources =
+        fmt::format(R"({{"keys":{},"strokes":{},"html":{},"css":{}}})", keys_text(), strokes_text(),
+                    json_quoted(element_html()),
+                    json_quoted(colors_of_themes() + element_css() + rules_of_roles("in-space")));
+    return fmt::format(
+        "// SPDX-License-Identifier: MIT\n\"use strict\";\nconst RESOURCES = {};\n{}\n{}",
+        in_script(resources), player_js(), element_js());
+}
+
 std::string page_of(std::span<const PageFrame> frames, const PageOptions& options) {
     const std::string title = escaped(options.title.empty() ? "rastertrace" : options.title);
-    const std::array<std::pair<std::string_view, std::string>, 7> parts{
+    const std::array<std::pair<std::string_view, std::string>, 8> parts{
         {{"title", title},
-         {"colors", colors_of(options.theme)},
-         {"style", page_css() + rules_of_roles("in-space")},
+         {"colors", paper_of(options.theme)},
+         {"theme", options.theme == Theme::automatic
+                       ? std::string()
+                       : fmt::format(" theme=\"{}\"", word_of(options.theme))},
+         {"picture", options.picture},
          {"options", in_script(options_text(options))},
          {"data", compressed(data_text(frames))},
          {"module", options.module.empty() || options.scene.empty()
                         ? std::string()
                         : fmt::format("<script>\n{}\n</script>\n", options.module)},
-         {"script", page_js()}}};
+         {"element", page_element()}}};
 
     // Once through the template, so that what is put in is not looked at again.
     const std::string page = page_html();

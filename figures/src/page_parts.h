@@ -8,7 +8,9 @@
 namespace rastertrace {
 
 std::string page_html();
-std::string page_css();
-std::string page_js();
+std::string element_html();
+std::string element_css();
+std::string element_js();
+std::string player_js();
 
 } // namespace rastertrace

@@ -284,8 +284,8 @@ TEST(Page, NothingInATraceEndsAnElementOfThePage) {
     EXPECT_EQ(count(page, "</script"), count(tame, "</script") + 1); // that of the module
     EXPECT_EQ(count(page, "<img"), 0U);
     EXPECT_EQ(count(page, "<!--"), count(tame, "<!--"));
-    EXPECT_EQ(count(page, "id=\"data\""), 1U);
-    EXPECT_THAT(page, HasSubstr("<h1>&lt;/script&gt;&lt;img src=x onerror=alert(1)&gt;{{data}}"));
+    EXPECT_EQ(count(page, "<script type=\"text/plain\">"), 1U);
+    EXPECT_THAT(page, HasSubstr("<title>&lt;/script&gt;&lt;img src=x onerror=alert(1)&gt;{{data}}"));
 }
 
 TEST(Page, WhatCanBeMovedIsOnThePageAlsoWithoutTheModule) {
@@ -361,7 +361,8 @@ TEST(Page, WhatIsTooLargeIsRefusedWithWhatToDoInstead) {
 }
 
 TEST(Page, ItsFilesAreAscii) {
-    for (const std::string& text : {page_html(), page_css(), page_js()})
+    for (const std::string& text :
+         {page_html(), element_html(), element_css(), element_js(), player_js()})
         EXPECT_TRUE(
             std::all_of(text.begin(), text.end(), [](char c) { return ' ' <= c || c == '\n'; }));
 }
@@ -369,10 +370,11 @@ TEST(Page, ItsFilesAreAscii) {
 TEST(Page, AThemeThatIsChosenIsTheOnlyOne) {
     const std::vector<PageFrame> frames{{.label = "", .data = page_data(hostile_trace("A", "A"))}};
     const std::string dark = page_of(frames, {.theme = Theme::dark});
-    EXPECT_THAT(dark, HasSubstr(":root{color-scheme:dark;--paper:#15181d;"));
-    EXPECT_THAT(dark, Not(HasSubstr("@media (prefers-color-scheme")));
+    EXPECT_THAT(dark, HasSubstr("<raster-trace whole-page theme=\"dark\">"));
+    EXPECT_THAT(dark, HasSubstr("\nhtml{background:#15181d}\n"));
     EXPECT_THAT(page_of(frames, {}),
-                HasSubstr("@media (prefers-color-scheme:dark){:root{--paper:#15181d;"));
+                HasSubstr("@media (prefers-color-scheme:dark){html{background:#15181d}}"));
+    EXPECT_THAT(page_of(frames, {}), HasSubstr("<raster-trace whole-page>"));
 }
 
 } // namespace

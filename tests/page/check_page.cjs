@@ -60,7 +60,7 @@ async function open(file, {hash = "", ...options} = {}) {
   page.on("request", request => { if (!request.url().startsWith("file:") || !request.url().includes(path.basename(file))) fail(`it asks for ${request.url()}`); });
   page.on("dialog", dialog => { fail(`a dialog: ${dialog.message()}`); dialog.dismiss(); });
   await page.goto("file://" + file + hash);
-  await page.waitForSelector("html[data-ready]", {timeout: 30000});
+  await page.waitForSelector("raster-trace[data-ready]", {timeout: 30000});
   count("pages");
   return page;
 }
@@ -134,9 +134,10 @@ async function checkPixels(name, every) {
   for (let i = 0; i < columns * rows; i += every) {
     await clickPixel(page, i % columns, Math.floor(i / columns));
     const told = await page.evaluate(() => {
-      const texts = selector => Array.from(document.querySelectorAll("#pixel-told " + selector), element => element.textContent);
-      return {heading: document.getElementById("pixel-heading").textContent, answer: texts(".answer")[0],
-              tries: Array.from(document.querySelectorAll("#pixel-told ol li"), item => [Number(item.querySelector("button").textContent), item.querySelector(".said").textContent]),
+      const root = document.querySelector("raster-trace").shadowRoot;
+      const texts = selector => Array.from(root.querySelectorAll("#pixel-told " + selector), element => element.textContent);
+      return {heading: root.getElementById("pixel-heading").textContent, answer: texts(".answer")[0],
+              tries: Array.from(root.querySelectorAll("#pixel-told ol li"), item => [Number(item.querySelector("button").textContent), item.querySelector(".said").textContent]),
               names: texts(".who"), reasons: texts(".reason"), sentences: texts(".why-not .sentence")};
     });
     const [, x, y] = /\((-?\d+), (-?\d+)\)/.exec(told.heading);
@@ -224,7 +225,7 @@ async function checkKeys() {
   for (let i = 0; i < 40; ++i) {
     await page.keyboard.press("Tab");
     const at = await page.evaluate(() => {
-      const one = document.activeElement, style = getComputedStyle(one);
+      const one = document.activeElement.shadowRoot?.activeElement ?? document.activeElement, style = getComputedStyle(one);
       return one === document.body ? null : {name: one.id || one.dataset.action || one.tagName + (one.dataset.step ? "-step" : ""), outline: style.outlineStyle !== "none" && parseFloat(style.outlineWidth) > 0};
     });
     if (!at) continue;
@@ -245,13 +246,13 @@ async function checkKeys() {
 /** Every key of the table does something: the page takes it, and leaves it to nobody else. */
 async function checkKeyTable() {
   const page = await open(pageOf(example("t0-hidden/two-depths")), {hash: "#0"});
-  const keys = await page.$eval("#options", options => JSON.parse(options.textContent).keys.flatMap(([, , ...keys]) => keys));
+  const keys = await page.$eval("#keys tbody", body => Array.from(body.rows, row => [0, 0, ...Array.from(row.querySelectorAll("kbd"), key => key.textContent.replace(/[\u2190-\u2193]/, sign => ["Left", "Up", "Right", "Down"][sign.charCodeAt() - 0x2190]))]).flatMap(([, , ...keys]) => keys));
   expectThat(keys.length > 30, "the page has a table of keys");
   for (const name of keys) {
     const isTaken = await page.evaluate(name => {
       const key = name.replace(/^Shift\+/, "").replace(/^(Left|Right|Up|Down)$/, "Arrow$1").replace("Space", " ");
       const isTaken = !document.body.dispatchEvent(new KeyboardEvent("keydown", {key, shiftKey: name.startsWith("Shift+"), bubbles: true, cancelable: true}));
-      document.getElementById("help").close();
+      document.querySelector("raster-trace").shadowRoot.getElementById("help").close();
       return isTaken;
     }, name);
     expectThat(isTaken, `${name} does something`);
@@ -267,7 +268,7 @@ async function checkHostile() {
                                           triangles: [{vertices: [hostile, "B", "C"], name: hostile}]}));
   const page = await open(pageOf(scene));
   const shown = hostile.replace("\u001b", "<U+001B>").replace("\u0007", "<U+0007>").replace("\u202e", "<U+202E>");
-  expectSame(await page.textContent("h1"), shown, "the title");
+  expectSame(await page.textContent("#title"), shown, "the title");
   expectSame(await page.title(), shown, "the title of the tab");
   await page.keyboard.press("g");
   await page.keyboard.press("l");
@@ -335,10 +336,11 @@ async function checkPatterns() {
   const page = await open(pageOf(example("t0-hidden/two-cubes"), "--view", "faces"));
   await page.keyboard.press("End");
   const found = await page.evaluate(() => {
-    const {width, height} = document.getElementById("raster"), context = document.getElementById("raster").getContext("2d");
-    const box = document.getElementById("raster").getBoundingClientRect(), over = document.getElementById("overlay").getBoundingClientRect();
+    const host = document.querySelector("raster-trace"), root = host.shadowRoot;
+    const {width, height} = root.getElementById("raster"), context = root.getElementById("raster").getContext("2d");
+    const box = root.getElementById("raster").getBoundingClientRect(), over = root.getElementById("overlay").getBoundingClientRect();
     const colorAt = (x, y) => "#" + Array.from(context.getImageData(x, y, 1, 1).data).slice(0, 3).map(byte => byte.toString(16).padStart(2, "0")).join("");
-    const runs = [...document.querySelectorAll("#patterns > path")].map(path => [path, document.querySelector(path.getAttribute("fill").slice(4, -1)).firstChild.getAttribute("d")]);
+    const runs = [...root.querySelectorAll("#patterns > path")].map(path => [path, root.querySelector(path.getAttribute("fill").slice(4, -1)).firstChild.getAttribute("d")]);
     const pixels = {}, isPainted = (x, y) => context.getImageData(x, y, 1, 1).data[3] > 0;
     for (let y = 0; y < height; ++y)
       for (let x = 0; x < width; ++x) {
@@ -348,8 +350,8 @@ async function checkPatterns() {
         const key = colorAt(x, y) + " " + strokes;
         pixels[key] = (pixels[key] ?? 0) + 1;
       }
-    const style = getComputedStyle(document.documentElement);
-    const legend = [...document.querySelectorAll("#legend li")].map(item => style.getPropertyValue(/--face-\d/.exec(item.innerHTML)[0]).trim() + " " + (item.querySelector("path")?.getAttribute("d") ?? ""));
+    const style = getComputedStyle(host);
+    const legend = [...root.querySelectorAll("#legend li")].map(item => style.getPropertyValue(/--face-\d/.exec(item.innerHTML)[0]).trim() + " " + (item.querySelector("path")?.getAttribute("d") ?? ""));
     return {pixels, legend};
   });
   expectSame(Object.keys(found.pixels).sort(), [...new Set(found.legend)].sort(), "colors and strokes of pixels, and of the legend");
@@ -400,16 +402,16 @@ async function checkLanguage() {
 }
 
 /** What the program puts into a page, as the page reads it. */
-const dataIn = file => JSON.parse(zlib.inflateSync(Buffer.from(/id="data">([^<]*)</.exec(fs.readFileSync(file, "utf8"))[1], "base64")));
+const dataIn = file => JSON.parse(zlib.inflateSync(Buffer.from(/<script type="text\/plain">([^<]*)</.exec(fs.readFileSync(file, "utf8"))[1], "base64")));
 
 /** Vertices that are moved. A program that was built without its module is asked in the place of it. */
 async function checkMoving() {
   const name = example("t0-fill/first-triangle"), file = pageOf(name), moved = path.join(folder, "moved.json");
   const scene = JSON.parse(fs.readFileSync(name, "utf8"));
   let html = fs.readFileSync(file, "utf8");
-  const hasModule = html.includes("WebAssembly");
+  const hasModule = html.includes("var rastertrace =");
   if (!hasModule) {
-    html = html.replace("<script>\n\"use strict\"", "<script>globalThis.rastertrace = async () => ({page_data: askProgram});</script>\n<script>\n\"use strict\"");
+    html = html.replace("<script type=\"module\">", "<script>globalThis.rastertrace = async () => ({tell_steps_in() {}, page_data: askProgram, page_data_in_motion: askProgram});</script>\n$&");
     fs.writeFileSync(file, html);
   }
   const context = await browser.newContext({viewport: {width: 1280, height: 800}});
@@ -422,7 +424,7 @@ async function checkMoving() {
   const page = await context.newPage();
   page.on("pageerror", error => fail(`an error: ${error.message}`));
   await page.goto("file://" + file + "#14");
-  await page.waitForSelector("html[data-ready]");
+  await page.waitForSelector("raster-trace[data-ready]");
   const labelOf = vertex => page.getAttribute(`[data-vertex=${vertex}]`, "aria-label");
   const settle = async label => {
     for (let i = 0; i < 100 && !((await labelOf("A")).includes(label) && await page.$eval("#back", back => !back.hidden) === (label !== "(2, 5)")); ++i)
@@ -502,9 +504,9 @@ async function checkMoving() {
 
 /** Without the module, who tries to move a vertex is told why it stays. */
 async function checkFixed() {
-  const html = fs.readFileSync(pageOf(example("t0-fill/first-triangle")), "utf8"), script = html.lastIndexOf("<script>");
+  const html = fs.readFileSync(pageOf(example("t0-fill/first-triangle")), "utf8"), script = html.lastIndexOf("<script type=\"module\">");
   const page = await browser.newPage({viewport: {width: 1280, height: 800}}), file = path.join(folder, "fixed.html");
-  fs.writeFileSync(file, html.slice(0, html.indexOf("</script>", html.indexOf("id=\"data\"")) + 10) + html.slice(script));
+  fs.writeFileSync(file, html.slice(0, html.indexOf("</raster-trace>") + 16) + html.slice(script));
   const told = () => page.$eval("#problem", problem => problem.hidden ? "" : problem.textContent);
   const expectTold = async what => {
     expectSame(await told(), "Vertices stay where they are: the rastertrace that wrote this page was built without WebAssembly. To get a page " +
@@ -515,7 +517,7 @@ async function checkFixed() {
   page.on("pageerror", error => fail(`an error: ${error.message}`));
   for (const way of ["by mouse", "by keyboard"]) {
     await page.goto("file://" + file);
-    await page.waitForSelector("html[data-ready]");
+    await page.waitForSelector("raster-trace[data-ready]");
     expectSame(await told(), "", "before");
     const handle = await page.locator("[data-vertex=A]").boundingBox();
     const [x, y] = [handle.x + handle.width / 2, handle.y + handle.height / 2];
@@ -556,7 +558,7 @@ async function checkLarge() {
   const steps = Number(await page.textContent("#last"));
   expectThat(steps >= 100000, `it has ${steps} steps`);
   const {median, slowest, jump} = await page.evaluate(async () => {
-    const slider = document.getElementById("slider"), last = Number(slider.max), times = [];
+    const slider = document.querySelector("raster-trace").shadowRoot.getElementById("slider"), last = Number(slider.max), times = [];
     const time = to => {
       const begin = performance.now();
       slider.value = to;

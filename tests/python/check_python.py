@@ -188,6 +188,9 @@ class Figures(InFolder):
         self.assertEqual(xml.etree.ElementTree.fromstring(figure.svg).tag, "{http://www.w3.org/2000/svg}svg")
         self.assertIn("scanline y=2", figure.svg)
         self.assertEqual(figure._repr_svg_(), figure.svg)
+        player = Trace(FIRST).player(step=14)
+        self.assertTrue(player.html.startswith("<!doctype html>"))
+        self.assertRegex(player._repr_html_(), r'^<iframe srcdoc="&lt;!doctype html&gt;[^<>"]*" title=')
 
     def test_a_figure_is_saved_with_its_options_in_the_format_of_the_name(self):
         figure = Trace(FIRST_AS_DICTIONARY, rounding="truncate").figure(step="scanline y=2")

@@ -79,7 +79,7 @@ async function checkPlayer() {
   const element = page.locator("iframe").first();
   await element.scrollIntoViewIfNeeded();
   const player = await (await element.elementHandle()).contentFrame();
-  await player.waitForSelector("html[data-ready]", {timeout: 30000});
+  await player.waitForSelector("raster-trace[data-ready]", {timeout: 30000});
   const slider = player.locator("#slider"), sentence = player.locator("#sentence");
   if (!await slider.isVisible()) fail("the player: no slider");
   const [step, told] = [Number(await slider.inputValue()), await sentence.textContent()];

@@ -471,7 +471,7 @@ TEST_F(FigureTest, APageTakesWhatSaysHowItBegins) {
     const std::string page = content("x.html");
     EXPECT_THAT(page, HasSubstr("\"view\":\"writes\",\"step\":"));
     EXPECT_THAT(page, HasSubstr("<title>&lt;T&gt;</title>"));
-    EXPECT_THAT(page, HasSubstr(":root{color-scheme:dark;"));
+    EXPECT_THAT(page, HasSubstr("<raster-trace whole-page theme=\"dark\">\n<svg "));
     EXPECT_EQ(figure("--format html -o -").out, (figure("-o y.html"), content("y.html")));
 }
 

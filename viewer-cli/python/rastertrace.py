@@ -11,6 +11,7 @@ value; with False or None it is left out. A tuple is joined by commas: pixel=(4,
 each of its values. A name that is a keyword of Python gets an underscore: with_="order".
 """
 import collections.abc
+import html
 import json
 import os
 import pathlib
@@ -19,7 +20,7 @@ import subprocess
 import tempfile
 import warnings
 
-__all__ = ["Answer", "Figure", "Problem", "Trace", "program", "run"]
+__all__ = ["Answer", "Figure", "Player", "Problem", "Trace", "program", "run"]
 
 
 class Problem(Exception):
@@ -113,6 +114,10 @@ class Trace(collections.abc.Sequence):
         """The Figure with these options of `rastertrace figure`: trace.figure(step="scanline y=2", with_="order")."""
         return Figure(self, options)
 
+    def player(self, **options):
+        """The Player with these options of `rastertrace figure`: trace.player(step=14)."""
+        return Player(self, options)
+
     def explain(self, **question):
         """Why a pixel, a row, an edge, ... is as it is: trace.explain(pixel=(4, 2))."""
         return self.ask("explain", **question)
@@ -146,3 +151,13 @@ class Figure:
     def save(self, path, **options):
         """Writes it in the format that the file's name ends in, with more options: figure.save("row.png", scale=4)."""
         self._trace.ask("figure", output=path, **{**self._options, **options})
+
+
+class Player:
+    """A page to click through, which a notebook shows in a frame: trace.player(). Its text is `html`."""
+
+    def __init__(self, trace, options):
+        self.html = trace.ask("figure", format="html", output="-", **options).text
+
+    def _repr_html_(self):
+        return f'<iframe srcdoc="{html.escape(self.html)}" title="Player" width="100%" height="800"></iframe>'

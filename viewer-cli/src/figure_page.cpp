@@ -5,7 +5,9 @@
 #include "load.h"
 #include "page_scene.h"
 
+#include <rastertrace/figures/figure.h>
 #include <rastertrace/figures/page.h>
+#include <rastertrace/figures/svg.h>
 #include <rastertrace/trace/record/selector.h>
 #include <rastertrace/trace/text/output.h>
 #include <rastertrace/trace/text/process_files.h>
@@ -36,6 +38,16 @@ std::string input_of_page(const FigureCommand& command, const InputFrames& input
     return text;
 }
 
+/// What is shown of the first frame where there is no JavaScript; "" of a large canvas.
+std::string picture_without_script(const Trace& trace, const FigureCommand& command) {
+    constexpr int largest_side = 128;
+    if (std::max(trace.canvas.width, trace.canvas.height) > largest_side)
+        return {};
+    const std::vector<FigureFrame> last{{.steps = {0, trace.size()}}};
+    FigureMaker maker(trace, last, {.view = command.options.view});
+    return value_or_throw(svg_of(maker.figure(0), command.style.theme));
+}
+
 /// What the page says of its first frame.
 void set_options(const FigureCommand& command, const InputFrames& input, const Trace& trace,
                  PageOptions& options) {
@@ -45,6 +57,7 @@ void set_options(const FigureCommand& command, const InputFrames& input, const T
             value_or_throw(parse_selector({"--step", command.selector}, trace));
         options.step = value_or_throw(matching_step(selector, trace, "say which"));
     }
+    options.picture = picture_without_script(trace, command);
     if (const Source* const scene = input.given_scene())
         options.scene = scene_to_move(*scene, command.method, trace.canvas);
 }

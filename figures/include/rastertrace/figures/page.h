@@ -87,11 +87,15 @@ struct PageOptions {
     Theme theme = Theme::automatic;
     std::optional<View> view = {}; ///< the one that the page begins with; none: the trace's default
     std::optional<std::size_t> step = {}; ///< the step that it begins at; none: the last
+    std::string picture = {};             ///< an SVG, which is shown where there is no JavaScript
     std::string module = {}; ///< the program compiled for browsers, as a script; "" for none
     std::string scene =
         {}; ///< the scene that this draws again when a vertex is moved; "": none can be.
             ///< Without the module, the page tells who tries it how to get one
 };
+
+/// The player as an element of any page, <raster-trace>: a module of JavaScript (figures/page/element.js).
+std::string page_element();
 
 /// The whole file.
 std::string page_of(std::span<const PageFrame> frames, const PageOptions& options);

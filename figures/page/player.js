@@ -1,18 +1,7 @@
-"use strict";
 // A trace, to be clicked through. The sentences are the program's: this script fills numbers into them, remembers which
 // step drew which pixel, and paints. It draws nothing by itself: every pixel of every frame is a step of the trace.
-(() => {
-const by = id => document.getElementById(id);
-const options = JSON.parse(by("options").textContent);
 
 // --- what was told -------------------------------------------------------------------------------------------------
-
-/** The data that the page was made with: deflated, in base64. */
-async function readData() {
-  const bytes = Uint8Array.from(atob(by("data").textContent.trim()), c => c.charCodeAt(0));
-  const stream = new Blob([bytes]).stream().pipeThrough(new DecompressionStream("deflate"));
-  return JSON.parse(await new Response(stream).text());
-}
 
 const PASSES = 1, STORED = 2;         // flags of depth tests
 const ROWS = ["scanline", "along", "decide", "ray"]; // kinds that begin a row
@@ -118,9 +107,70 @@ function answerOf(trace, pixel) {
   return result;
 }
 
-// --- where the page is -----------------------------------------------------------------------------------------------
+// --- elements --------------------------------------------------------------------------------------------------------
 
-let frames = [], frame = 0, trace, step = 0, view = "plotted";
+/** #rrggbb or #rrggbbaa as a word of an ImageData. */
+function wordOf(color) {
+  const digits = color.trim().slice(1), byte = i => parseInt(digits.slice(2 * i, 2 * i + 2), 16);
+  return (byte(0) | byte(1) << 8 | byte(2) << 16 | (digits.length > 6 ? byte(3) : 255) << 24) >>> 0;
+}
+const gray = level => (level | level << 8 | level << 16 | 255 << 24) >>> 0;
+
+const svgNames = "http://www.w3.org/2000/svg";
+function shape(name, attributes, text) {
+  const element = document.createElementNS(svgNames, name);
+  for (const key in attributes) element.setAttribute(key, attributes[key]);
+  if (text !== undefined) element.textContent = text;
+  return element;
+}
+
+/** The sides of a primitive. */
+function sidesOf({points}) {
+  const count = points.length === 2 ? 1 : points.length;
+  return points.length < 2 ? [] : Array.from({length: count}, (_, i) => [points[i], points[(i + 1) % points.length]]);
+}
+
+function swatch(color, strokes = "") {
+  const box = document.createElement("span");
+  box.className = "swatch";
+  box.style.background = color;
+  if (strokes) {
+    const over = shape("svg", {viewBox: "0 0 1 1", "aria-hidden": "true"});
+    over.append(shape("path", {class: "pattern", d: strokes, "stroke-width": 0.08}));
+    box.append(over);
+  }
+  return box;
+}
+
+function element(name, className, text) {
+  const one = document.createElement(name);
+  if (className) one.className = className;
+  if (text !== undefined) one.textContent = text;
+  return one;
+}
+
+/** A sentence: several blanks stand between its parts, which are not broken if there is room. */
+function parts(text) {
+  return text.split(/( {2,})/).map((part, i) => element("span", i % 2 ? "gap" : "part", part));
+}
+
+const numberIn = text => { const [above, below = 1] = String(text).split("/").map(Number); return above / below; };
+
+// --- the player ------------------------------------------------------------------------------------------------------
+
+/**
+ * Shows frames in the root of an element, and has them gone through.
+ *
+ * options: keys and strokes (page.cpp), language, title; view, step, scene if given. `program` draws a changed scene; none
+ * if undefined. What it returns is what the element does: goTo(step), setView(name), end().
+ */
+function startPlayer(host, options, frames, program) {
+const root = host.shadowRoot, by = id => root.getElementById(id);
+const isPage = host.hasAttribute("whole-page"); // keys and the address are the player's
+const gone = new AbortController(), until = {signal: gone.signal};
+
+let frame = 0, trace, step = 0, view = "plotted";
+let told, toldOf;                      // the step that listeners were told of, and its trace
 let drawnBy, storedBy, writes;         // of each pixel: the step that drew it, that its depth is of, how often
 let seen;                              // how many pixels show each group of faces
 let cursor = -1, hovered = -1;         // pixels
@@ -160,16 +210,9 @@ const raster = by("raster"), overlay = by("overlay"), sheet = by("sheet"), scrol
 const brush = raster.getContext("2d", {willReadFrequently: true}); // pixels are put one by one
 let image, shades, lastMarked = -1, layout;
 
-/** #rrggbb or #rrggbbaa as a word of an ImageData. */
-function wordOf(color) {
-  const digits = color.trim().slice(1), byte = i => parseInt(digits.slice(2 * i, 2 * i + 2), 16);
-  return (byte(0) | byte(1) << 8 | byte(2) << 16 | (digits.length > 6 ? byte(3) : 255) << 24) >>> 0;
-}
-const gray = level => (level | level << 8 | level << 16 | 255 << 24) >>> 0;
-
 /** The colors in force: those of the style sheet, light or dark. */
 function readColors() {
-  const style = getComputedStyle(document.documentElement), color = name => wordOf(style.getPropertyValue("--" + name));
+  const style = getComputedStyle(host), color = name => wordOf(style.getPropertyValue("--" + name));
   shades = {
     plotted: color("plotted"), current: color("current"),
     faces: Array.from({length: 8}, (_, i) => color("face-" + (i + 1))),
@@ -232,23 +275,15 @@ function drawPatterns() {
   }));
 }
 
-const svgNames = "http://www.w3.org/2000/svg";
-function shape(name, attributes, text) {
-  const element = document.createElementNS(svgNames, name);
-  for (const key in attributes) element.setAttribute(key, attributes[key]);
-  if (text !== undefined) element.textContent = text;
-  return element;
-}
-
 /** How large pixels are, and where the picture is on its sheet. */
 function lay() {
   const {width, height} = trace, {left, top, down} = trace.data.canvas;
   const bottom = top + down * (height - 1);
   const digits = Math.max(String(top).length, String(bottom).length);
   const margin = {left: 10 + 7 * digits, bottom: 20, top: 8, right: 12};
-  const isNarrow = innerWidth < 900;
+  const isNarrow = host.clientWidth < 900;
   const room = {width: scroller.clientWidth - margin.left - margin.right,
-                height: innerHeight * (isNarrow ? 0.58 : 1) - (isNarrow ? 0 : 235) - margin.top - margin.bottom};
+                height: (!isPage ? 420 : isNarrow ? innerHeight * 0.58 : innerHeight - 235) - margin.top - margin.bottom};
   let cell = Math.min(room.width / width, Math.max(room.height, 160) / height, 60) * zoom;
   cell = cell >= 2 ? Math.floor(cell * 2) / 2 : Math.max(cell, 1 / 16);
   layout = {cell, margin, left: margin.left, top: margin.top,
@@ -351,12 +386,6 @@ function line(name, a, b) {
   if (!part) return [];
   const ends = {x1: part[0].x, y1: part[0].y, x2: part[1].x, y2: part[1].y};
   return [shape("line", {class: "line-rim", ...ends}), shape("line", {class: name, ...ends})];
-}
-
-/** The sides of a primitive. */
-function sidesOf({points}) {
-  const count = points.length === 2 ? 1 : points.length;
-  return points.length < 2 ? [] : Array.from({length: count}, (_, i) => [points[i], points[(i + 1) % points.length]]);
 }
 
 const isInside = ({x, y}) => layout.left <= x && x <= layout.left + layout.width &&
@@ -484,34 +513,14 @@ function drawLegend() {
   }));
 }
 
-function swatch(color, strokes = "") {
-  const box = document.createElement("span");
-  box.className = "swatch";
-  box.style.background = color;
-  if (strokes) {
-    const over = shape("svg", {viewBox: "0 0 1 1", "aria-hidden": "true"});
-    over.append(shape("path", {class: "pattern", d: strokes, "stroke-width": 0.08}));
-    box.append(over);
-  }
-  return box;
-}
-
 // --- the words -------------------------------------------------------------------------------------------------------
-
-function element(name, className, text) {
-  const one = document.createElement(name);
-  if (className) one.className = className;
-  if (text !== undefined) one.textContent = text;
-  return one;
-}
-
-/** A sentence: several blanks stand between its parts, which are not broken if there is room. */
-function parts(text) {
-  return text.split(/( {2,})/).map((part, i) => element("span", i % 2 ? "gap" : "part", part));
-}
 
 function tellStep() {
   const sentence = sentenceOf(trace, step);
+  if (step !== told || trace !== toldOf) {
+    [told, toldOf] = [step, trace];
+    host.dispatchEvent(new CustomEvent("step", {bubbles: true, detail: {step, count: trace.count, kind: nameOf(step), sentence}}));
+  }
   by("sentence").replaceChildren(...parts(sentence));
   const lines = by("working"), {working} = trace.data;
   if (!hasWorking || step === 0) lines.replaceChildren();
@@ -521,7 +530,7 @@ function tellStep() {
   const slider = by("slider");
   slider.value = step;
   slider.setAttribute("aria-valuetext", `step ${step} of ${trace.count}${step ? ": " + nameOf(step) : ""}`);
-  if (document.activeElement !== by("number")) by("number").value = step;
+  if (root.activeElement !== by("number")) by("number").value = step;
   raster.setAttribute("aria-label", `The picture after step ${step} of ${trace.count}`);
   if (by("as-text").open) tellAsText();
 }
@@ -543,7 +552,7 @@ function drawSpace() {
 function tellSteps() {
   const shown = 15, before = 6;
   const first = Math.max(0, Math.min(step - before, trace.count - shown + 1)), last = Math.min(trace.count, first + shown - 1);
-  const list = by("steps"), hadFocus = list.contains(document.activeElement);
+  const list = by("steps"), hadFocus = list.contains(root.activeElement);
   while (list.children.length > last - first + 1) list.lastChild.remove();
   while (list.children.length < last - first + 1) {
     const button = element("button");
@@ -578,10 +587,10 @@ const triesOf = pixel => stepsAt(pixel).filter(n => ["pixel", "depth", "reject"]
 
 function tellPixel() {
   const pixel = hovered >= 0 ? hovered : cursor;
-  const told = by("pixel-told");
+  const about = by("pixel-told");
   if (pixel < 0) {
     by("pixel-heading").textContent = "Pixel";
-    told.replaceChildren(element("p", "", "Point at a pixel, or tap it, to see who drew it, and why the others did not."));
+    about.replaceChildren(element("p", "", "Point at a pixel, or tap it, to see who drew it, and why the others did not."));
     return;
   }
   by("pixel-heading").textContent = `Pixel (${xOf(pixel)}, ${yOf(pixel)})`;
@@ -610,7 +619,7 @@ function tellPixel() {
   } else if (!all) {
     lines.push(element("p", "", "It would take too long here to say why others did not draw it."));
   }
-  told.replaceChildren(...lines);
+  about.replaceChildren(...lines);
 }
 
 function tryItem(n) {
@@ -811,7 +820,7 @@ const actionOfKey = new Map(options.keys.flatMap(([action, , ...keys]) => keys.m
 
 function onKey(event) {
   if (event.ctrlKey || event.metaKey || event.altKey) return;
-  const at = event.target, name = keyName(event), isCharacter = event.key.length === 1 && event.key !== " ";
+  const at = event.composedPath()[0], name = keyName(event), isCharacter = event.key.length === 1 && event.key !== " ";
   if (isCharacter && !by("letters").checked) return;
   if (by("help").open) {
     if (actionOfKey.get(name) === "help") { event.preventDefault(); by("help").close(); }
@@ -850,19 +859,16 @@ function hover(pixel) {
 
 // --- vertices that can be moved --------------------------------------------------------------------------------------
 
-// The program itself, compiled for browsers, draws a changed scene: `program.page_data(scene)` is what it would have
-// written into the page of a small scene; `page_data_in_motion` tells less, while a vertex is moved.
+// The program itself, compiled for browsers, draws a changed scene (element.js).
 // Without the program vertices are fixed, and who tries to move one is told so.
 const whyFixed = "Vertices stay where they are: the rastertrace that wrote this page was built without WebAssembly. " +
   "To get a page whose vertices can be dragged, install emscripten and node-acorn, run " +
   "cmake -D RASTERTRACE_WASM=ON build/release && cmake --build build/release, and write the page again.";
-let program, scene, hasMoved = false, wanted = "", isDrawing = false;
+let scene, hasMoved = false, wanted = "", isDrawing = false;
 const grain = 4; // vertices go to quarters of a pixel
 
-async function prepareMoving() {
+function prepareMoving() {
   if (!options.scene) return;
-  if (typeof rastertrace === "function") program = await rastertrace();
-  program?.tell_steps_in?.(options.language);
   scene = JSON.parse(options.scene);
   for (const name of Object.keys(scene.vertices)) {
     const handle = element("button", program ? "handle" : "handle fixed");
@@ -886,7 +892,6 @@ async function prepareMoving() {
   placeHandles();
 }
 
-const numberIn = text => { const [above, below = 1] = String(text).split("/").map(Number); return above / below; };
 const vertexAt = name => ({x: numberIn(scene.vertices[name][0]), y: numberIn(scene.vertices[name][1])});
 
 /** The place of the scene below a pointer. */
@@ -931,12 +936,12 @@ async function drawAgain(detail) {
   if (isDrawing) return;
   isDrawing = true;
   while (wanted) {
-    const draw = wanted === "all" ? program.page_data : program.page_data_in_motion ?? program.page_data;
+    const detail = wanted;
     wanted = "";
     await new Promise(done => requestAnimationFrame(done));
     try {
       const text = JSON.stringify(scene);
-      const data = JSON.parse(await draw(text));
+      const data = await program.draw(text, options.language, detail);
       hasMoved = text !== JSON.stringify(JSON.parse(options.scene));
       by("back").hidden = !hasMoved;
       by("problem").hidden = true;
@@ -1007,14 +1012,14 @@ function stepOfAddress() {
 }
 
 function listen() {
-  document.addEventListener("keydown", onKey);
+  (isPage ? document : root).addEventListener("keydown", onKey, until);
   by("slider").addEventListener("input", event => { stop(); goTo(Number(event.target.value)); });
   by("number").addEventListener("change", event => { stop(); goTo(Math.floor(Number(event.target.value)) || 0); event.target.value = step; });
   by("view").addEventListener("change", event => setView(event.target.value));
   by("frame").addEventListener("change", event => setFrame(Number(event.target.value)));
   by("help-button").addEventListener("click", () => by("help").showModal());
   by("as-text").addEventListener("toggle", tellAsText);
-  document.addEventListener("click", event => {
+  by("all").addEventListener("click", event => {
     const button = event.target.closest("button");
     if (button?.dataset.action) act(button.dataset.action);
     if (button?.dataset.step) { stop(); goTo(Number(button.dataset.step)); }
@@ -1022,9 +1027,15 @@ function listen() {
   sheet.addEventListener("pointermove", event => { if (event.pointerType === "mouse") hover(pixelAt(event)); });
   sheet.addEventListener("pointerleave", () => hover(-1));
   sheet.addEventListener("click", event => { if (event.target.closest(".handle:not(.fixed)")) return; const pixel = pixelAt(event); setCursor(pixel === cursor ? -1 : pixel); });
-  addEventListener("resize", lay);
-  addEventListener("hashchange", () => { const asked = stepOfAddress(); if (asked !== null) goTo(asked); });
-  matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => { readColors(); paint(); });
+  let width = host.clientWidth;
+  const resized = new ResizeObserver(() => { if (host.clientWidth !== width) { width = host.clientWidth; lay(); } });
+  resized.observe(host);
+  gone.signal.addEventListener("abort", () => resized.disconnect());
+  if (isPage) {
+    addEventListener("resize", lay, until);
+    addEventListener("hashchange", () => { const asked = stepOfAddress(); if (asked !== null) goTo(asked); }, until);
+  }
+  matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => { readColors(); paint(); }, until);
 }
 
 function tellKeys() {
@@ -1039,20 +1050,19 @@ function tellKeys() {
     }));
 }
 
-readData().then(data => {
-  frames = data;
-  by("frame").replaceChildren(...frames.map(({label}, i) => Object.assign(element("option", "", label), {value: i})));
-  by("frame-choice").hidden = frames.length < 2;
-  for (const told of ["sentence", "working", "steps"]) by(told).lang = options.language;
-  view = options.view ?? frames[0].data.view;
-  tellKeys();
-  show(frames[0].data, stepOfAddress() ?? options.step ?? Infinity);
-  listen();
-  return prepareMoving();
-}).then(() => {
-  document.documentElement.dataset.ready = "true";
-}).catch(problem => {
-  by("notes").textContent = `This browser cannot read the page: ${problem.message}`;
-  by("notes").hidden = false;
-});
-})();
+by("title").textContent = options.title;
+by("frame").replaceChildren(...frames.map(({label}, i) => Object.assign(element("option", "", label), {value: i})));
+by("frame-choice").hidden = frames.length < 2;
+for (const told of ["sentence", "working", "steps"]) by(told).lang = options.language;
+view = options.view ?? frames[0].data.view;
+tellKeys();
+show(frames[0].data, (isPage ? stepOfAddress() : null) ?? options.step ?? Infinity);
+listen();
+prepareMoving();
+
+return {
+  goTo: n => { stop(); goTo(n); },
+  setView,
+  end: () => { stop(); gone.abort(); },
+};
+}

@@ -1,0 +1,144 @@
+// <raster-trace>: the player as an element of any page. RESOURCES (page.cpp) has its content, its style sheet, the keys
+// and the patterns.
+//
+//     <raster-trace src="scene.json" step="14" view="depth"><img src="first.svg" alt="..."></raster-trace>
+//
+// src       a scene, which is drawn here by the program compiled to WebAssembly (rastertrace.mjs, beside this file)
+// step      the step that is shown; the last one if it is not given
+// view      what the color of a pixel means
+// language  of the sentences: en, pt
+// theme     light, dark or print; what the reader has set if it is not given
+//
+// The property `scene` takes a scene as a text or an object. Of each step that is shown an event "step" tells
+// {step, count, kind, sentence}. What the element holds is shown where there is no JavaScript.
+// A page that the program has written has its data within the element, and the attribute whole-page.
+
+let sharedProgram; // many elements have one
+
+/** The program: `draw` gives what the program would have written into a page, or throws an Error that tells why not. */
+function programOf(begin) {
+  return sharedProgram ??= begin().then(module => ({
+    async draw(scene, language, detail) {
+      module.tell_steps_in(language);
+      return JSON.parse(await (detail === "all" ? module.page_data(scene) : module.page_data_in_motion(scene)));
+    },
+  }));
+}
+
+/** What a page was made with: deflated, in base64. */
+async function inflated(text) {
+  const bytes = Uint8Array.from(atob(text.trim()), c => c.charCodeAt(0));
+  const stream = new Blob([bytes]).stream().pipeThrough(new DecompressionStream("deflate"));
+  return JSON.parse(await new Response(stream).text());
+}
+
+let sharedSheet;
+function styleSheet() {
+  if (!sharedSheet) {
+    sharedSheet = new CSSStyleSheet();
+    sharedSheet.replaceSync(RESOURCES.css);
+  }
+  return sharedSheet;
+}
+
+/** True of a scene in the plane whose vertices can be moved: of few primitives, and with a canvas that stays. */
+function canBeMoved(scene) {
+  const lists = ["points", "lines", "triangles", "outlines"], others = ["$schema", "title", "canvas", "background", "vertices", "colors", "method", "convention"];
+  const primitives = lists.reduce((sum, list) => sum + (scene[list]?.length ?? 0), 0);
+  return Object.keys(scene).every(key => lists.includes(key) || others.includes(key)) && primitives <= 10 && scene.canvas &&
+    Object.values(scene.vertices ?? {}).every(vertex => vertex.length === 2);
+}
+
+class RasterTrace extends HTMLElement {
+  static observedAttributes = ["src", "step", "view", "language"];
+  #player;
+  #given;      // the scene that was set
+  #loading = 0; // of several loads, the last one counts
+
+  connectedCallback() {
+    if (!this.shadowRoot) {
+      this.attachShadow({mode: "open"}).innerHTML = RESOURCES.html;
+      this.shadowRoot.adoptedStyleSheets = [styleSheet()];
+      this.shadowRoot.getElementById("all").setAttribute("role", this.hasAttribute("whole-page") ? "main" : "group");
+    }
+    this.#load();
+  }
+
+  disconnectedCallback() {
+    ++this.#loading;
+    this.#player?.end();
+    this.#player = undefined;
+  }
+
+  attributeChangedCallback(name, before, now) {
+    if (!this.shadowRoot || before === now) return;
+    if (name === "step") this.#player?.goTo(this.step);
+    else if (name === "view") this.#player?.setView(now);
+    else this.#load();
+  }
+
+  get step() {
+    const step = this.getAttribute("step");
+    return step === null || step === "last" ? Infinity : Math.floor(Number(step)) || 0;
+  }
+  set step(n) { this.setAttribute("step", n); }
+
+  get scene() { return this.#given; }
+  set scene(scene) {
+    this.#given = typeof scene === "string" ? scene : JSON.stringify(scene);
+    if (this.isConnected) this.#load();
+  }
+
+  async #load() {
+    const load = ++this.#loading;
+    let begin;
+    try {
+      begin = await this.#read();
+    } catch (problem) {
+      begin = {problem: problem.message};
+    }
+    if (load !== this.#loading) return;
+    this.#player?.end();
+    this.#player = undefined;
+    const {options, frames, program, problem} = begin, by = id => this.shadowRoot.getElementById(id);
+    by("all").classList.toggle("failed", !frames);
+    if (frames) this.#player = startPlayer(this, {...RESOURCES, ...options}, frames, program);
+    else Object.assign(by("notes"), {textContent: problem, hidden: false});
+    this.dataset.ready = "true";
+  }
+
+  /** Options, frames and program of the player. */
+  async #read() {
+    const within = type => this.querySelector(`:scope > script[type="${type}"]`)?.textContent;
+    const data = within("text/plain");
+    if (data) {
+      const options = JSON.parse(within("application/json"));
+      const program = typeof rastertrace === "function" ? await programOf(rastertrace) : undefined;
+      return {options, program, frames: await inflated(data)};
+    }
+    const source = this.getAttribute("src"), language = this.getAttribute("language") ?? "en";
+    if (!source && !this.#given) return {problem: "<raster-trace>: expected src, the address of a scene, or the property scene, found neither"};
+    const [text, program] = await Promise.all([
+      this.#given ?? fetch(source).then(answer => answer.ok ? answer.text() : Promise.reject(Error(`${source}: ${answer.status} ${answer.statusText}`))),
+      programOf(() => import(new URL("rastertrace.mjs", import.meta.url)).then(module => module.default()))]);
+    const frame = await program.draw(text, language, "all"), scene = JSON.parse(text);
+    const options = {language, title: frame.title, scene: canBeMoved(scene) ? text : undefined, view: this.getAttribute("view") ?? undefined, step: this.step};
+    return {options, program, frames: [{label: "", file: "", data: frame}]};
+  }
+}
+customElements.define("raster-trace", RasterTrace);
+
+/** For notebooks: a widget of anywidget, whose model has a scene, and gets the step. */
+function render({model, el}) {
+  const element = document.createElement("raster-trace");
+  element.scene = model.get("scene");
+  model.on("change:scene", () => element.scene = model.get("scene"));
+  model.on("change:step", () => element.step = model.get("step"));
+  element.addEventListener("step", ({detail}) => {
+    if (detail.step === model.get("step")) return;
+    model.set("step", detail.step);
+    model.save_changes();
+  });
+  el.append(element);
+}
+export default {render};
