@@ -861,9 +861,9 @@ function hover(pixel) {
 
 // The program itself, compiled for browsers, draws a changed scene (element.js).
 // Without the program vertices are fixed, and who tries to move one is told so.
-const whyFixed = "Vertices stay where they are: the rastertrace that wrote this page was built without WebAssembly. " +
-  "To get a page whose vertices can be dragged, install emscripten and node-acorn, run " +
-  "cmake -D RASTERTRACE_WASM=ON build/release && cmake --build build/release, and write the page again.";
+const whyFixed = "Vertices stay where they are: the rastertrace that wrote this page found no module that draws. " +
+  "It was built without one (cmake -D RASTERTRACE_WASM=ON builds it), RASTERTRACE_MODULE did not name its file, and there was no " +
+  "share/rastertrace/rastertrace.js beside the program, where a package has it.";
 let scene, hasMoved = false, wanted = "", isDrawing = false;
 const grain = 4; // vertices go to quarters of a pixel
 

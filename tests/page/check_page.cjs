@@ -509,9 +509,9 @@ async function checkFixed() {
   fs.writeFileSync(file, html.slice(0, html.indexOf("</raster-trace>") + 16) + html.slice(script));
   const told = () => page.$eval("#problem", problem => problem.hidden ? "" : problem.textContent);
   const expectTold = async what => {
-    expectSame(await told(), "Vertices stay where they are: the rastertrace that wrote this page was built without WebAssembly. To get a page " +
-               "whose vertices can be dragged, install emscripten and node-acorn, run cmake -D RASTERTRACE_WASM=ON build/release && " +
-               "cmake --build build/release, and write the page again.", what);
+    expectSame(await told(), "Vertices stay where they are: the rastertrace that wrote this page found no module that draws. It was built without one " +
+               "(cmake -D RASTERTRACE_WASM=ON builds it), RASTERTRACE_MODULE did not name its file, and there was no " +
+               "share/rastertrace/rastertrace.js beside the program, where a package has it.", what);
     expectSame(await page.getAttribute("[data-vertex=A]", "aria-label"), "Vertex A at (2, 5)", `${what}: the vertex`);
   };
   page.on("pageerror", error => fail(`an error: ${error.message}`));

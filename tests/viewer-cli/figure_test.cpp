@@ -475,6 +475,23 @@ TEST_F(FigureTest, APageTakesWhatSaysHowItBegins) {
     EXPECT_EQ(figure("--format html -o -").out, (figure("-o y.html"), content("y.html")));
 }
 
+TEST_F(FigureTest, APageHasTheModuleThatIsNamed) {
+    write("mine.js", "var rastertrace = () => 'mine';");
+    const std::string page = "figure $examples/t0-fill/first-triangle.json -o x.html";
+    EXPECT_EQ(shell("RASTERTRACE_MODULE=mine.js $rastertrace " + page).err, "");
+    EXPECT_THAT(content("x.html"),
+                HasSubstr("<script>\nvar rastertrace = () => 'mine';\n</script>"));
+    EXPECT_EQ(shell("RASTERTRACE_MODULE=none.js $rastertrace " + page).err,
+              "rastertrace: none.js: expected a file that can be read, found: No such file or "
+              "directory\n");
+    for (const std::string text : {"{}", "var rastertrace = '</script>';"}) {
+        write("mine.js", text);
+        EXPECT_EQ(shell("RASTERTRACE_MODULE=mine.js $rastertrace " + page).err,
+                  "rastertrace: mine.js: expected the module for pages, found another file\n"
+                  "hint: it is share/rastertrace/rastertrace.js of an installation\n");
+    }
+}
+
 TEST_F(FigureTest, APageHasLimits) {
     write("scene.json", scene_of_size(1025));
     EXPECT_EQ(shell("$rastertrace figure scene.json -o x.html").err,

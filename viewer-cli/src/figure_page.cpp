@@ -2,6 +2,8 @@
 #include "figure_page.h"
 
 #include "command_words.h"
+#include "environment.h"
+#include "installed_files.h"
 #include "load.h"
 #include "page_scene.h"
 
@@ -35,6 +37,23 @@ std::string input_of_page(const FigureCommand& command, const InputFrames& input
         text += fmt::format(" --{} {}", key, value);
     if (input.is_sequence())
         text += fmt::format(" --frame {}", frame);
+    return text;
+}
+
+/// The module that lets pages draw: the file that RASTERTRACE_MODULE names, that of this program, or the installed one.
+std::string module_for_pages(const InputLimits& limits) {
+    std::filesystem::path file = environment_variable("RASTERTRACE_MODULE");
+    if (file.empty() && !wasm_module().empty())
+        return std::string(wasm_module());
+    if (file.empty())
+        file = installed_module();
+    if (file.empty())
+        return {};
+    std::string text = value_or_throw(read_named_file(file.string(), limits)).text;
+    if (text.find("var rastertrace = ") == std::string::npos ||
+        text.find("</script") != std::string::npos)
+        throw problem_of(file.string(), "expected the module for pages, found another file",
+                         "it is share/rastertrace/rastertrace.js of an installation");
     return text;
 }
 
@@ -83,7 +102,7 @@ ExitStatus write_page(const FigureCommand& command) {
                                       .tells_steps = true});
     ExitStatus status = exit_fine;
     PageOptions options{.theme = command.style.theme, .view = command.options.view};
-    options.module = wasm_module();
+    options.module = module_for_pages(command.input);
     std::vector<PageFrame> frames;
     std::size_t steps = 0;
     for (std::size_t frame = input.first(); frame <= input.last(); ++frame) {

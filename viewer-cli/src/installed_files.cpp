@@ -7,10 +7,26 @@
 
 namespace rastertrace {
 
+namespace {
+
+/// Where the program lies; empty if that is not known.
+std::filesystem::path program_folder() {
+    std::error_code error;
+    return std::filesystem::read_symlink("/proc/self/exe", error).parent_path();
+}
+
+} // namespace
+
+std::filesystem::path installed_module() {
+    std::error_code error;
+    const auto file = (program_folder() / RASTERTRACE_SHARE "/rastertrace.js").lexically_normal();
+    return std::filesystem::is_regular_file(file, error) ? file : std::filesystem::path();
+}
+
 std::filesystem::path examples_folder() {
     std::error_code error;
-    const auto program = std::filesystem::read_symlink("/proc/self/exe", error).parent_path();
-    if (error)
+    const auto program = program_folder();
+    if (program.empty())
         throw problem_of("",
                          "expected /proc/self/exe, which says where the program lies, found none",
                          "mount -t proc proc /proc");

@@ -11,4 +11,7 @@ namespace rastertrace {
 /// folder, that of the sources. Throws a Problem if there is none.
 std::filesystem::path examples_folder();
 
+/// PREFIX/share/rastertrace/rastertrace.js, the module for pages; empty if it is not there.
+std::filesystem::path installed_module();
+
 } // namespace rastertrace

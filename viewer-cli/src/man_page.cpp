@@ -109,6 +109,9 @@ std::string man_page(const std::vector<CommandGroup>& groups) {
         entry("-V, --version", "", "Print the version; with --verbose also how it was built") +
         ".SH ENVIRONMENT\n" +
         entry("RASTERTRACE_LANGUAGE", "", "The language that steps are told in, as --language") +
+        entry("RASTERTRACE_MODULE", "",
+              "The file with the module that lets pages draw, rastertrace.js, instead of the "
+              "program's") +
         ".SH FILES\n" +
         entry("share/rastertrace/examples", "",
               "Scenes, claims and traces; rastertrace examples lists and copies them") +
