@@ -15,12 +15,16 @@
 
 let sharedProgram; // many elements have one
 
-/** The program: `draw` gives what the program would have written into a page, or throws an Error that tells why not. */
+/** The program: what it would have written into a page, and why a pixel is as it is. An Error tells why it cannot. */
 function programOf(begin) {
   return sharedProgram ??= begin().then(module => ({
     async draw(scene, language, detail) {
       module.tell_steps_in(language);
       return JSON.parse(await (detail === "all" ? module.page_data(scene) : module.page_data_in_motion(scene)));
+    },
+    explain(scene, language, x, y) {
+      module.tell_steps_in(language);
+      return JSON.parse(module.explain_pixel(scene, x, y));
     },
   }));
 }
@@ -122,7 +126,7 @@ class RasterTrace extends HTMLElement {
       this.#given ?? fetch(source).then(answer => answer.ok ? answer.text() : Promise.reject(Error(`${source}: ${answer.status} ${answer.statusText}`))),
       programOf(() => import(new URL("rastertrace.mjs", import.meta.url)).then(module => module.default()))]);
     const frame = await program.draw(text, language, "all"), scene = JSON.parse(text);
-    const options = {language, title: frame.title, scene: canBeMoved(scene) ? text : undefined, view: this.getAttribute("view") ?? undefined, step: this.step};
+    const options = {language, title: frame.title, scene: text, movable: canBeMoved(scene), view: this.getAttribute("view") ?? undefined, step: this.step};
     return {options, program, frames: [{label: "", file: "", data: frame}]};
   }
 }

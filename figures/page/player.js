@@ -594,7 +594,7 @@ function tellPixel() {
     return;
   }
   by("pixel-heading").textContent = `Pixel (${xOf(pixel)}, ${yOf(pixel)})`;
-  const all = trace.answers && answerOf(trace, pixel), lines = [];
+  const all = answerAbout(pixel), lines = [];
   if (all) lines.push(element("p", "answer", all.answer));
   for (const line of all?.lacks ?? []) lines.push(element("p", "note", line));
   const tries = triesOf(pixel);
@@ -639,6 +639,13 @@ function whyNotItem({primitive, reason, sentence}) {
   who.append(element("span", "who", primitive), " ", element("span", "reason", reason));
   item.append(who, element("span", "sentence", sentence));
   return item;
+}
+
+/** The answer about a pixel: from the data, or asked of the program; null if neither has it. */
+function answerAbout(pixel) {
+  if (trace.answers) return answerOf(trace, pixel);
+  if (!program || !options.scene || trace.count > 50000) return null;
+  return program.explain(hasMoved ? JSON.stringify(scene) : options.scene, options.language, xOf(pixel), yOf(pixel));
 }
 
 /** The pixels as rows of characters: @ is what this step has drawn. */
@@ -702,7 +709,7 @@ function setCursor(pixel) {
   tellPixel();
   if (pixel < 0) return;
   const tries = triesOf(pixel);
-  announce(`pixel (${xOf(pixel)}, ${yOf(pixel)}): ` + (trace.answers ? answerOf(trace, pixel).answer : `${tries.length} tries`));
+  announce(`pixel (${xOf(pixel)}, ${yOf(pixel)}): ` + (answerAbout(pixel)?.answer ?? `${tries.length} tries`));
   const {x, y} = middleOf(pixel), box = scroller;
   if (x < box.scrollLeft + 20 || x > box.scrollLeft + box.clientWidth - 20) box.scrollLeft = x - box.clientWidth / 2;
   if (y < box.scrollTop + 20 || y > box.scrollTop + box.clientHeight - 20) box.scrollTop = y - box.clientHeight / 2;
@@ -868,7 +875,7 @@ let scene, hasMoved = false, wanted = "", isDrawing = false;
 const grain = 4; // vertices go to quarters of a pixel
 
 function prepareMoving() {
-  if (!options.scene) return;
+  if (!options.movable) return;
   scene = JSON.parse(options.scene);
   for (const name of Object.keys(scene.vertices)) {
     const handle = element("button", program ? "handle" : "handle fixed");

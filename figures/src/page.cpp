@@ -128,8 +128,9 @@ std::string options_text(const PageOptions& options) {
         text += fmt::format(",\"view\":{}", json_quoted(name_of(*options.view)));
     if (options.step)
         text += fmt::format(",\"step\":{}", *options.step);
-    if (!options.scene.empty())
-        text += fmt::format(",\"scene\":{}", json_quoted(options.scene));
+    if (!options.scene.text.empty())
+        text += fmt::format(",\"scene\":{},\"movable\":{}", json_quoted(options.scene.text),
+                            options.scene.is_movable);
     return text + "}";
 }
 
@@ -165,7 +166,7 @@ std::string page_of(std::span<const PageFrame> frames, const PageOptions& option
          {"picture", options.picture},
          {"options", in_script(options_text(options))},
          {"data", compressed(data_text(frames))},
-         {"module", options.module.empty() || options.scene.empty()
+         {"module", options.module.empty() || options.scene.text.empty()
                         ? std::string()
                         : fmt::format("<script>\n{}\n</script>\n", options.module)},
          {"element", page_element()}}};

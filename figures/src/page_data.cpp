@@ -24,7 +24,7 @@
 //     space             the picture in space: its width and height, the elements of all steps, and of each step a word for
 //                       what it adds; the key is left out if the scene is not one in space
 //     write_grays       how light a pixel is that was written once, twice, ...
-//     answers           of each pixel; null: the canvas is too large. See add_answers.
+//     answers           of each pixel; null: the canvas is too large, or the page asks (page_answer). See answers_text.
 
 #include <rastertrace/figures/page.h>
 
@@ -81,6 +81,7 @@ public:
     template <typename Number> void add(Number number) { put(fmt::format("{}", number)); }
     void add(const JsonList& list) { put(list.text()); }
     void add_text(std::string_view text) { put(json_quoted(text)); }
+    void add_json(std::string_view json) { put(json); }
 
     std::string text() const { return text_ + "]"; }
 
@@ -149,30 +150,23 @@ private:
     std::optional<double> least_, largest_;
 };
 
-/// What a page is told at most: beyond, it does without.
-struct PageLimits {
-    std::size_t steps_with_working;
-    std::size_t why_not_asked; ///< pixels times primitives
-};
-
-PageLimits limits_of(PageDetail detail) {
-    switch (detail) {
-    case PageDetail::all:
-        break;
-    case PageDetail::at_rest:
-        return {.steps_with_working = 3'000, .why_not_asked = 10'000};
-    case PageDetail::in_motion:
-        return {.steps_with_working = 500, .why_not_asked = 1'000};
+/// The answer about a pixel, with the nearest of those that have not drawn it, and how many these were.
+std::pair<Explanation, std::size_t> told_of_pixel(PixelExplainer& explainer, Pixel pixel) {
+    Explanation told = explainer.explain(pixel);
+    const std::size_t count = told.why_not.size();
+    if (count > most_why_not_told) {
+        std::stable_sort(told.why_not.begin(), told.why_not.end(), was_nearer_to_drawing);
+        told.why_not.resize(most_why_not_told);
     }
-    return {.steps_with_working = most_steps_with_working, .why_not_asked = most_why_not_asked};
+    return {std::move(told), count};
 }
 
 /// Puts the data of a page together.
 class PageData {
 public:
-    PageData(const Trace& trace, PageDetail detail, const StepsInSpace* in_space)
+    PageData(const Trace& trace, const PageDetail& detail, const StepsInSpace* in_space)
         : trace_(trace), grays_(trace), replay_(trace, {.writes = false, .depths = true}),
-          limits_(limits_of(detail)), has_working_(trace.size() <= limits_.steps_with_working),
+          detail_(detail), has_working_(trace.size() <= detail.steps_with_working),
           in_space_(in_space) {}
 
     std::string text() {
@@ -311,7 +305,6 @@ private:
                 order = n;
             if (trace_.kind_of(n) != StepKind::primitive)
                 continue;
-            ++primitive_count_;
             if (!trace_.step(n).as<PrimitiveStep>().painted.is_false())
                 painted.push_back(n);
         }
@@ -510,21 +503,17 @@ private:
         const Canvas& canvas = trace_.canvas;
         const auto pixels =
             static_cast<std::size_t>(canvas.width) * static_cast<std::size_t>(canvas.height);
-        if (std::max(canvas.width, canvas.height) > largest_side_with_why_not ||
-            pixels * primitive_count_ > limits_.why_not_asked)
+        if (!has_answers(trace_, detail_))
             return "null";
         JsonList answers;
         PixelExplainer explainer(trace_);
         for (std::size_t i = 0; i < pixels; ++i) {
             const auto row = static_cast<int>(i / static_cast<std::size_t>(canvas.width));
             const auto column = static_cast<int>(i % static_cast<std::size_t>(canvas.width));
-            Explanation told = explainer.explain({canvas.left() + column, canvas.y_of(row)});
+            const auto [told, count] =
+                told_of_pixel(explainer, {canvas.left() + column, canvas.y_of(row)});
             add_sentence(told.answer, answers);
-            answers.add(told.why_not.size());
-            if (told.why_not.size() > most_why_not_told) {
-                std::stable_sort(told.why_not.begin(), told.why_not.end(), was_nearer_to_drawing);
-                told.why_not.resize(most_why_not_told);
-            }
+            answers.add(count);
             answers.add(told.why_not.size());
             for (const WhyNot& why : told.why_not) {
                 answers.add(printable_word(why.primitive));
@@ -556,7 +545,7 @@ private:
     const Trace& trace_;
     DepthGrays grays_;
     Replay replay_;
-    PageLimits limits_;
+    PageDetail detail_;
     bool has_working_;
     Words words_;
     const StepsInSpace* in_space_;
@@ -564,7 +553,6 @@ private:
     JsonList steps_in_space_;
     std::size_t in_space_word_ = 0;
     std::size_t in_space_of_ = 0; ///< the primitive that the last word is of; 0: of another step
-    std::size_t primitive_count_ = 0;
     std::size_t group_count_ = 0;
     std::string heading_;
     std::unordered_map<std::size_t, std::size_t> group_of_;
@@ -592,8 +580,32 @@ std::optional<Problem> too_large_for_page(const Trace& trace) {
     return std::nullopt;
 }
 
-std::string page_data(const Trace& trace, PageDetail detail, const StepsInSpace* in_space) {
+std::string page_data(const Trace& trace, const PageDetail& detail, const StepsInSpace* in_space) {
     return PageData(trace, detail, in_space).text();
+}
+
+bool has_answers(const Trace& trace, const PageDetail& detail) {
+    const Canvas& canvas = trace.canvas;
+    std::size_t primitives = 0;
+    for (std::size_t n = 1; n <= trace.size(); ++n)
+        primitives += trace.kind_of(n) == StepKind::primitive ? 1 : 0;
+    const auto pixels =
+        static_cast<std::size_t>(canvas.width) * static_cast<std::size_t>(canvas.height);
+    return std::max(canvas.width, canvas.height) <= largest_side_with_why_not &&
+           pixels * primitives <= detail.why_not_asked;
+}
+
+std::string page_answer(PixelExplainer& explainer, Pixel pixel) {
+    const auto [told, count] = told_of_pixel(explainer, pixel);
+    JsonList reasons, lacks;
+    for (const WhyNot& why : told.why_not)
+        reasons.add_json(fmt::format(R"({{"primitive":{},"reason":{},"sentence":{}}})",
+                                     json_quoted(printable(why.primitive)), json_quoted(why.reason),
+                                     json_quoted(why.sentence)));
+    for (const std::string& line : told.lacks)
+        lacks.add_text(line);
+    return fmt::format(R"({{"answer":{},"count":{},"whyNot":{},"lacks":{}}})",
+                       json_quoted(told.answer), count, reasons.text(), lacks.text());
 }
 
 } // namespace rastertrace

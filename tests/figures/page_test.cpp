@@ -280,20 +280,22 @@ TEST(Page, NothingInATraceEndsAnElementOfThePage) {
     const std::vector<PageFrame> frames{
         {.label = hostile, .data = page_data(trace), .file = hostile}};
     const std::string page =
-        page_of(frames, {.title = hostile, .module = "var a;", .scene = hostile});
+        page_of(frames, {.title = hostile, .module = "var a;", .scene = {.text = hostile}});
     EXPECT_EQ(count(page, "</script"), count(tame, "</script") + 1); // that of the module
     EXPECT_EQ(count(page, "<img"), 0U);
     EXPECT_EQ(count(page, "<!--"), count(tame, "<!--"));
     EXPECT_EQ(count(page, "<script type=\"text/plain\">"), 1U);
-    EXPECT_THAT(page, HasSubstr("<title>&lt;/script&gt;&lt;img src=x onerror=alert(1)&gt;{{data}}"));
+    EXPECT_THAT(page,
+                HasSubstr("<title>&lt;/script&gt;&lt;img src=x onerror=alert(1)&gt;{{data}}"));
 }
 
 TEST(Page, WhatCanBeMovedIsOnThePageAlsoWithoutTheModule) {
     // tests/page/check_page.cjs tries to move it.
     const std::vector<PageFrame> frames{{.data = page_data(hostile_trace("A", "A"))}};
     for (const std::string module : {"", "var a;"})
-        EXPECT_THAT(page_of(frames, {.module = module, .scene = "{}"}),
-                    HasSubstr(R"("scene":"{}")"));
+        EXPECT_THAT(
+            page_of(frames, {.module = module, .scene = {.text = "{}", .is_movable = true}}),
+            HasSubstr(R"("scene":"{}","movable":true)"));
     EXPECT_THAT(page_of(frames, {}), Not(HasSubstr(R"("scene":)")));
 }
 

@@ -78,7 +78,7 @@ void set_options(const FigureCommand& command, const InputFrames& input, const T
     }
     options.picture = picture_without_script(trace, command);
     if (const Source* const scene = input.given_scene())
-        options.scene = scene_to_move(*scene, command.method, trace.canvas);
+        options.scene = scene_of_page(*scene, command.method, trace.canvas);
 }
 
 /// Refuses a frame that has no room on the page, beside those before it.
@@ -105,6 +105,7 @@ ExitStatus write_page(const FigureCommand& command) {
     options.module = module_for_pages(command.input);
     std::vector<PageFrame> frames;
     std::size_t steps = 0;
+    bool is_needed = false; // the scene, to be drawn by the page
     for (std::size_t frame = input.first(); frame <= input.last(); ++frame) {
         const Trace trace = input.trace(frame);
         status = std::max(status, report_damage(trace));
@@ -112,11 +113,17 @@ ExitStatus write_page(const FigureCommand& command) {
         steps += trace.size();
         if (frames.empty())
             set_options(command, input, trace, options);
-        frames.push_back({.label = input.is_sequence() ? input.label(frame) : std::string(),
-                          .data = page_data(trace, PageDetail::all,
-                                            steps_in_space(trace, command.options.eye).get()),
-                          .file = input_of_page(command, input, frame)});
+        is_needed = is_needed || options.scene.is_movable;
+        const bool can_draw = !options.module.empty() && !options.scene.text.empty();
+        const PageDetail detail{.why_not_asked = can_draw ? few_why_not_asked : most_why_not_asked};
+        is_needed = is_needed || (can_draw && !has_answers(trace, detail));
+        frames.push_back(
+            {.label = input.is_sequence() ? input.label(frame) : std::string(),
+             .data = page_data(trace, detail, steps_in_space(trace, command.options.eye).get()),
+             .file = input_of_page(command, input, frame)});
     }
+    if (!is_needed)
+        options.scene = {};
     const std::string page = page_of(frames, options);
     if (command.output == "-")
         print(page);

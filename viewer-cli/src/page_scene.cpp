@@ -43,23 +43,31 @@ bool can_be_moved(const Json& scene) {
            std::all_of(vertices->begin(), vertices->end(), is_plane_vertex);
 }
 
+bool names_files(const Json& scene) {
+    const auto meshes = scene.find("meshes");
+    return meshes != scene.end() && meshes->is_array() &&
+           std::any_of(meshes->begin(), meshes->end(),
+                       [](const Json& mesh) { return mesh.is_object() && mesh.contains("obj"); });
+}
+
 } // namespace
 
-std::string scene_to_move(const Source& source, const MethodOverrides& method,
-                          const Canvas& canvas) {
+PageScene scene_of_page(const Source& source, const MethodOverrides& method, const Canvas& canvas) {
     Json scene = Json::parse(source.text, nullptr, false);
-    if (!scene.is_object() || !can_be_moved(scene) ||
-        std::max(canvas.width, canvas.height) > largest_side_with_why_not)
+    if (!scene.is_object() || scene.contains("vary") || names_files(scene))
         return {};
-    scene["canvas"] = {
-        {"width", canvas.width}, {"height", canvas.height}, {"origin", name_of(canvas.origin)}};
+    const bool is_movable =
+        can_be_moved(scene) && std::max(canvas.width, canvas.height) <= largest_side_with_why_not;
+    if (is_movable)
+        scene["canvas"] = {
+            {"width", canvas.width}, {"height", canvas.height}, {"origin", name_of(canvas.origin)}};
     for (const auto& [key, value] : method) {
         const MethodKey* const row = find_method_key(key);
         Json& place = key == "convention" ? scene : scene["method"];
         place[key] =
             row != nullptr && row->is_number() ? Json::parse(value, nullptr, false) : Json(value);
     }
-    return scene.dump();
+    return {scene.dump(), is_movable};
 }
 
 } // namespace rastertrace

@@ -2,16 +2,27 @@
 // What the module can be asked for: each function takes a scene as a text, and gives a text. module.js makes
 // functions of JavaScript of them.
 
+#include <rastertrace/core/draw/model/mistakes.h>
 #include <rastertrace/figures/page.h>
+#include <rastertrace/trace/check/check.h>
+#include <rastertrace/trace/check/claims.h>
+#include <rastertrace/trace/explain/explain_pixels.h>
 #include <rastertrace/trace/record/write_trace.h>
 #include <rastertrace/trace/scene/scene_file.h>
 #include <rastertrace/trace/text/language.h>
 #include <rastertrace/trace/text/output.h>
 #include <rastertrace/trace/text/problem.h>
+#include <rastertrace/trace/text/text.h>
 
+#include <fmt/core.h>
+
+#include <array>
 #include <exception>
+#include <memory>
 #include <new>
 #include <string>
+#include <string_view>
+#include <vector>
 
 namespace {
 
@@ -43,18 +54,67 @@ template <typename Ask> const char* answer_of(const char* scene_text, Ask&& ask)
     return answer.c_str();
 }
 
-std::string trace_of(const PlannedScene& planned) {
+std::string text_of_trace(const PlannedScene& planned) {
     std::string text;
     StringOutput output(text);
     write_trace(planned.scene, planned.plan, {}, output);
     return text;
 }
 
-std::string page_data_of(const PlannedScene& planned, PageDetail detail) {
-    const auto trace = read_written_trace({.name = "trace", .text = trace_of(planned)});
-    if (!trace)
-        throw trace.problem();
-    return page_data(trace.value(), detail);
+/// The scene that was drawn last, so that several questions about it draw it once.
+struct Drawn {
+    explicit Drawn(const PlannedScene& planned) : trace(read_trace_of(planned)), explainer(trace) {}
+
+    static Trace read_trace_of(const PlannedScene& planned) {
+        auto trace = read_written_trace({.name = "trace", .text = text_of_trace(planned)});
+        if (!trace)
+            throw trace.problem();
+        return std::move(trace.value());
+    }
+
+    Trace trace;
+    PixelExplainer explainer;
+};
+std::string drawn_scene;
+std::unique_ptr<Drawn> last_drawn;
+
+/// Asks of a scene that was drawn.
+template <typename Ask> const char* answer_of_drawn(const char* scene, Ask&& ask) {
+    return answer_of(scene, [&](const PlannedScene& planned) {
+        if (!last_drawn || drawn_scene != scene) {
+            last_drawn.reset();
+            last_drawn = std::make_unique<Drawn>(planned);
+            drawn_scene = scene;
+        }
+        return ask(*last_drawn);
+    });
+}
+
+/// ["a", "b"]
+std::string json_of(const std::vector<std::string>& texts) {
+    std::vector<std::string> quoted;
+    for (const std::string& text : texts)
+        quoted.push_back(json_quoted(text));
+    return fmt::format("[{}]", joined(quoted, ","));
+}
+
+/// What was found about a claim.
+std::string json_of(const Claim& claim, const CheckedClaim& checked) {
+    constexpr std::array<std::string_view, 4> verdicts{"right", "wrong", "follows", "open"};
+    std::vector<std::string> fields, slips;
+    for (const CheckedField& field : checked.fields) {
+        if (field.verdict == ClaimVerdict::right || field.verdict == ClaimVerdict::open)
+            continue;
+        fields.push_back(fmt::format(R"({{"field":{},"expected":{},"found":{}}})",
+                                     json_quoted(words_for_field(field.name)),
+                                     json_quoted(field.expected), json_quoted(field.found)));
+        for (const LikelySlip& slip : field.slips)
+            slips.push_back(slip.meaning);
+    }
+    return fmt::format(
+        R"({{"line":{},"claim":{},"verdict":"{}","fields":[{}],"slips":{},"remarks":{},"working":{}}})",
+        claim.line, json_quoted(claim.text), verdicts[static_cast<std::size_t>(checked.verdict)],
+        joined(fields, ","), json_of(slips), json_of(checked.remarks), json_of(checked.working));
 }
 
 } // namespace
@@ -68,26 +128,76 @@ bool rastertrace_is_message() {
 
 /// Sets the language of sentences by its code; one that there is not changes nothing.
 void rastertrace_tell_steps_in(const char* code) {
-    if (const auto language = language_with_code(code))
-        tell_steps_in(*language);
+    const auto language = language_with_code(code);
+    if (!language || *language == language_of_steps())
+        return;
+    tell_steps_in(*language);
+    last_drawn.reset(); // its answers are in the other one
+}
+
+/// What is wrong with a scene: {"message":, "hint":, "line":, "column":}, line 0 where it has no place; "" if nothing is.
+const char* rastertrace_problem(const char* scene) {
+    is_message = false;
+    const auto read = read_scene({.name = "scene", .text = scene});
+    answer =
+        read ? std::string()
+             : fmt::format(R"({{"message":{},"hint":{},"line":{},"column":{}}})",
+                           json_quoted(read.problem().message), json_quoted(read.problem().hint),
+                           read.problem().line, read.problem().column);
+    return answer.c_str();
 }
 
 /// The trace of a scene, as `rastertrace trace scene.json -o -` writes it.
 const char* rastertrace_trace(const char* scene) {
-    return answer_of(scene, trace_of);
+    return answer_of(scene, text_of_trace);
 }
 
 /// What a page shows of a scene: figures/page.h.
 const char* rastertrace_page_data(const char* scene) {
-    return answer_of(scene, [](const PlannedScene& planned) {
-        return page_data_of(planned, PageDetail::at_rest);
-    });
+    return answer_of_drawn(
+        scene, [](const Drawn& drawn) { return page_data(drawn.trace, detail_at_rest); });
 }
 
 /// The same while a vertex is moved.
 const char* rastertrace_page_data_in_motion(const char* scene) {
+    return answer_of_drawn(
+        scene, [](const Drawn& drawn) { return page_data(drawn.trace, detail_in_motion); });
+}
+
+/// Why a pixel is as it is: page_answer of page.h.
+const char* rastertrace_explain_pixel(const char* scene, int x, int y) {
+    return answer_of_drawn(scene, [&](Drawn& drawn) {
+        if (!drawn.trace.canvas.contains(x, y))
+            throw problem_of("", "expected a pixel of the canvas");
+        return page_answer(drawn.explainer, {x, y});
+    });
+}
+
+/// Claims about a scene, as `rastertrace check` takes them: [{"line":, "claim":, "verdict":, "fields":, ...}, ...].
+const char* rastertrace_check(const char* scene, const char* claims_text) {
+    return answer_of(scene, [&](const PlannedScene&) {
+        const auto claims = read_claims({.name = "claims", .text = claims_text});
+        if (!claims)
+            throw claims.problem();
+        const Truth truth({.name = "scene", .text = scene}, {});
+        std::vector<std::string> told;
+        for (const CheckedClaim& checked : check(truth, claims.value()).claims)
+            told.push_back(json_of(claims.value().claims[checked.claim], checked));
+        return fmt::format("[{}]", joined(told, ",\n"));
+    });
+}
+
+/// The known mistakes that may change the scene: [{"name":, "says":, "should":, "symptom":}, ...].
+const char* rastertrace_mistakes(const char* scene) {
     return answer_of(scene, [](const PlannedScene& planned) {
-        return page_data_of(planned, PageDetail::in_motion);
+        std::vector<std::string> told;
+        for (const Mistake& mistake : mistakes())
+            if (mistake.concerns(planned.scene))
+                told.push_back(fmt::format(R"({{"name":{},"says":{},"should":{},"symptom":{}}})",
+                                           json_quoted(mistake.name), json_quoted(mistake.says),
+                                           json_quoted(mistake.should),
+                                           json_quoted(mistake.symptom)));
+        return fmt::format("[{}]", joined(told, ",\n"));
     });
 }
 }
