@@ -411,7 +411,7 @@ async function checkMoving() {
   let html = fs.readFileSync(file, "utf8");
   const hasModule = html.includes("var rastertrace =");
   if (!hasModule) {
-    html = html.replace("<script type=\"module\">", "<script>globalThis.rastertrace = async () => ({tell_steps_in() {}, page_data: askProgram, page_data_in_motion: askProgram, explain_pixel: () => "null"});</script>\n$&");
+    html = html.replace("<script type=\"module\">", "<script>globalThis.rastertrace = async () => ({tell_steps_in() {}, page_data: askProgram, page_data_in_motion: askProgram, explain_pixel: () => 'null'});</script>\n$&");
     fs.writeFileSync(file, html);
   }
   const context = await browser.newContext({viewport: {width: 1280, height: 800}});
