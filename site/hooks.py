@@ -119,6 +119,7 @@ def on_config(config):
 def on_page_context(context, page, config, nav):
     """What the template asks for besides: language, title, chapters before and after, the chapter of an answer."""
     name = page.file.src_uri
+    context["has_playground"] = os.environ.get("RASTERTRACE_HAS_PLAYGROUND") == "yes"
     context["lang"] = "pt-BR" if name.startswith("docs/tutorial/pt/") else "en"
     context["heading"] = page.toc.items[0].title if page.toc.items else page.title
     context["within"] = page.toc.items[0].children if page.toc.items else []

@@ -18,6 +18,7 @@ let sharedProgram; // many elements have one
 /** The program: what it would have written into a page, and why a pixel is as it is. An Error tells why it cannot. */
 function programOf(begin) {
   return sharedProgram ??= begin().then(module => ({
+    module,
     async draw(scene, language, detail) {
       module.tell_steps_in(language);
       return JSON.parse(await (detail === "all" ? module.page_data(scene) : module.page_data_in_motion(scene)));
@@ -28,6 +29,8 @@ function programOf(begin) {
     },
   }));
 }
+
+const load = () => import(new URL("rastertrace.mjs", import.meta.url)).then(module => module.default());
 
 /** What a page was made with: deflated, in base64. */
 async function inflated(text) {
@@ -55,16 +58,16 @@ function canBeMoved(scene) {
 
 class RasterTrace extends HTMLElement {
   static observedAttributes = ["src", "step", "view", "language"];
+
+  /** The program that the elements share: a promise of its functions (wasm/src/module.js). */
+  static async module() { return (await programOf(load)).module; }
+
   #player;
   #given;      // the scene that was set
   #loading = 0; // of several loads, the last one counts
 
   connectedCallback() {
-    if (!this.shadowRoot) {
-      this.attachShadow({mode: "open"}).innerHTML = RESOURCES.html;
-      this.shadowRoot.adoptedStyleSheets = [styleSheet()];
-      this.shadowRoot.getElementById("all").setAttribute("role", this.hasAttribute("whole-page") ? "main" : "group");
-    }
+    if (!this.shadowRoot) this.attachShadow({mode: "open"}).adoptedStyleSheets = [styleSheet()];
     this.#load();
   }
 
@@ -105,6 +108,8 @@ class RasterTrace extends HTMLElement {
     this.#player?.end();
     this.#player = undefined;
     const {options, frames, program, problem} = begin, by = id => this.shadowRoot.getElementById(id);
+    this.shadowRoot.innerHTML = RESOURCES.html; // with nothing of the player before
+    by("all").setAttribute("role", this.hasAttribute("whole-page") ? "main" : "group");
     by("all").classList.toggle("failed", !frames);
     if (frames) this.#player = startPlayer(this, {...RESOURCES, ...options}, frames, program);
     else Object.assign(by("notes"), {textContent: problem, hidden: false});
@@ -124,7 +129,7 @@ class RasterTrace extends HTMLElement {
     if (!source && !this.#given) return {problem: "<raster-trace>: expected src, the address of a scene, or the property scene, found neither"};
     const [text, program] = await Promise.all([
       this.#given ?? fetch(source).then(answer => answer.ok ? answer.text() : Promise.reject(Error(`${source}: ${answer.status} ${answer.statusText}`))),
-      programOf(() => import(new URL("rastertrace.mjs", import.meta.url)).then(module => module.default()))]);
+      programOf(load)]);
     const frame = await program.draw(text, language, "all"), scene = JSON.parse(text);
     const options = {language, title: frame.title, scene: text, movable: canBeMoved(scene), view: this.getAttribute("view") ?? undefined, step: this.step};
     return {options, program, frames: [{label: "", file: "", data: frame}]};
@@ -145,4 +150,5 @@ function render({model, el}) {
   });
   el.append(element);
 }
+export {RasterTrace};
 export default {render};

@@ -953,6 +953,7 @@ async function drawAgain(detail) {
       by("back").hidden = !hasMoved;
       by("problem").hidden = true;
       show(data, stepLike(data));
+      if (detail === "all") host.dispatchEvent(new CustomEvent("scene", {bubbles: true, detail: {scene: text}}));
     } catch (problem) {
       tellProblem(problem.message);
     }

@@ -7,6 +7,7 @@ program=$1
 source=$2
 folder=$3
 tools=$4
-"$source/scripts/site" "$program" "$folder"
+PLAYGROUND_TOOLS=$tools/playground "$source/scripts/site" "$program" "$folder"
 /usr/bin/python3 "$source/tests/site/check_site.py" "$folder" "$source"
 "$source/tests/page/with_browser.sh" "$tools" "$source/tests/site/check_look.cjs" "$folder"
+[ ! -d "$folder/playground" ] || "$source/tests/page/with_browser.sh" "$tools" "$source/tests/site/check_playground.cjs" "$folder"

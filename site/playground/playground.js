@@ -1,0 +1,244 @@
+// SPDX-License-Identifier: MIT
+// The playground: a scene is typed, drawn and asked about, all in the browser.
+
+import {basicSetup, EditorView} from "codemirror";
+import {autocompletion} from "@codemirror/autocomplete";
+import {json} from "@codemirror/lang-json";
+import {HighlightStyle, syntaxHighlighting} from "@codemirror/language";
+import {setDiagnostics} from "@codemirror/lint";
+import {hoverTooltip} from "@codemirror/view";
+import {tags} from "@lezer/highlight";
+import {completions, meaningAt} from "./schema-words.js";
+
+const by = id => document.getElementById(id);
+const examples = [["First triangle", "t0-fill/first-triangle"], ["Cube, depth buffer of 1/z", "t0-hidden/cube-inverse-z"], ["A Bresenham line", "t2-lines/bresenham"],
+                  ["Barycentric", "t3-sweep-and-box/barycentric"], ["Top-left rule", "t3-sweep-and-box/top-left"], ["A clipped triangle", "t4-pipeline/behind-the-eye"],
+                  ["Hidden lines", "t1-hidden/hidden-lines"], ["Light", "t3-light/lambert"]];
+const delay = 250; // milliseconds after a key before the scene is drawn
+
+let program, view, timer, isTaking = false, scene = ""; // the text that is drawn
+
+// Colors of the editor: those of the page, light or dark.
+const inks = syntaxHighlighting(HighlightStyle.define([
+  {tag: tags.propertyName, color: "var(--link)"}, {tag: tags.string, color: "var(--right)"},
+  {tag: [tags.number, tags.bool, tags.null], color: "var(--wrong)"}]));
+const look = EditorView.theme({
+  "&": {color: "var(--text)"},
+  ".cm-content": {caretColor: "var(--text)"},
+  ".cm-cursor": {borderLeftColor: "var(--text)"},
+  ".cm-gutters": {backgroundColor: "var(--shelf)", color: "var(--quiet)", border: "none"},
+  ".cm-activeLine, .cm-activeLineGutter": {backgroundColor: "var(--shelf)"},
+  "&.cm-focused > .cm-scroller > .cm-selectionLayer .cm-selectionBackground, .cm-selectionBackground": {backgroundColor: "var(--line)"},
+  ".cm-matchingBracket": {backgroundColor: "var(--line) !important"},
+  ".cm-tooltip": {backgroundColor: "var(--shelf)", color: "var(--text)", border: "1px solid var(--quiet)", padding: "0.1rem 0.4rem", maxWidth: "24rem"},
+  ".cm-tooltip-autocomplete > ul > li[aria-selected]": {backgroundColor: "var(--link)", color: "var(--paper)"},
+});
+
+// --- what is typed ---------------------------------------------------------------------------------------------------
+
+const text = () => view.state.doc.toString();
+
+/** The scene with the chosen convention, and perhaps a mistake. */
+function sceneWith(mistake) {
+  const convention = by("convention").value;
+  if (!convention && !mistake) return scene;
+  const changed = JSON.parse(scene);
+  if (convention) changed.convention = convention;
+  if (mistake) changed.method = {...changed.method, mistake};
+  return JSON.stringify(changed);
+}
+
+function tellProblem(problem) {
+  const {doc} = view.state, diagnostics = [];
+  if (problem?.line) {
+    const line = doc.line(Math.min(problem.line, doc.lines)), from = Math.min(line.from + problem.column - 1, line.to);
+    const word = /^("(?:[^"\\]|\\.)*"|[-\w.]+)/.exec(doc.sliceString(from, line.to))?.[0].length ?? 1;
+    diagnostics.push({from: Math.min(from, doc.length), to: Math.min(from + word, doc.length), severity: "error", message: problem.message});
+  }
+  view.dispatch(setDiagnostics(view.state, diagnostics));
+  by("problem").hidden = !problem;
+  by("problem").textContent = problem ? [problem.line ? `line ${problem.line}, column ${problem.column}: ${problem.message}` : problem.message,
+                                         ...problem.hint ? [`hint: ${problem.hint}`] : []].join("\n") : "";
+}
+
+/** Draws what is typed, if it is a scene; else tells what is wrong, and leaves the picture. */
+function draw() {
+  const problem = program.problem(text());
+  tellProblem(problem && JSON.parse(problem));
+  if (problem) return;
+  scene = text();
+  history.replaceState(null, "", location.pathname);
+  by("picture").scene = sceneWith("");
+  listMistakes();
+  drawMistake();
+  check();
+}
+
+function listMistakes() {
+  const chosen = by("mistake").value, mistakes = JSON.parse(program.mistakes(sceneWith("")));
+  by("mistake").replaceChildren(new Option("none", ""), ...mistakes.map(({name, symptom}) => Object.assign(new Option(name), {title: symptom})));
+  by("mistake").value = mistakes.some(one => one.name === chosen) ? chosen : "";
+}
+
+function drawMistake() {
+  const name = by("mistake").value;
+  by("beside").hidden = !name;
+  by("pictures").classList.toggle("two", name !== "");
+  if (!name) return;
+  const {says, should, symptom} = JSON.parse(program.mistakes(sceneWith(""))).find(one => one.name === name);
+  by("mistake-heading").textContent = `With the mistake ${name}`;
+  by("mistake-told").textContent = `${says}${should ? `, in place of ${should}` : ""}: ${symptom}`;
+  const withMistake = sceneWith(name), problem = program.problem(withMistake);
+  by("wrong-picture").hidden = problem !== "";
+  if (problem) by("mistake-told").textContent = JSON.parse(problem).message;
+  else by("wrong-picture").scene = withMistake;
+}
+
+/** Writes the vertices that were moved in the picture into the text, and leaves the rest of it as it is. */
+function takeMoved(moved) {
+  const {vertices} = JSON.parse(moved), changes = [], before = text(), begin = before.indexOf("\"vertices\"");
+  for (const [name, place] of Object.entries(vertices)) {
+    const found = new RegExp(JSON.stringify(name).replace(/[.*+?^${}()|[\]\\]/g, "\\$&") + "\\s*:\\s*(\\[[^\\]]*\\])").exec(before.slice(begin));
+    const now = `[${place.join(", ")}]`;
+    if (!found || JSON.stringify(JSON.parse(found[1])) === JSON.stringify(place)) continue;
+    const to = begin + found.index + found[0].length;
+    changes.push({from: to - found[1].length, to, insert: now});
+  }
+  isTaking = true; // the picture shows it already
+  view.dispatch({changes});
+  isTaking = false;
+  scene = text();
+  listMistakes();
+  drawMistake();
+  check();
+}
+
+/** Marks the lines that somebody has worked out. */
+function check() {
+  const claims = by("claims").value;
+  let told = [];
+  try {
+    told = claims.trim() ? JSON.parse(program.check(sceneWith(""), claims)) : [];
+  } catch (problem) {
+    const item = document.createElement("li");
+    item.append(Object.assign(document.createElement("pre"), {textContent: problem.message}));
+    by("checked").replaceChildren(item);
+    return;
+  }
+  by("checked").replaceChildren(...told.map(({line, claim, verdict, fields, slips, remarks, working}) => {
+    const item = document.createElement("li");
+    item.append(Object.assign(document.createElement("span"), {className: `verdict ${verdict}`, textContent: verdict}), ` ${line}: ${claim}`);
+    const lines = [...fields.map(({field, expected, found}) => `${field}: expected ${expected}, found ${found}`), ...slips.map(slip => `likely: ${slip}`),
+                   ...remarks, ...verdict === "right" ? [] : working];
+    if (lines.length) item.append(Object.assign(document.createElement("pre"), {textContent: lines.join("\n")}));
+    return item;
+  }));
+}
+
+// --- links -----------------------------------------------------------------------------------------------------------
+
+async function through(stream, bytes) { return new Uint8Array(await new Response(new Blob([bytes]).stream().pipeThrough(stream)).arrayBuffer()); }
+
+/** A text as a part of an address: deflated, in base64 of addresses. */
+async function packed(words) {
+  const bytes = await through(new CompressionStream("deflate-raw"), new TextEncoder().encode(words));
+  return btoa(Array.from(bytes, byte => String.fromCharCode(byte)).join("")).replaceAll("+", "-").replaceAll("/", "_").replaceAll("=", "");
+}
+async function unpacked(code) {
+  const bytes = Uint8Array.from(atob(code.replaceAll("-", "+").replaceAll("_", "/")), c => c.charCodeAt(0));
+  return new TextDecoder().decode(await through(new DecompressionStream("deflate-raw"), bytes));
+}
+
+/** What the address holds: {scene, convention, mistake, claims}; {} if it holds nothing, or what is no link of ours. */
+async function heldByAddress() {
+  try {
+    return location.hash.length > 1 ? JSON.parse(await unpacked(location.hash.slice(1))) : {};
+  } catch {
+    say("This link is damaged.");
+    return {};
+  }
+}
+
+async function share() {
+  const held = {scene: text(), convention: by("convention").value, mistake: by("mistake").value, claims: by("claims").value};
+  history.replaceState(null, "", "#" + await packed(JSON.stringify(held)));
+  await navigator.clipboard?.writeText(location.href).catch(() => {});
+  say("The address holds the scene.");
+}
+
+function say(words) { by("said").textContent = words; }
+
+// --- meshes ----------------------------------------------------------------------------------------------------------
+
+/** A mesh of a scene from an OBJ file: its vertices and faces. */
+function meshOf(name, obj) {
+  const vertices = {}, faces = [];
+  let count = 0;
+  for (const line of obj.split(/\r?\n/)) {
+    const [statement, ...words] = line.trim().split(/\s+/);
+    if (statement === "v") vertices[++count] = words.slice(0, 3).map(Number);
+    if (statement === "f") faces.push(words.map(word => { const n = parseInt(word, 10); return String(n < 0 ? count + 1 + n : n); }));
+  }
+  return {name, vertices, faces};
+}
+
+async function drop(event) {
+  event.preventDefault();
+  by("editor").classList.remove("over");
+  const file = event.dataTransfer.files[0];
+  if (!file) return;
+  const content = await file.text();
+  if (!/\.obj$/i.test(file.name)) return setText(content);
+  let before = {};
+  try { before = JSON.parse(text()); } catch { /* what is typed is no scene: the mesh makes one */ }
+  const {canvas = {width: 60, height: 40}, camera = {position: [0, 0, 5]}, projection = {type: "frustum", fov_y: 50, near: 1, far: "infinity"}, method = {depth: "inverse-z"}} = before;
+  const isInSpace = "projection" in before;
+  setText(JSON.stringify({...isInSpace ? before : {}, canvas, camera, projection, method, meshes: [meshOf(file.name.replace(/\.obj$/i, ""), content)]}, null, 1));
+}
+
+function setText(words) {
+  view.dispatch({changes: {from: 0, to: view.state.doc.length, insert: words}});
+}
+
+// --- begin -----------------------------------------------------------------------------------------------------------
+
+async function begin() {
+  const held = await heldByAddress();
+  const [{RasterTrace}, schema, first] = await Promise.all([
+    import(new URL("raster-trace.js", import.meta.url)), fetch("scene.schema.json").then(answer => answer.json()),
+    held.scene ?? fetch(`../examples/${examples[0][1]}.json`).then(answer => answer.text())]);
+  const {enum: conventions, enumDescriptions: whose} = schema.definitions.convention;
+  by("convention").append(new Option("the scene's", ""), ...conventions.map((name, i) => Object.assign(new Option(name), {title: whose[i]})));
+  by("example").append(new Option("", ""), ...examples.map(([title, name]) => new Option(title, name)));
+  view = new EditorView({doc: first, parent: by("editor"), extensions: [
+    basicSetup, inks, look, json(), EditorView.lineWrapping, autocompletion({override: [completions(schema)]}),
+    EditorView.contentAttributes.of({"aria-label": "The scene"}),
+    EditorView.updateListener.of(update => { if (update.docChanged && !isTaking) { clearTimeout(timer); timer = setTimeout(draw, delay); } }),
+    hoverTooltip((editor, position) => {
+      const told = meaningAt(editor.state, position, schema);
+      return told ? {pos: told.from, end: told.to, create: () => ({dom: Object.assign(document.createElement("div"), {textContent: told.meaning})})} : null;
+    })]});
+  by("claims").value = held.claims ?? "";
+  by("convention").value = held.convention ?? "";
+  program = await RasterTrace.module();
+  draw();
+  by("mistake").value = held.mistake ?? "";
+  drawMistake();
+  by("convention").addEventListener("change", draw);
+  by("mistake").addEventListener("change", drawMistake);
+  by("claims").addEventListener("input", () => { clearTimeout(timer); timer = setTimeout(check, delay); });
+  by("picture").addEventListener("scene", event => takeMoved(event.detail.scene));
+  by("share").addEventListener("click", share);
+  by("example").addEventListener("change", async event => {
+    if (event.target.value) setText(await (await fetch(`../examples/${event.target.value}.json`)).text());
+  });
+  by("editor").addEventListener("dragover", event => { event.preventDefault(); by("editor").classList.add("over"); });
+  by("editor").addEventListener("dragleave", () => by("editor").classList.remove("over"));
+  by("editor").addEventListener("drop", drop, {capture: true});
+  document.documentElement.dataset.ready = "true";
+}
+
+begin().catch(problem => {
+  by("problem").hidden = false;
+  by("problem").textContent = `The playground cannot begin: ${problem.message}`;
+});
