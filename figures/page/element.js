@@ -23,6 +23,7 @@ function programOf(begin) {
       module.tell_steps_in(language);
       return JSON.parse(await (detail === "all" ? module.page_data(scene) : module.page_data_in_motion(scene)));
     },
+    frame: scene => JSON.parse(module.frame(scene)),
     explain(scene, language, x, y) {
       module.tell_steps_in(language);
       return JSON.parse(module.explain_pixel(scene, x, y));

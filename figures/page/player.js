@@ -299,7 +299,7 @@ function lay() {
   paint();
   drawCells();
   drawMarks();
-  if (scene) placeHandles();
+  if (options.movable && scene) placeHandles();
 }
 
 /** The middle of a pixel, and a place of the scene, on the sheet. A pixel is a square around its sample. */
@@ -834,7 +834,7 @@ function onKey(event) {
     return;
   }
   // What is operated has keys of its own.
-  if (at.closest("select")) return;
+  if (at.closest("select, #numbers")) return;
   if (at === by("number") && (name !== "Enter")) return;
   if (at.closest("button, summary") && (name === "Space" || name === "Enter")) return;
   if (at === by("text-picture") && event.key.startsWith("Arrow") && !event.shiftKey) return;
@@ -871,12 +871,20 @@ function hover(pixel) {
 const whyFixed = "Vertices stay where they are: the rastertrace that wrote this page found no module that draws. " +
   "It was built without one (cmake -D RASTERTRACE_WASM=ON builds it), RASTERTRACE_MODULE did not name its file, and there was no " +
   "share/rastertrace/rastertrace.js beside the program, where a package has it.";
-let scene, hasMoved = false, wanted = "", isDrawing = false;
+let scene, hasMoved = false, hasTurned = false, wanted = "", isDrawing = false;
 const grain = 4; // vertices go to quarters of a pixel
 
 function prepareMoving() {
-  if (!options.movable) return;
+  if (!options.scene) return;
   scene = JSON.parse(options.scene);
+  by("back").addEventListener("click", () => {
+    scene = JSON.parse(options.scene);
+    placeHandles();
+    for (const {slider, told, first} of numbers) slider.value = told.value = first;
+    drawAgain("all");
+  });
+  if (program && (scene.projection || scene.camera)) prepareNumbers();
+  if (!options.movable) return;
   for (const name of Object.keys(scene.vertices)) {
     const handle = element("button", program ? "handle" : "handle fixed");
     handle.type = "button";
@@ -895,7 +903,6 @@ function prepareMoving() {
     });
     by("handles").append(handle);
   }
-  by("back").addEventListener("click", () => { scene = JSON.parse(options.scene); placeHandles(); drawAgain("all"); });
   placeHandles();
 }
 
@@ -948,6 +955,7 @@ async function drawAgain(detail) {
     await new Promise(done => requestAnimationFrame(done));
     try {
       const text = JSON.stringify(scene);
+      if (detail === "frame") { showFrame(program.frame(text)); continue; }
       const data = await program.draw(text, options.language, detail);
       hasMoved = text !== JSON.stringify(JSON.parse(options.scene));
       by("back").hidden = !hasMoved;
@@ -959,6 +967,85 @@ async function drawAgain(detail) {
     }
   }
   isDrawing = false;
+}
+
+// --- numbers that are changed --------------------------------------------------------------------------------------
+
+// What is in space is turned by dragging the picture, and its camera and light are moved by sliders. Meanwhile its last
+// picture is drawn, and all of its steps once it rests.
+const numbers = []; // {slider, told, first, put}: `put` has the number in a scene
+
+/** Meshes and vertices turned about their own centers, before all that the scene does with them. */
+function turned(scene, axis, degrees) {
+  const turn = (model, points) => {
+    const center = [0, 1, 2].map(k => points.reduce((sum, point) => sum + numberIn(point[k] ?? 0), 0) / points.length);
+    return [{translate: center.map(x => -x)}, {rotate: {axis, degrees}}, {translate: center}, ...model ?? []];
+  };
+  for (const mesh of scene.meshes ?? []) if (mesh.vertices) mesh.model = turn(mesh.model, Object.values(mesh.vertices));
+  if (scene.vertices) scene.model = turn(scene.model, Object.values(scene.vertices));
+}
+
+function prepareNumbers() {
+  const add = (label, first, low, high, step, put) => {
+    const row = element("label", "", label), slider = element("input"), told = element("output", "", first);
+    Object.assign(slider, {type: "range", min: low, max: high, step, value: first});
+    slider.addEventListener("input", () => { told.value = slider.value; changeNumbers("frame"); });
+    slider.addEventListener("change", () => changeNumbers("all"));
+    row.append(slider, told);
+    by("numbers").append(row);
+    numbers.push({slider, told, first, put});
+  };
+  for (const axis of ["x", "y"]) add(`turn about ${axis}`, 0, -180, 180, 1, (scene, degrees) => { if (degrees !== 0) turned(scene, axis, degrees); });
+  const places = [["camera", scene.camera?.position, 10], ["light", scene.light?.direction, 5]];
+  for (const [name, place, far] of places)
+    place?.forEach((given, k) => {
+      const first = numberIn(given);
+      add(`${name} ${"xyz"[k]}`, first, first - far, first + far, 0.1, (scene, value) => {
+        if (value !== first) (scene.camera?.position && name === "camera" ? scene.camera.position : scene.light.direction)[k] = value;
+      });
+    });
+  if (typeof scene.projection?.fov_y === "number")
+    add("fov_y", scene.projection.fov_y, 10, 150, 1, (scene, value) => { scene.projection.fov_y = value; });
+  by("numbers-section").hidden = false;
+  sheet.classList.add("turns");
+  let from = null;
+  sheet.addEventListener("pointerdown", event => {
+    if (event.pointerType !== "touch" && event.button === 0) from = {x: event.clientX, y: event.clientY, angles: numbers.slice(0, 2).map(({slider}) => Number(slider.value)), moves: false};
+  });
+  sheet.addEventListener("pointermove", event => {
+    if (!from) return;
+    const [right, down] = [event.clientX - from.x, event.clientY - from.y];
+    if (!from.moves && Math.hypot(right, down) < 4) return;
+    if (!from.moves) { from.moves = true; sheet.setPointerCapture(event.pointerId); sheet.dataset.held = "true"; hover(-1); }
+    const sides = [down, right].map((way, k) => (from.angles[k] + Math.round(way / 2) + 540) % 360 - 180);
+    numbers.slice(0, 2).forEach(({slider, told}, k) => { slider.value = told.value = sides[k]; });
+    changeNumbers("frame");
+  });
+  for (const end of ["pointerup", "pointercancel"])
+    sheet.addEventListener(end, () => {
+      if (from?.moves) { delete sheet.dataset.held; hasTurned = true; changeNumbers("all"); }
+      from = null;
+    });
+}
+
+function changeNumbers(detail) {
+  scene = JSON.parse(options.scene);
+  for (const {slider, put} of numbers) put(scene, Number(slider.value));
+  drawAgain(detail);
+}
+
+/** The last picture of a scene in motion. */
+function showFrame({names, owners, colors, pixels}) {
+  const words = new Uint32Array(image.data.buffer), own = colors.map(color => wordOf(color)), empty = emptyColor();
+  const groups = new Map(trace.primitives.map(one => [one.name, one.group]));
+  for (let i = 0; i < trace.pixels; ++i)
+    words[i] = owners[i] < 0 ? empty
+             : view === "faces" ? shades.faces[(groups.get(names[owners[i]]) ?? 0) % 8]
+             : view === "plotted" ? shades.plotted : own[pixels[i]];
+  brush.putImageData(image, 0, 0);
+  for (const over of ["patterns", "cells", "marks"]) by(over).replaceChildren();
+  by("sentence").textContent = "...";
+  host.dispatchEvent(new CustomEvent("frame"));
 }
 
 /** The step of other data that is most like this one: of the same kind and primitive, in the same row or pixel. */
@@ -1034,7 +1121,11 @@ function listen() {
   });
   sheet.addEventListener("pointermove", event => { if (event.pointerType === "mouse") hover(pixelAt(event)); });
   sheet.addEventListener("pointerleave", () => hover(-1));
-  sheet.addEventListener("click", event => { if (event.target.closest(".handle:not(.fixed)")) return; const pixel = pixelAt(event); setCursor(pixel === cursor ? -1 : pixel); });
+  sheet.addEventListener("click", event => {
+    if (hasTurned) { hasTurned = false; return; } // the end of a drag
+    if (event.target.closest(".handle:not(.fixed)")) return;
+    const pixel = pixelAt(event); setCursor(pixel === cursor ? -1 : pixel);
+  });
   let width = host.clientWidth;
   const resized = new ResizeObserver(() => { if (host.clientWidth !== width) { width = host.clientWidth; lay(); } });
   resized.observe(host);

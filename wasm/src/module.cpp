@@ -2,6 +2,7 @@
 // What the module can be asked for: each function takes a scene as a text, and gives a text. module.js makes
 // functions of JavaScript of them.
 
+#include <rastertrace/core/draw/draw.h>
 #include <rastertrace/core/draw/model/mistakes.h>
 #include <rastertrace/figures/page.h>
 #include <rastertrace/trace/check/check.h>
@@ -9,6 +10,7 @@
 #include <rastertrace/trace/explain/explain_pixels.h>
 #include <rastertrace/trace/record/write_trace.h>
 #include <rastertrace/trace/scene/scene_file.h>
+#include <rastertrace/trace/text/color_text.h>
 #include <rastertrace/trace/text/language.h>
 #include <rastertrace/trace/text/output.h>
 #include <rastertrace/trace/text/problem.h>
@@ -18,8 +20,10 @@
 
 #include <array>
 #include <exception>
+#include <map>
 #include <memory>
 #include <new>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -33,10 +37,11 @@ std::string answer;
 bool is_message = false;
 
 /// Keeps what `ask` says of a scene, or why it says nothing.
-template <typename Ask> const char* answer_of(const char* scene_text, Ask&& ask) {
+template <typename Ask>
+const char* answer_of(const char* scene_text, Ask&& ask, const MethodOverrides& overrides = {}) {
     is_message = true;
     try {
-        const auto read = read_scene({.name = "scene", .text = scene_text});
+        const auto read = read_scene({.name = "scene", .text = scene_text}, overrides);
         if (!read) {
             answer = to_text(read.problem());
         } else {
@@ -96,6 +101,59 @@ std::string json_of(const std::vector<std::string>& texts) {
     for (const std::string& text : texts)
         quoted.push_back(json_quoted(text));
     return fmt::format("[{}]", joined(quoted, ","));
+}
+
+/// [1,2]
+template <typename Number> std::string numbers_of(const std::vector<Number>& numbers) {
+    std::string text = "[";
+    for (const Number number : numbers)
+        text += (text.size() > 1 ? "," : "") + std::to_string(number);
+    return text + "]";
+}
+
+/// Who has drawn each pixel.
+struct Owners {
+    explicit Owners(const Canvas& canvas)
+        : canvas(canvas),
+          of_pixel(static_cast<std::size_t>(canvas.width) * static_cast<std::size_t>(canvas.height),
+                   -1) {}
+
+    static bool reads_corners() { return false; }
+    void operator()(const PrimitiveBegan<Quantity>& step) { names.emplace_back(step.name); }
+    void operator()(const PixelPlotted& step) {
+        of_pixel[canvas.offset_of(step.pixel)] = static_cast<int>(names.size()) - 1;
+    }
+
+    Canvas canvas;
+    std::vector<std::string> names; ///< of the primitives
+    std::vector<int> of_pixel;      ///< a place in names; -1: nobody
+};
+
+/// The last frame alone: {"names": of the primitives, "owners": of each pixel a place in names or -1, "colors": those that
+/// there are, "pixels": of each pixel a place in colors}.
+std::string frame_of(const PlannedScene& planned) {
+    Owners owners(planned.scene.canvas);
+    const Image image = draw(planned.scene, planned.plan, owners);
+    std::map<std::string, std::size_t> places;
+    std::vector<std::string> colors;
+    std::vector<std::size_t> pixels;
+    std::optional<Color> last; // neighbors are alike
+    for (int row = 0; row < image.canvas().height; ++row)
+        for (int x = image.canvas().left(); x <= image.canvas().right(); ++x) {
+            const Color color = image.at({x, image.canvas().y_of(row)});
+            if (last == color) {
+                pixels.push_back(pixels.back());
+                continue;
+            }
+            last = color;
+            const auto [place, is_new] = places.emplace(to_text(color), places.size());
+            if (is_new)
+                colors.push_back(place->first);
+            pixels.push_back(place->second);
+        }
+    return fmt::format(R"({{"names":{},"owners":{},"colors":{},"pixels":{}}})",
+                       json_of(owners.names), numbers_of(owners.of_pixel), json_of(colors),
+                       numbers_of(pixels));
 }
 
 /// What was found about a claim.
@@ -162,6 +220,11 @@ const char* rastertrace_page_data(const char* scene) {
 const char* rastertrace_page_data_in_motion(const char* scene) {
     return answer_of_drawn(
         scene, [](const Drawn& drawn) { return page_data(drawn.trace, detail_in_motion); });
+}
+
+/// The last frame of a scene, without steps, for a picture in motion: in doubles, whatever its own numbers are.
+const char* rastertrace_frame(const char* scene) {
+    return answer_of(scene, frame_of, {{"scalar", "double"}});
 }
 
 /// Why a pixel is as it is: page_answer of page.h.
