@@ -551,7 +551,8 @@ function drawSpace() {
 
 function tellSteps() {
   const shown = 15, before = 6;
-  const first = Math.max(0, Math.min(step - before, trace.count - shown + 1)), last = Math.min(trace.count, first + shown - 1);
+  const end = asks() ? step : trace.count; // what comes is not told
+  const first = Math.max(0, Math.min(step - before, end - shown + 1)), last = Math.min(end, first + shown - 1);
   const list = by("steps"), hadFocus = list.contains(root.activeElement);
   while (list.children.length > last - first + 1) list.lastChild.remove();
   while (list.children.length < last - first + 1) {
@@ -679,6 +680,7 @@ function tellConventions() {
 // --- going about -----------------------------------------------------------------------------------------------------
 
 function goTo(n) {
+  if (question) endQuestion();
   const target = Math.max(0, Math.min(n, trace.count));
   const marked = [step, target].map(one => trace.at[one]).filter(pixel => pixel >= 0);
   const changed = [...play(target), ...marked];
@@ -778,7 +780,7 @@ function setRate(factor) {
 
 /** What keys and buttons do, by the names of the player's actions. */
 const actions = {
-  "next": () => goTo(step + 1),
+  "next": () => asks() ? ask(step + 1) : goTo(step + 1),
   "previous": () => goTo(step - 1),
   "next-row": () => goToNext(1, n => ROWS.includes(nameOf(n))),
   "previous-row": () => goToNext(-1, n => ROWS.includes(nameOf(n))),
@@ -816,6 +818,86 @@ function act(name) {
   typed = "";
 }
 
+// --- answer first ----------------------------------------------------------------------------------------------------
+
+// The next step is not shown but asked about: which pixels a row has, which pixel is drawn, pass or fail, inside or
+// outside, culled or not. Other steps are shown.
+const answers = []; // {step, kind, question, answer, right, isRight}
+let question = null;
+const asks = () => by("asks").checked;
+const inWords = pixel => `(${xOf(pixel)}, ${yOf(pixel)})`;
+
+/** What is asked about a step: `right` is the answer, `inputs` what it is typed into; null of a step that is only shown. */
+function questionAbout(n) {
+  const {data, own, at} = trace, kind = nameOf(n), who = trace.primitives[trace.primitive[n]]?.name ?? "";
+  const between = (isFirst, words, one, other) => ({words, choices: [one, other], right: isFirst ? one : other});
+  if (kind === "scanline" && data.rows[7 * own[n]] >= 0) {
+    const [row, , , from, to] = data.rows.slice(7 * own[n], 7 * own[n] + 5), y = data.canvas.top + data.canvas.down * row;
+    return {words: `${who}, row y=${y}: which pixels does it have?`, inputs: ["from x", "to x"], right: `${data.canvas.left + from} ${data.canvas.left + to}`};
+  }
+  const told = sentenceOf(trace, n), numbers = told.slice(0, told.lastIndexOf(": ")); // without the verdict
+  if (kind === "face") return between(data.faces[own[n]] === 1, `${numbers}: is it culled?`, "culled", "not culled");
+  if (at[n] < 0) return null;
+  if (kind === "pixel") return {words: `${who}: which pixel is drawn next? Point at it.`, isPixel: true, right: inWords(at[n])};
+  if (kind === "depth") return between(data.depths[3 * own[n]] & PASSES, `${numbers}: does it pass?`, "pass", "fail");
+  if (kind === "sample") return between(data.samples[own[n]] === 1, `${numbers}: where is it?`, "inside", "outside");
+  return null;
+}
+
+/** Asks about a step; one that is only shown, or that is asked about already, is shown. */
+function ask(n) {
+  if (n > trace.count) return;
+  const asked = question ? null : questionAbout(n);
+  if (!asked) { endQuestion(); return goTo(n); }
+  question = {...asked, step: n, kind: nameOf(n)};
+  by("asked").hidden = false;
+  by("asked-words").textContent = asked.words;
+  by("marked").textContent = "";
+  const inputs = (asked.inputs ?? []).map(label => {
+    const row = element("label", "", label + " "), input = element("input");
+    Object.assign(input, {type: "text", inputMode: "numeric", autocomplete: "off"});
+    row.append(input);
+    return row;
+  });
+  if (inputs.length) inputs.push(Object.assign(element("button", "", "Answer"), {type: "submit"}));
+  const choices = (asked.choices ?? []).map(choice => {
+    const button = element("button", "", choice);
+    button.type = "button";
+    button.addEventListener("click", () => answerWith(choice));
+    return button;
+  });
+  by("asked-inputs").replaceChildren(...inputs, ...choices);
+  (by("asked-inputs").querySelector("input, button"))?.focus({preventScroll: true});
+}
+
+function endQuestion() {
+  question = null;
+  by("asked").hidden = true;
+}
+
+function answerWith(answer) {
+  const {step: n, kind, words, right} = question, isRight = answer === right;
+  answers.push({step: n, kind, question: words, answer, right, isRight});
+  endQuestion();
+  goTo(n);
+  const count = answers.filter(one => one.isRight).length;
+  by("marked").textContent = `${isRight ? "Right" : `Not so: ${right.replace(" ", right.startsWith("(") ? " " : " to ")}`}. ${count} of ${answers.length} right.`;
+  by("save-answers").hidden = false;
+  host.dispatchEvent(new CustomEvent("answer", {bubbles: true, detail: answers.at(-1)}));
+}
+
+/** A table of the answers, as a file. */
+function saveAnswers() {
+  const cell = value => `"${String(value).replaceAll('"', '""')}"`;
+  const rows = [["step", "kind", "question", "answer", "right answer", "is right"],
+                ...answers.map(({step, kind, question, answer, right, isRight}) => [step, kind, question, answer, right, isRight])];
+  const link = element("a");
+  link.href = URL.createObjectURL(new Blob([rows.map(row => row.map(cell).join(",") + "\r\n").join("")], {type: "text/csv"}));
+  link.download = "answers.csv";
+  link.click();
+  URL.revokeObjectURL(link.href);
+}
+
 /** The name that the table of keys has for a key. */
 function keyName(event) {
   const names = {" ": "Space", ArrowLeft: "Left", ArrowRight: "Right", ArrowUp: "Up", ArrowDown: "Down"};
@@ -835,7 +917,7 @@ function onKey(event) {
   }
   // What is operated has keys of its own.
   if (at.closest("select, #numbers")) return;
-  if (at === by("number") && (name !== "Enter")) return;
+  if (at === by("number") && (name !== "Enter") || at.closest("#asked") && !at.closest("button")) return;
   if (at.closest("button, summary") && (name === "Space" || name === "Enter")) return;
   if (at === by("text-picture") && event.key.startsWith("Arrow") && !event.shiftKey) return;
   if (isCharacter && "0" <= event.key && event.key <= "9") { typed = (typed + event.key).slice(0, 9); return; }
@@ -1112,6 +1194,13 @@ function listen() {
   by("number").addEventListener("change", event => { stop(); goTo(Math.floor(Number(event.target.value)) || 0); event.target.value = step; });
   by("view").addEventListener("change", event => setView(event.target.value));
   by("frame").addEventListener("change", event => setFrame(Number(event.target.value)));
+  by("asks").addEventListener("change", () => { endQuestion(); by("marked").textContent = ""; tellSteps(); });
+  by("show-it").addEventListener("click", () => ask(question.step));
+  by("save-answers").addEventListener("click", saveAnswers);
+  by("asked").addEventListener("submit", event => {
+    event.preventDefault();
+    answerWith(Array.from(by("asked-inputs").querySelectorAll("input"), input => String(Number(input.value.trim() || NaN))).join(" "));
+  });
   by("help-button").addEventListener("click", () => by("help").showModal());
   by("as-text").addEventListener("toggle", tellAsText);
   by("all").addEventListener("click", event => {
@@ -1124,7 +1213,9 @@ function listen() {
   sheet.addEventListener("click", event => {
     if (hasTurned) { hasTurned = false; return; } // the end of a drag
     if (event.target.closest(".handle:not(.fixed)")) return;
-    const pixel = pixelAt(event); setCursor(pixel === cursor ? -1 : pixel);
+    const pixel = pixelAt(event);
+    if (question?.isPixel) { if (pixel >= 0) answerWith(inWords(pixel)); return; }
+    setCursor(pixel === cursor ? -1 : pixel);
   });
   let width = host.clientWidth;
   const resized = new ResizeObserver(() => { if (host.clientWidth !== width) { width = host.clientWidth; lay(); } });
