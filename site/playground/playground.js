@@ -94,18 +94,33 @@ function drawMistake() {
   else by("wrong-picture").scene = withMistake;
 }
 
-/** Writes the vertices that were moved in the picture into the text, and leaves the rest of it as it is. */
+/** A scene as a text: what fits into a line stands in one. */
+function written(value, indent = "") {
+  const line = JSON.stringify(value).replace(/("(?:[^"\\]|\\.)*")|([,:])/g, (whole, word) => word ?? whole + " ");
+  if (typeof value !== "object" || indent.length + line.length < 90) return line;
+  const within = indent + " ", [open, close] = Array.isArray(value) ? "[]" : "{}";
+  const rows = Array.isArray(value) ? value.map(one => written(one, within))
+                                    : Object.entries(value).map(([key, one]) => `${JSON.stringify(key)}: ${written(one, within)}`);
+  return `${open}\n${rows.map(row => within + row).join(",\n")}\n${indent}${close}`;
+}
+
+/** The place of each vertex in a text, and its name. */
+function* verticesIn(words) {
+  const begin = words.indexOf("\"vertices\"");
+  for (const {0: whole, 1: name, 2: place, index} of words.slice(begin).matchAll(/("(?:[^"\\]|\\.)*")\s*:\s*(\[[^\]{}]*\])/g))
+    yield {name: JSON.parse(name), to: begin + index + whole.length, length: place.length};
+}
+
+/** Writes what was moved in the picture into the text. If only vertices were, the rest of it stays as it is. */
 function takeMoved(moved) {
-  const {vertices} = JSON.parse(moved), changes = [], before = text(), begin = before.indexOf("\"vertices\"");
-  for (const [name, place] of Object.entries(vertices)) {
-    const found = new RegExp(JSON.stringify(name).replace(/[.*+?^${}()|[\]\\]/g, "\\$&") + "\\s*:\\s*(\\[[^\\]]*\\])").exec(before.slice(begin));
-    const now = `[${place.join(", ")}]`;
-    if (!found || JSON.stringify(JSON.parse(found[1])) === JSON.stringify(place)) continue;
-    const to = begin + found.index + found[0].length;
-    changes.push({from: to - found[1].length, to, insert: now});
-  }
+  const before = text(), now = JSON.parse(moved), changes = [];
+  for (const {name, to, length} of verticesIn(before))
+    if (now.vertices?.[name]) changes.push({from: to - length, to, insert: `[${now.vertices[name].map(x => JSON.stringify(x)).join(", ")}]`});
+  const changed = view.state.changes(changes), same = JSON.parse(changed.apply(view.state.doc).toString());
+  if (by("convention").value) same.convention = now.convention;
   isTaking = true; // the picture shows it already
-  view.dispatch({changes});
+  if (JSON.stringify(same) === JSON.stringify(now)) view.dispatch({changes: changed});
+  else setText(written(now));
   isTaking = false;
   scene = text();
   listMistakes();
@@ -193,7 +208,7 @@ async function drop(event) {
   try { before = JSON.parse(text()); } catch { /* what is typed is no scene: the mesh makes one */ }
   const {canvas = {width: 60, height: 40}, camera = {position: [0, 0, 5]}, projection = {type: "frustum", fov_y: 50, near: 1, far: "infinity"}, method = {depth: "inverse-z"}} = before;
   const isInSpace = "projection" in before;
-  setText(JSON.stringify({...isInSpace ? before : {}, canvas, camera, projection, method, meshes: [meshOf(file.name.replace(/\.obj$/i, ""), content)]}, null, 1));
+  setText(written({...isInSpace ? before : {}, canvas, camera, projection, method, meshes: [meshOf(file.name.replace(/\.obj$/i, ""), content)]}));
 }
 
 function setText(words) {

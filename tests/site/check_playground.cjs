@@ -100,6 +100,22 @@ async function checkUse(options) {
   await page.context().close();
 }
 
+/** A cube is turned, and the text follows. */
+async function checkTurning() {
+  const page = await open("");
+  await page.selectOption("#example", {label: "Cube, depth buffer of 1/z"});
+  await until(page, () => document.querySelector("#picture").shadowRoot.getElementById("title").textContent.includes("cube"));
+  const box = await page.locator("#picture #raster").boundingBox();
+  await page.mouse.move(box.x + 50, box.y + 50);
+  await page.mouse.down();
+  for (let i = 1; i <= 5; ++i) await page.mouse.move(box.x + 50 + 12 * i, box.y + 50);
+  await page.mouse.up();
+  await until(page, () => document.querySelector(".cm-content").textContent.includes("\"degrees\": 30"));
+  const scene = JSON.parse(await typed(page));
+  expectSame([scene.meshes[0].model.length, scene.meshes[0].vertices.A], [4, [-1, 1, -1]], "the model of the mesh, and its vertices");
+  await page.context().close();
+}
+
 /** Keys, values and their meanings come from the schema. */
 async function checkWords() {
   const page = await open("");
@@ -153,7 +169,7 @@ async function main() {
   await new Promise(done => server.listen(0, "localhost", done));
   address = `http://localhost:${server.address().port}`;
   browser = await launch();
-  const checks = [["words", checkWords], ["input", checkInput], ["first picture", measureFirstPicture],
+  const checks = [["words", checkWords], ["input", checkInput], ["turning", checkTurning], ["first picture", measureFirstPicture],
     ...["light", "dark"].flatMap(colorScheme => [360, 1400].map(width =>
       [`${colorScheme}, ${width} wide`, () => checkUse({colorScheme, viewport: {width, height: 1000}})]))];
   for (const [name, check] of checks.filter(([name]) => name.includes(process.argv[3] ?? ""))) {
