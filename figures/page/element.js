@@ -13,11 +13,11 @@
 // {step, count, kind, sentence}. What the element holds is shown where there is no JavaScript.
 // A page that the program has written has its data within the element, and the attribute whole-page.
 
-let sharedProgram; // many elements have one
+let sharedProgram; // many elements have one; a promise
 
 /** The program: what it would have written into a page, and why a pixel is as it is. An Error tells why it cannot. */
 function programOf(begin) {
-  return sharedProgram ??= begin().then(module => ({
+  sharedProgram ??= begin().then(module => ({
     module,
     async draw(scene, language, detail) {
       module.tell_steps_in(language);
@@ -29,6 +29,8 @@ function programOf(begin) {
       return JSON.parse(module.explain_pixel(scene, x, y));
     },
   }));
+  sharedProgram.catch(() => { sharedProgram = undefined; }); // another element tries again
+  return sharedProgram;
 }
 
 const load = () => import(new URL("rastertrace.mjs", import.meta.url)).then(module => module.default());
@@ -53,7 +55,7 @@ function styleSheet() {
 function canBeMoved(scene) {
   const lists = ["points", "lines", "triangles", "outlines"], others = ["$schema", "title", "canvas", "background", "vertices", "colors", "method", "convention"];
   const primitives = lists.reduce((sum, list) => sum + (scene[list]?.length ?? 0), 0);
-  return Object.keys(scene).every(key => lists.includes(key) || others.includes(key)) && primitives <= 10 && scene.canvas &&
+  return Object.keys(scene).every(key => lists.includes(key) || others.includes(key)) && primitives <= 10 && scene.canvas?.width &&
     Object.values(scene.vertices ?? {}).every(vertex => vertex.length === 2);
 }
 
@@ -68,8 +70,17 @@ class RasterTrace extends HTMLElement {
   #loading = 0; // of several loads, the last one counts
 
   connectedCallback() {
-    if (!this.shadowRoot) this.attachShadow({mode: "open"}).adoptedStyleSheets = [styleSheet()];
-    this.#load();
+    if (!this.shadowRoot) {
+      this.attachShadow({mode: "open"}).adoptedStyleSheets = [styleSheet()];
+      this.shadowRoot.innerHTML = "<slot></slot>"; // what the element holds, until the scene is drawn
+    }
+    if (Object.hasOwn(this, "scene")) { // set before this script ran
+      const {scene} = this;
+      delete this.scene;
+      this.scene = scene;
+    } else {
+      this.#load();
+    }
   }
 
   disconnectedCallback() {
@@ -79,9 +90,11 @@ class RasterTrace extends HTMLElement {
   }
 
   attributeChangedCallback(name, before, now) {
-    if (!this.shadowRoot || before === now) return;
-    if (name === "step") this.#player?.goTo(this.step);
-    else if (name === "view") this.#player?.setView(now);
+    if (!this.shadowRoot) return;
+    if (name === "step") return this.#player?.goTo(this.step);
+    if (before === now) return;
+    if (name === "src") this.#given = undefined;
+    if (name === "view") this.#player?.setView(now);
     else this.#load();
   }
 
@@ -99,6 +112,7 @@ class RasterTrace extends HTMLElement {
 
   async #load() {
     const load = ++this.#loading;
+    delete this.dataset.ready;
     let begin;
     try {
       begin = await this.#read();
@@ -123,7 +137,8 @@ class RasterTrace extends HTMLElement {
     const data = within("text/plain");
     if (data) {
       const options = JSON.parse(within("application/json"));
-      const program = typeof rastertrace === "function" ? await programOf(rastertrace) : undefined;
+      // A page whose browser cannot run the program has its data all the same.
+      const program = typeof rastertrace === "function" ? await programOf(rastertrace).catch(() => undefined) : undefined;
       return {options, program, frames: await inflated(data)};
     }
     const source = this.getAttribute("src"), language = this.getAttribute("language") ?? "en";
@@ -136,12 +151,13 @@ class RasterTrace extends HTMLElement {
     return {options, program, frames: [{label: "", file: "", data: frame}]};
   }
 }
-customElements.define("raster-trace", RasterTrace);
+if (!customElements.get("raster-trace")) customElements.define("raster-trace", RasterTrace);
 
 /** For notebooks: a widget of anywidget, whose model has a scene, and gets the step. */
 function render({model, el}) {
   const element = document.createElement("raster-trace");
   element.scene = model.get("scene");
+  if (Number.isInteger(model.get("step"))) element.step = model.get("step");
   model.on("change:scene", () => element.scene = model.get("scene"));
   model.on("change:step", () => element.step = model.get("step"));
   element.addEventListener("step", ({detail}) => {

@@ -161,7 +161,7 @@ const numberIn = text => { const [above, below = 1] = String(text).split("/").ma
 /**
  * Shows frames in the root of an element, and has them gone through.
  *
- * options: keys and strokes (page.cpp), language, title; view, step, scene if given. `program` draws a changed scene; none
+ * options: keys and strokes (page.cpp), language, title; view, step, scene and whether it is movable, if given. `program` draws a changed scene; none
  * if undefined. What it returns is what the element does: goTo(step), setView(name), end().
  */
 function startPlayer(host, options, frames, program) {
@@ -535,7 +535,6 @@ function tellStep() {
   if (by("as-text").open) tellAsText();
 }
 
-/** The steps around this one. */
 /** The picture in space: what all steps have, and over it what this one adds. */
 function drawSpace() {
   const {space} = trace.data;
@@ -549,6 +548,7 @@ function drawSpace() {
   by("space").lastElementChild.innerHTML = step > 0 ? trace.words[space.steps[step - 1]] : "";
 }
 
+/** The steps around this one. */
 function tellSteps() {
   const shown = 15, before = 6;
   const end = asks() ? step : trace.count; // what comes is not told
@@ -595,10 +595,10 @@ function tellPixel() {
     return;
   }
   by("pixel-heading").textContent = `Pixel (${xOf(pixel)}, ${yOf(pixel)})`;
-  const all = answerAbout(pixel), lines = [];
+  const all = asks() ? null : answerAbout(pixel), lines = []; // what comes is not told
   if (all) lines.push(element("p", "answer", all.answer));
   for (const line of all?.lacks ?? []) lines.push(element("p", "note", line));
-  const tries = triesOf(pixel);
+  const tries = triesOf(pixel).filter(n => !asks() || n <= step);
   if (tries.length > 0) {
     lines.push(element("h3", "", "Steps that tried to write it"));
     const list = element("ol");
@@ -613,7 +613,9 @@ function tellPixel() {
     lines.push(list);
     if (all.count > all.whyNot.length) lines.push(element("p", "", `and ${all.count - all.whyNot.length} more`));
   }
-  if (fileOf()) {
+  if (asks()) {
+    if (tries.length === 0) lines.push(element("p", "", "No step so far is about it."));
+  } else if (fileOf()) {
     const more = element("p", "", all ? "The working: " : "Who did not draw it, and why: ");
     more.append(element("code", "", `rastertrace explain ${fileOf()} --pixel ${xOf(pixel)},${yOf(pixel)}`));
     lines.push(more);
@@ -645,8 +647,8 @@ function whyNotItem({primitive, reason, sentence}) {
 /** The answer about a pixel: from the data, or asked of the program; null if neither has it. */
 function answerAbout(pixel) {
   if (trace.answers) return answerOf(trace, pixel);
-  if (!program || !options.scene || trace.count > 50000) return null;
-  return program.explain(hasMoved ? JSON.stringify(scene) : options.scene, options.language, xOf(pixel), yOf(pixel));
+  if (!program || !options.scene || trace.count > 50000) return null; // as most_steps_with_working
+  return program.explain(drawnScene, options.language, xOf(pixel), yOf(pixel));
 }
 
 /** The pixels as rows of characters: @ is what this step has drawn. */
@@ -711,7 +713,7 @@ function setCursor(pixel) {
   tellPixel();
   if (pixel < 0) return;
   const tries = triesOf(pixel);
-  announce(`pixel (${xOf(pixel)}, ${yOf(pixel)}): ` + (answerAbout(pixel)?.answer ?? `${tries.length} tries`));
+  announce(`pixel (${xOf(pixel)}, ${yOf(pixel)}): ` + (asks() ? "" : answerAbout(pixel)?.answer ?? `${tries.length} tries`));
   const {x, y} = middleOf(pixel), box = scroller;
   if (x < box.scrollLeft + 20 || x > box.scrollLeft + box.clientWidth - 20) box.scrollLeft = x - box.clientWidth / 2;
   if (y < box.scrollTop + 20 || y > box.scrollTop + box.clientHeight - 20) box.scrollTop = y - box.clientHeight / 2;
@@ -730,8 +732,8 @@ function moveCursor(columns, rows) {
 }
 
 function setView(name) {
-  view = name;
-  by("view").value = name;
+  view = trace.data.views.includes(name) ? name : trace.data.view;
+  by("view").value = view;
   paint();
   drawCells();
   drawLegend();
@@ -833,7 +835,8 @@ function questionAbout(n) {
   const between = (isFirst, words, one, other) => ({words, choices: [one, other], right: isFirst ? one : other});
   if (kind === "scanline" && data.rows[7 * own[n]] >= 0) {
     const [row, , , from, to] = data.rows.slice(7 * own[n], 7 * own[n] + 5), y = data.canvas.top + data.canvas.down * row;
-    return {words: `${who}, row y=${y}: which pixels does it have?`, inputs: ["from x", "to x"], right: `${data.canvas.left + from} ${data.canvas.left + to}`};
+    const ends = [data.canvas.left + from, data.canvas.left + to];
+    return from > to ? null : {words: `${who}, row y=${y}: which pixels does it have?`, inputs: ["from x", "to x"], right: ends.join(" "), told: ends.join(" to ")};
   }
   const told = sentenceOf(trace, n), numbers = told.slice(0, told.lastIndexOf(": ")); // without the verdict
   if (kind === "face") return between(data.faces[own[n]] === 1, `${numbers}: is it culled?`, "culled", "not culled");
@@ -850,6 +853,7 @@ function ask(n) {
   const asked = question ? null : questionAbout(n);
   if (!asked) { endQuestion(); return goTo(n); }
   question = {...asked, step: n, kind: nameOf(n)};
+  by("handles").hidden = question.isPixel === true; // so that the pixels below them can be pointed at
   by("asked").hidden = false;
   by("asked-words").textContent = asked.words;
   by("marked").textContent = "";
@@ -872,16 +876,18 @@ function ask(n) {
 
 function endQuestion() {
   question = null;
+  by("handles").hidden = false;
+  if (by("asked").contains(root.activeElement)) scroller.focus({preventScroll: true});
   by("asked").hidden = true;
 }
 
 function answerWith(answer) {
-  const {step: n, kind, words, right} = question, isRight = answer === right;
+  const {step: n, kind, words, right, told = right} = question, isRight = answer === right;
   answers.push({step: n, kind, question: words, answer, right, isRight});
   endQuestion();
   goTo(n);
   const count = answers.filter(one => one.isRight).length;
-  by("marked").textContent = `${isRight ? "Right" : `Not so: ${right.replace(" ", right.startsWith("(") ? " " : " to ")}`}. ${count} of ${answers.length} right.`;
+  by("marked").textContent = `${isRight ? "Right" : `Not so: ${told}`}. ${count} of ${answers.length} right.`;
   by("save-answers").hidden = false;
   host.dispatchEvent(new CustomEvent("answer", {bubbles: true, detail: answers.at(-1)}));
 }
@@ -918,9 +924,10 @@ function onKey(event) {
   // What is operated has keys of its own.
   if (at.closest("select, #numbers")) return;
   if (at === by("number") && (name !== "Enter") || at.closest("#asked") && !at.closest("button")) return;
-  if (at.closest("button, summary") && (name === "Space" || name === "Enter")) return;
+  if (at.closest('button, summary, input[type="checkbox"]') && (name === "Space" || name === "Enter")) return;
   if (at === by("text-picture") && event.key.startsWith("Arrow") && !event.shiftKey) return;
   if (isCharacter && "0" <= event.key && event.key <= "9") { typed = (typed + event.key).slice(0, 9); return; }
+  if (name === "Enter" && question?.isPixel && cursor >= 0) { event.preventDefault(); return answerWith(inWords(cursor)); }
   if (name === "Enter") {
     if (typed !== "") { event.preventDefault(); act("last"); }
     return;
@@ -953,7 +960,7 @@ function hover(pixel) {
 const whyFixed = "Vertices stay where they are: the rastertrace that wrote this page found no module that draws. " +
   "It was built without one (cmake -D RASTERTRACE_WASM=ON builds it), RASTERTRACE_MODULE did not name its file, and there was no " +
   "share/rastertrace/rastertrace.js beside the program, where a package has it.";
-let scene, hasMoved = false, hasTurned = false, wanted = "", isDrawing = false;
+let drawnScene = options.scene, scene, hasMoved = false, hasTurned = false, wanted = "", isDrawing = false;
 const grain = 4; // vertices go to quarters of a pixel
 
 function prepareMoving() {
@@ -965,16 +972,20 @@ function prepareMoving() {
     for (const {slider, told, first} of numbers) slider.value = told.value = first;
     drawAgain("all");
   });
-  if (program && (scene.projection || scene.camera)) prepareNumbers();
+  if (program && (scene.projection || scene.camera) && scene.projection?.type !== "clip-space") prepareNumbers();
   if (!options.movable) return;
   for (const name of Object.keys(scene.vertices)) {
     const handle = element("button", program ? "handle" : "handle fixed");
     handle.type = "button";
     handle.dataset.vertex = name;
-    handle.addEventListener("pointerdown", event => { handle.setPointerCapture(event.pointerId); handle.dataset.held = "true"; });
+    handle.addEventListener("pointerdown", event => { handle.setPointerCapture(event.pointerId); handle.dataset.held = JSON.stringify(scene.vertices[name]); });
     handle.addEventListener("pointermove", event => { if (handle.dataset.held) moveTo(name, placeUnder(event), "in motion"); });
     for (const end of ["pointerup", "pointercancel"])
-      handle.addEventListener(end, () => { if (handle.dataset.held) { delete handle.dataset.held; drawAgain("all"); } });
+      handle.addEventListener(end, () => { if (!handle.dataset.held) return;
+        const isMoved = handle.dataset.held !== JSON.stringify(scene.vertices[name]);
+        delete handle.dataset.held;
+        if (isMoved) drawAgain("all");
+      });
     handle.addEventListener("keydown", event => {
       const way = {ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, -1], ArrowDown: [0, 1]}[event.key];
       if (!way || event.ctrlKey || event.metaKey || event.altKey) return;
@@ -1035,17 +1046,21 @@ async function drawAgain(detail) {
     const detail = wanted;
     wanted = "";
     await new Promise(done => requestAnimationFrame(done));
+    if (gone.signal.aborted) return;
     try {
       const text = JSON.stringify(scene);
       if (detail === "frame") { showFrame(program.frame(text)); continue; }
-      const data = await program.draw(text, options.language, detail);
       hasMoved = text !== JSON.stringify(JSON.parse(options.scene));
+      const data = hasMoved ? await program.draw(text, options.language, detail) : frames[frame].data;
+      if (gone.signal.aborted) return;
       by("back").hidden = !hasMoved;
       by("problem").hidden = true;
+      drawnScene = text;
       show(data, stepLike(data));
       if (detail === "all") host.dispatchEvent(new CustomEvent("scene", {bubbles: true, detail: {scene: text}}));
     } catch (problem) {
       tellProblem(problem.message);
+      paint(); // what was in motion
     }
   }
   isDrawing = false;
@@ -1055,7 +1070,7 @@ async function drawAgain(detail) {
 
 // What is in space is turned by dragging the picture, and its camera and light are moved by sliders. Meanwhile its last
 // picture is drawn, and all of its steps once it rests.
-const numbers = []; // {slider, told, first, put}: `put` has the number in a scene
+const numbers = []; // {slider, told, first, unmoved, put}: `put` puts the slider's number into a scene
 
 /** Meshes and vertices turned about their own centers, before all that the scene does with them. */
 function turned(scene, axis, degrees) {
@@ -1075,16 +1090,14 @@ function prepareNumbers() {
     slider.addEventListener("change", () => changeNumbers("all"));
     row.append(slider, told);
     by("numbers").append(row);
-    numbers.push({slider, told, first, put});
+    numbers.push({slider, told, first, put, unmoved: slider.value});
   };
-  for (const axis of ["x", "y"]) add(`turn about ${axis}`, 0, -180, 180, 1, (scene, degrees) => { if (degrees !== 0) turned(scene, axis, degrees); });
-  const places = [["camera", scene.camera?.position, 10], ["light", scene.light?.direction, 5]];
-  for (const [name, place, far] of places)
-    place?.forEach((given, k) => {
+  for (const axis of ["x", "y"]) add(`turn about ${axis}`, 0, -180, 180, 1, (scene, degrees) => turned(scene, axis, degrees));
+  const places = [["camera", 10, scene => scene.camera?.position], ["light", 5, scene => scene.light?.direction]];
+  for (const [name, far, placeIn] of places)
+    placeIn(scene)?.forEach?.((given, k) => {
       const first = numberIn(given);
-      add(`${name} ${"xyz"[k]}`, first, first - far, first + far, 0.1, (scene, value) => {
-        if (value !== first) (scene.camera?.position && name === "camera" ? scene.camera.position : scene.light.direction)[k] = value;
-      });
+      add(`${name} ${"xyz"[k]}`, first, first - far, first + far, 0.1, (scene, value) => { placeIn(scene)[k] = value; });
     });
   if (typeof scene.projection?.fov_y === "number")
     add("fov_y", scene.projection.fov_y, 10, 150, 1, (scene, value) => { scene.projection.fov_y = value; });
@@ -1092,9 +1105,11 @@ function prepareNumbers() {
   sheet.classList.add("turns");
   let from = null;
   sheet.addEventListener("pointerdown", event => {
+    hasTurned = false;
     if (event.pointerType !== "touch" && event.button === 0) from = {x: event.clientX, y: event.clientY, angles: numbers.slice(0, 2).map(({slider}) => Number(slider.value)), moves: false};
   });
   sheet.addEventListener("pointermove", event => {
+    if (!(event.buttons & 1)) from = null; // it was let go elsewhere
     if (!from) return;
     const [right, down] = [event.clientX - from.x, event.clientY - from.y];
     if (!from.moves && Math.hypot(right, down) < 4) return;
@@ -1112,7 +1127,7 @@ function prepareNumbers() {
 
 function changeNumbers(detail) {
   scene = JSON.parse(options.scene);
-  for (const {slider, put} of numbers) put(scene, Number(slider.value));
+  for (const {slider, put, unmoved} of numbers) if (slider.value !== unmoved) put(scene, Number(slider.value));
   drawAgain(detail);
 }
 
@@ -1122,7 +1137,7 @@ function showFrame({names, owners, colors, pixels}) {
   const groups = new Map(trace.primitives.map(one => [one.name, one.group]));
   for (let i = 0; i < trace.pixels; ++i)
     words[i] = owners[i] < 0 ? empty
-             : view === "faces" ? shades.faces[(groups.get(names[owners[i]]) ?? 0) % 8]
+             : view === "faces" && groups.get(names[owners[i]]) >= 0 ? shades.faces[groups.get(names[owners[i]]) % 8]
              : view === "plotted" ? shades.plotted : own[pixels[i]];
   brush.putImageData(image, 0, 0);
   for (const over of ["patterns", "cells", "marks"]) by(over).replaceChildren();
@@ -1156,6 +1171,7 @@ function show(data, atStep) {
   seen = new Int32Array(data.groups.length);
   legendOf = "";
   step = 0;
+  if (question) endQuestion();
   if (cursor >= trace.pixels) cursor = -1;
   hovered = -1;
   if (!data.views.includes(view)) view = data.view;
@@ -1208,7 +1224,7 @@ function listen() {
     if (button?.dataset.action) act(button.dataset.action);
     if (button?.dataset.step) { stop(); goTo(Number(button.dataset.step)); }
   });
-  sheet.addEventListener("pointermove", event => { if (event.pointerType === "mouse") hover(pixelAt(event)); });
+  sheet.addEventListener("pointermove", event => { if (event.pointerType === "mouse" && event.buttons === 0) hover(pixelAt(event)); });
   sheet.addEventListener("pointerleave", () => hover(-1));
   sheet.addEventListener("click", event => {
     if (hasTurned) { hasTurned = false; return; } // the end of a drag

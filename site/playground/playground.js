@@ -16,7 +16,7 @@ const examples = [["First triangle", "t0-fill/first-triangle"], ["Cube, depth bu
                   ["Hidden lines", "t1-hidden/hidden-lines"], ["Light", "t3-light/lambert"]];
 const delay = 250; // milliseconds after a key before the scene is drawn
 
-let program, view, timer, isTaking = false, scene = ""; // the text that is drawn
+let program, view, drawsSoon, checksSoon, isTaking = false, scene = ""; // the text that is drawn
 
 // Colors of the editor: those of the page, light or dark.
 const inks = syntaxHighlighting(HighlightStyle.define([
@@ -63,11 +63,15 @@ function tellProblem(problem) {
 
 /** Draws what is typed, if it is a scene; else tells what is wrong, and leaves the picture. */
 function draw() {
-  const problem = program.problem(text());
+  const before = scene, problem = program.problem(text());
   tellProblem(problem && JSON.parse(problem));
   if (problem) return;
   scene = text();
-  history.replaceState(null, "", location.pathname);
+  const withConvention = program.problem(sceneWith(""));
+  if (withConvention) {
+    scene = before;
+    return tellProblem({...JSON.parse(withConvention), line: 0}); // a place of another text
+  }
   by("picture").scene = sceneWith("");
   listMistakes();
   drawMistake();
@@ -114,10 +118,11 @@ function* verticesIn(words) {
 /** Writes what was moved in the picture into the text. If only vertices were, the rest of it stays as it is. */
 function takeMoved(moved) {
   const before = text(), now = JSON.parse(moved), changes = [];
+  if (before !== scene) return; // what is typed is drawn next, or is wrong: it is not written over
+  if (by("convention").value) now.convention = JSON.parse(before).convention; // the chosen one is not the scene's
   for (const {name, to, length} of verticesIn(before))
     if (now.vertices?.[name]) changes.push({from: to - length, to, insert: `[${now.vertices[name].map(x => JSON.stringify(x)).join(", ")}]`});
   const changed = view.state.changes(changes), same = JSON.parse(changed.apply(view.state.doc).toString());
-  if (by("convention").value) same.convention = now.convention;
   isTaking = true; // the picture shows it already
   if (JSON.stringify(same) === JSON.stringify(now)) view.dispatch({changes: changed});
   else setText(written(now));
@@ -164,10 +169,15 @@ async function unpacked(code) {
   return new TextDecoder().decode(await through(new DecompressionStream("deflate-raw"), bytes));
 }
 
+/** The address holds what is shown no longer. */
+function forgetLink() {
+  if (location.hash) history.replaceState(null, "", location.pathname);
+}
+
 /** What the address holds: {scene, convention, mistake, claims}; {} if it holds nothing, or what is no link of ours. */
 async function heldByAddress() {
   try {
-    return location.hash.length > 1 ? JSON.parse(await unpacked(location.hash.slice(1))) : {};
+    return location.hash.length > 1 ? {...JSON.parse(await unpacked(location.hash.slice(1)))} : {};
   } catch {
     say("This link is damaged.");
     return {};
@@ -198,10 +208,10 @@ function meshOf(name, obj) {
 }
 
 async function drop(event) {
+  const file = event.dataTransfer.files[0];
+  if (!file) return; // text that is moved within the editor
   event.preventDefault();
   by("editor").classList.remove("over");
-  const file = event.dataTransfer.files[0];
-  if (!file) return;
   const content = await file.text();
   if (!/\.obj$/i.test(file.name)) return setText(content);
   let before = {};
@@ -228,7 +238,11 @@ async function begin() {
   view = new EditorView({doc: first, parent: by("editor"), extensions: [
     basicSetup, inks, look, json(), EditorView.lineWrapping, autocompletion({override: [completions(schema)]}),
     EditorView.contentAttributes.of({"aria-label": "The scene"}),
-    EditorView.updateListener.of(update => { if (update.docChanged && !isTaking) { clearTimeout(timer); timer = setTimeout(draw, delay); } }),
+    EditorView.updateListener.of(update => { 
+      if (!update.docChanged) return;
+      forgetLink();
+      if (!isTaking) { clearTimeout(drawsSoon); drawsSoon = setTimeout(draw, delay); }
+    }),
     hoverTooltip((editor, position) => {
       const told = meaningAt(editor.state, position, schema);
       return told ? {pos: told.from, end: told.to, create: () => ({dom: Object.assign(document.createElement("div"), {textContent: told.meaning})})} : null;
@@ -239,15 +253,20 @@ async function begin() {
   draw();
   by("mistake").value = held.mistake ?? "";
   drawMistake();
-  by("convention").addEventListener("change", draw);
-  by("mistake").addEventListener("change", drawMistake);
-  by("claims").addEventListener("input", () => { clearTimeout(timer); timer = setTimeout(check, delay); });
+  by("convention").addEventListener("change", () => { forgetLink(); draw(); });
+  by("mistake").addEventListener("change", () => { forgetLink(); drawMistake(); });
+  addEventListener("hashchange", () => location.reload());
+  by("claims").addEventListener("input", () => { forgetLink(); clearTimeout(checksSoon); checksSoon = setTimeout(check, delay); });
   by("picture").addEventListener("scene", event => takeMoved(event.detail.scene));
   by("share").addEventListener("click", share);
   by("example").addEventListener("change", async event => {
     if (event.target.value) setText(await (await fetch(`../examples/${event.target.value}.json`)).text());
   });
-  by("editor").addEventListener("dragover", event => { event.preventDefault(); by("editor").classList.add("over"); });
+  by("editor").addEventListener("dragover", event => {
+    if (!event.dataTransfer.types.includes("Files")) return;
+    event.preventDefault();
+    by("editor").classList.add("over");
+  });
   by("editor").addEventListener("dragleave", () => by("editor").classList.remove("over"));
   by("editor").addEventListener("drop", drop, {capture: true});
   document.documentElement.dataset.ready = "true";

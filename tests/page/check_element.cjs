@@ -94,6 +94,10 @@ async function checkChanges() {
   expectSame(await page.$eval("[data-vertex=A]", one => one.getAttribute("aria-label")), "Vertex A at (0, 4): arrow keys move it", "the scene that was set");
   // Taken out and put back, it starts again; a resize after that is nobody's.
   await page.evaluate(() => { const one = document.querySelector("raster-trace"); one.remove(); document.body.append(one); });
+  await page.waitForSelector("raster-trace[data-ready]");
+  await page.focus("#slider");
+  await page.keyboard.press("Home");
+  expectSame((await sentencesOf(page))[0], "nothing drawn yet", "a key once it is put back");
   await page.setViewportSize({width: 700, height: 800});
   expectSame(await page.isVisible("#raster"), true, "put back");
   await close(page);
@@ -145,9 +149,9 @@ async function checkTurning() {
   const pictureOf = () => page.$eval("#raster", canvas => Array.from(canvas.getContext("2d").getImageData(0, 0, 64, 64).data).join());
   const stepsOf = async () => Number(await page.textContent("#last"));
   const [before, steps] = [await pictureOf(), await stepsOf()];
-  const times = await page.evaluate(async () => {
+  const drag = () => page.evaluate(async () => {
     const host = document.querySelector("raster-trace"), sheet = host.shadowRoot.getElementById("sheet"), box = sheet.getBoundingClientRect(), times = [];
-    const send = (type, x, y) => sheet.dispatchEvent(new PointerEvent(type, {bubbles: true, pointerId: 1, pointerType: "mouse", button: 0, clientX: box.x + x, clientY: box.y + y}));
+    const send = (type, x, y) => sheet.dispatchEvent(new PointerEvent(type, {bubbles: true, pointerId: 1, pointerType: "mouse", button: 0, buttons: type === "pointerup" ? 0 : 1, clientX: box.x + x, clientY: box.y + y}));
     sheet.setPointerCapture = () => {}; // there is no such pointer
     send("pointerdown", 50, 50);
     for (let i = 1; i <= 100; ++i) {
@@ -159,6 +163,7 @@ async function checkTurning() {
     send("pointerup", 250, 160);
     return times.sort((a, b) => a - b);
   });
+  const times = await drag();
   console.log(`turning: T0's cube, 64 x 64: median of 100 moves ${times[50].toFixed(0)} ms, 95 of them within ${times[95].toFixed(0)} ms`);
   const inMotion = await pictureOf();
   expectSame(inMotion !== before, true, "another picture");
@@ -166,6 +171,9 @@ async function checkTurning() {
   expectSame(await pictureOf(), inMotion, "at rest, the picture that was in motion");
   expectSame(await page.$$eval("#numbers output", all => all.map(one => one.value).slice(0, 2)), ["55", "100"], "how far it is turned");
   expectSame(await page.textContent("#sentence") !== "...", true, "its steps");
+  const again = await drag(); // now the scene is another one at every move
+  console.log(`turning it again: ${again[50].toFixed(0)} ms`);
+  await page.waitForFunction(() => document.querySelector("raster-trace").shadowRoot.getElementById("sentence").textContent !== "...", undefined, {timeout: 60000});
   await page.click("#back");
   await page.waitForFunction(steps => Number(document.querySelector("raster-trace").shadowRoot.getElementById("last").textContent) === steps, steps, {timeout: 60000});
   expectSame(await pictureOf(), before, "back");
@@ -183,7 +191,9 @@ async function checkAnswers() {
   const page = await open(`<raster-trace src="${triangle}" step="4"></raster-trace>`, {acceptDownloads: true});
   const told = () => page.$eval("raster-trace", host => Number(host.shadowRoot.getElementById("slider").value));
   await page.evaluate(() => { window.answers = []; document.addEventListener("answer", event => window.answers.push([event.detail.step, event.detail.answer, event.detail.isRight])); });
-  await page.check("#asks");
+  await page.focus("#asks");
+  await page.keyboard.press("Space");
+  expectSame([await page.isChecked("#asks"), await told()], [true, 4], "by keyboard");
   expectSame(await page.$$eval("#steps .number", all => all.at(-1).textContent), "4", "what comes is not told");
   const next = () => page.click("[data-action=next]");
   await next();
@@ -194,16 +204,41 @@ async function checkAnswers() {
   await page.keyboard.press("Enter");
   expectSame([await told(), await page.textContent("#marked")], [5, "Right. 1 of 1 right."], "the row");
   await next();
-  const box = await page.locator("#raster").boundingBox();
+  const box = await page.locator("#raster").boundingBox(), cell = box.width / 17;
   await page.mouse.click(box.x + 2, box.y + 2);
   expectSame([await told(), await page.textContent("#marked")], [6, "Not so: (2, 5). 1 of 2 right."], "a pixel");
+  // Right, below the handle of a vertex; and by keyboard.
+  await page.evaluate(() => { document.querySelector("raster-trace").step = 5; });
+  await next();
+  await page.mouse.click(box.x + 10.5 * cell, box.y + 2.5 * cell);
+  expectSame([await told(), await page.textContent("#marked")], [6, "Right. 2 of 3 right."], "the pixel of a vertex");
+  expectSame((await page.textContent("#pixel-told")).includes("drawn by"), false, "the pixel does not tell what comes");
+  await page.evaluate(() => { document.querySelector("raster-trace").step = 5; });
+  await page.focus("#scroller");
+  for (const key of ["l", "Shift+ArrowRight", "Enter"]) await page.keyboard.press(key); // to the middle
+  expectSame((await page.textContent("#marked")).endsWith("of 4 right."), true, "by keyboard: " + await page.textContent("#marked"));
   await next();
   await page.locator("#asked-inputs input").nth(1).press("Enter");
-  expectSame(await page.textContent("#marked"), "Not so: 1 to 2. 1 of 3 right.", "nothing typed is wrong");
+  expectSame(await page.textContent("#marked"), "Not so: 1 to 2. 2 of 5 right.", "nothing typed is wrong");
   await next();
   await page.click("#show-it");
   expectSame([await told(), await page.isVisible("#asked")], [8, false], "shown without an answer");
-  expectSame(await page.evaluate(() => window.answers), [[5, "2 2", true], [6, "(-8, 7)", false], [7, "NaN NaN", false]], "events");
+  expectSame((await page.evaluate(() => window.answers)).filter((_, i) => i !== 3),
+             [[5, "2 2", true], [6, "(-8, 7)", false], [6, "(2, 5)", true], [7, "NaN NaN", false]], "events");
+  // A question that is open when another scene comes is asked no longer.
+  await next();
+  await page.evaluate(() => { document.querySelector("raster-trace").setAttribute("language", "pt"); });
+  await page.waitForFunction(() => document.querySelector("raster-trace").shadowRoot.getElementById("sentence").lang === "pt");
+  expectSame(await page.isVisible("#asked"), false, "no question about another scene");
+  await page.evaluate(() => { document.querySelector("raster-trace").setAttribute("language", "en"); });
+  await close(page);
+}
+
+async function checkSavedAnswers() {
+  const page = await open(`<raster-trace src="${triangle}" step="4"></raster-trace>`, {acceptDownloads: true});
+  await page.check("#asks");
+  await page.click("[data-action=next]");
+  for (const key of ["2", "Tab", "2", "Enter"]) await page.keyboard.press(key);
   const [file] = await Promise.all([page.waitForEvent("download"), page.click("#save-answers")]);
   expectSame(fs.readFileSync(await file.path(), "utf8").split("\r\n")[1], '"5","scanline","ABC, row y=5: which pixels does it have?","2 2","2 2","true"', "the table");
   await close(page);
@@ -259,7 +294,8 @@ async function checkWidget() {
                    on: (what, listen) => listeners[what] = listen};
     widget.render({model, el: document.querySelector("main")});
     const element = document.querySelector("raster-trace");
-    const until = async holds => { while (!holds()) await new Promise(done => setTimeout(done, 20)); };
+    const end = performance.now() + 20000;
+    const until = async holds => { while (!holds() && performance.now() < end) await new Promise(done => setTimeout(done, 20)); };
     await until(() => values.step === 62);
     values.step = 3;
     listeners["change:step"]();
@@ -276,7 +312,7 @@ async function main() {
   address = `http://localhost:${server.address().port}`;
   browser = await launch();
   const wanted = process.argv[5] ?? "";
-  for (const check of [checkTen, checkChanges, checkWrong, checkPlaces, checkTurning, checkAnswers, checkSite, checkWidget].filter(check => check.name.includes(wanted))) {
+  for (const check of [checkTen, checkChanges, checkWrong, checkPlaces, checkTurning, checkAnswers, checkSavedAnswers, checkSite, checkWidget].filter(check => check.name.includes(wanted))) {
     doing = check.name;
     try {
       await check();

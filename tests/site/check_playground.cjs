@@ -23,6 +23,8 @@ const server = http.createServer((request, answer) => {
   answer.writeHead(200, {"content-type": types[path.extname(file)] ?? "text/plain", "content-encoding": "gzip"}).end(zlib.gzipSync(fs.readFileSync(file), {level: 9}));
 });
 
+/** Waits until something holds in the page. */
+const until = (page, holds, argument) => page.waitForFunction(holds, argument, {timeout: 5000}).catch(() => fail(`it never became so: ${holds}`));
 let browser, address;
 async function open(hash, options) {
   const context = await browser.newContext({viewport: {width: 1400, height: 1000}, ...options}), page = await context.newPage();
@@ -32,7 +34,7 @@ async function open(hash, options) {
   page.on("request", request => { if (!request.url().startsWith(address)) fail(`it asks for ${request.url()}`); });
   await page.goto(`${address}/playground/index.html${hash}`);
   await page.waitForSelector("html[data-ready]", {timeout: 20000});
-  await page.waitForSelector("#picture[data-ready]");
+  await until(page, () => Number(document.querySelector("#picture").shadowRoot.getElementById("last")?.textContent) > 0);
   return page;
 }
 
@@ -44,7 +46,6 @@ async function type(page, words) {
 }
 const typed = page => page.$eval(".cm-content", content => Array.from(content.querySelectorAll(".cm-line"), line => line.textContent).join("\n"));
 const titleOf = page => page.textContent("#picture #title");
-const until = (page, holds, argument) => page.waitForFunction(holds, argument, {timeout: 5000}).catch(() => fail(`it never became so: ${holds}`));
 
 const scene = title => JSON.stringify({title, canvas: {width: 17, height: 14}, vertices: {A: [2, 5], B: [-4, -3], C: [5, -3]}, triangles: ["ABC"], method: {scalar: "exact"}}, null, 1);
 
@@ -82,7 +83,7 @@ async function checkUse(options) {
   await page.selectOption("#convention", "cgfs");
   await until(page, () => document.querySelector("#picture").shadowRoot.getElementById("in-force").textContent.includes("convention cgfs"));
   await page.selectOption("#mistake", "slope-of-zero");
-  await page.waitForSelector("#wrong-picture[data-ready]");
+  await until(page, () => Number(document.querySelector("#wrong-picture").shadowRoot.getElementById("last")?.textContent) > 0);
   const lastOf = id => page.textContent(`${id} #last`);
   expectSame(await lastOf("#picture") !== await lastOf("#wrong-picture"), true, "another picture with the mistake");
   // The link holds all of it.
@@ -158,7 +159,7 @@ async function measureFirstPicture() {
     await protocol.send("Network.emulateNetworkConditions", {offline: false, latency: 60, downloadThroughput: 9e6 / 8, uploadThroughput: 9e6 / 8});
     const begin = Date.now();
     await page.goto(`${address}/playground/index.html`, {waitUntil: "commit"});
-    await page.waitForSelector("#picture[data-ready]", {timeout: 30000});
+    await page.waitForFunction(() => Number(document.querySelector("#picture")?.shadowRoot?.getElementById("last")?.textContent) > 0, undefined, {timeout: 30000});
     times.push(Date.now() - begin);
     await context.close();
   }

@@ -8,6 +8,7 @@ const {execFileSync, spawnSync} = require('child_process');
 const fs = require('fs');
 const os = require('os');
 const path = require('path');
+const zlib = require('zlib');
 
 // About half of the random scenes lie in the plane: 2,300 make more than a thousand.
 const [module_file, program, random_scenes, examples, count = '2300'] = process.argv.slice(2);
@@ -79,7 +80,56 @@ function asked_of_module(module, text) {
   }
 }
 
+/// The picture in motion has the pixels that the steps of the same scene in doubles draw. Returns how many were compared.
+function check_frames(module, scenes) {
+  let count = 0;
+  for (const [name, text] of scenes) {
+    let frame;
+    try {
+      frame = JSON.parse(module.frame(text));
+    } catch {
+      continue; // a scene that names files, or that is wrong
+    }
+    const scene = JSON.parse(text);
+    const in_doubles = JSON.stringify({...scene, method: {...scene.method, scalar: 'double'}});
+    const {width, height, left, top, down} = JSON.parse(module.page_data_in_motion(in_doubles)).canvas;
+    if (width * height > 5000) continue; // takes long
+    const trace = JSON.parse(module.trace(in_doubles));
+    const owners = new Array(width * height).fill(-1);
+    let primitive = -1;
+    for (const step of trace.steps) {
+      if (step.step === 'primitive') ++primitive;
+      if (step.step === 'pixel') owners[(step.y - top) * down * width + step.x - left] = primitive;
+    }
+    ++count;
+    const wrong = owners.findIndex((owner, i) => owner !== frame.owners[i]);
+    if (wrong >= 0) throw new Error(`${name}: pixel ${wrong} of the frame: expected ${owners[wrong]}, found ${frame.owners[wrong]}`);
+  }
+  return count;
+}
+
+/// Each question, about the triangle of the worked example.
+function check_questions(module) {
+  const scene = JSON.stringify({canvas: {width: 17, height: 14}, vertices: {A: [2, 5], B: [-4, -3], C: [5, -3]}, triangles: ['ABC'], method: {scalar: 'exact'}});
+  const expect = (found, expected) => {
+    if (JSON.stringify(found) !== JSON.stringify(expected)) throw new Error(`expected ${JSON.stringify(expected)}, found ${JSON.stringify(found)}`);
+  };
+  const message_of = (ask) => { try { ask(); return ''; } catch (error) { return error.message.split('\n')[0]; } };
+  expect(module.problem(scene), '');
+  const {line, column} = JSON.parse(module.problem(scene.replace('"ABC"', '\n "ABD"')));
+  expect([line, column], [2, 2]);
+  expect(JSON.parse(module.explain_pixel(scene, 4, 2)).whyNot[0].sentence, 'AC ends row y=2 at x = 25/8 -> floor -> 3; x = 4 lies beyond it by 7/8');
+  expect(message_of(() => module.explain_pixel(scene, 400, 2)), 'expected a pixel of the canvas, found 400,2');
+  expect(JSON.parse(module.check(scene, 'y=2: -1/4, 25/8 -> -1..3\ny=1: 0, 7/2 -> -1..3')).map((one) => [one.verdict, one.fields]),
+         [['right', []], ['wrong', [{field: 'left end', expected: '-1', found: '0'}]]]);
+  expect(message_of(() => module.check(scene, 'y=2 what')).startsWith('claims:1:'), true);
+  expect(JSON.parse(module.mistakes(scene)).some(({name}) => name === 'dx-dy-inverted'), true);
+  expect(JSON.parse(module.mistakes(scene)).some(({name}) => name === 'factor-2-dropped'), false); // one of lines
+}
+
 async function main() {
+  const size = zlib.deflateSync(fs.readFileSync(module_file.replace(/js$/, 'wasm')), {level: 9}).length;
+  if (size > 1e6) throw new Error(`expected a module of at most 1,000,000 bytes deflated, found ${size}`);
   const module = await require(path.resolve(module_file))();
   const folder = fs.mkdtempSync(path.join(os.tmpdir(), 'rastertrace-'));
   execFileSync(random_scenes, [count, folder]);
@@ -91,6 +141,10 @@ async function main() {
   if (all['random scenes'].length < 1000) throw new Error('expected 1,000 random scenes in the plane');
   fs.rmSync(folder, {recursive: true});
 
+  const frames = check_frames(module, scenes_in(examples));
+  if (frames < 100) throw new Error(`expected 100 frames of examples, found ${frames}`);
+  console.log(`${frames} frames of examples; ${size} bytes deflated`);
+  check_questions(module);
   const without_file = asked_of_module(module, '{"meshes": [{"obj": "cube.obj"}]}');
   if (!/^cube.obj: expected a file that can be read/.test(without_file.message))
     throw new Error(`expected a message that there is no file, found ${JSON.stringify(without_file)}`);

@@ -41,7 +41,7 @@ std::string input_of_page(const FigureCommand& command, const InputFrames& input
 }
 
 /// The module that lets pages draw: the file that RASTERTRACE_MODULE names, that of this program, or the installed one.
-std::string module_for_pages(const InputLimits& limits) {
+std::string module_for_pages() {
     std::filesystem::path file = environment_variable("RASTERTRACE_MODULE");
     if (file.empty() && !wasm_module().empty())
         return std::string(wasm_module());
@@ -49,7 +49,7 @@ std::string module_for_pages(const InputLimits& limits) {
         file = installed_module();
     if (file.empty())
         return {};
-    std::string text = value_or_throw(read_named_file(file.string(), limits)).text;
+    std::string text = value_or_throw(read_named_file(file.string(), {})).text;
     if (text.find("var rastertrace = ") == std::string::npos ||
         text.find("</script") != std::string::npos)
         throw problem_of(file.string(), "expected the module for pages, found another file",
@@ -102,7 +102,7 @@ ExitStatus write_page(const FigureCommand& command) {
                                       .tells_steps = true});
     ExitStatus status = exit_fine;
     PageOptions options{.theme = command.style.theme, .view = command.options.view};
-    options.module = module_for_pages(command.input);
+    options.module = module_for_pages();
     std::vector<PageFrame> frames;
     std::size_t steps = 0;
     bool is_needed = false; // the scene, to be drawn by the page
@@ -113,10 +113,11 @@ ExitStatus write_page(const FigureCommand& command) {
         steps += trace.size();
         if (frames.empty())
             set_options(command, input, trace, options);
-        is_needed = is_needed || options.scene.is_movable;
+        is_needed = is_needed || options.scene.is_movable || options.scene.can_be_turned;
         const bool can_draw = !options.module.empty() && !options.scene.text.empty();
         const PageDetail detail{.why_not_asked = can_draw ? few_why_not_asked : most_why_not_asked};
-        is_needed = is_needed || (can_draw && !has_answers(trace, detail));
+        is_needed = is_needed || (can_draw && !has_answers(trace, detail) &&
+                                  trace.size() <= most_steps_with_working);
         frames.push_back(
             {.label = input.is_sequence() ? input.label(frame) : std::string(),
              .data = page_data(trace, detail, steps_in_space(trace, command.options.eye).get()),

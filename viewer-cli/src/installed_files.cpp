@@ -19,8 +19,11 @@ std::filesystem::path program_folder() {
 
 std::filesystem::path installed_module() {
     std::error_code error;
-    const auto file = (program_folder() / RASTERTRACE_SHARE "/rastertrace.js").lexically_normal();
-    return std::filesystem::is_regular_file(file, error) ? file : std::filesystem::path();
+    const auto program = program_folder();
+    const auto file = (program / RASTERTRACE_SHARE "/rastertrace.js").lexically_normal();
+    return !program.empty() && std::filesystem::is_regular_file(file, error)
+               ? file
+               : std::filesystem::path();
 }
 
 std::filesystem::path examples_folder() {

@@ -20,8 +20,8 @@ using Json = nlohmann::ordered_json;
 
 /// What a scene in the plane may say; of what it draws, the number is limited.
 constexpr std::array<std::string_view, 4> moved_lists{"points", "lines", "triangles", "outlines"};
-constexpr std::array<std::string_view, 7> others{"$schema",  "title",  "canvas", "background",
-                                                 "vertices", "colors", "method"};
+constexpr std::array<std::string_view, 8> others{"$schema",  "title",  "canvas", "background",
+                                                 "vertices", "colors", "method", "convention"};
 
 bool is_plane_vertex(const Json& vertex) {
     return vertex.is_array() && vertex.size() == 2 &&
@@ -67,7 +67,9 @@ PageScene scene_of_page(const Source& source, const MethodOverrides& method, con
         place[key] =
             row != nullptr && row->is_number() ? Json::parse(value, nullptr, false) : Json(value);
     }
-    return {scene.dump(), is_movable};
+    return {.text = scene.dump(),
+            .is_movable = is_movable,
+            .can_be_turned = scene.contains("projection") || scene.contains("camera")};
 }
 
 } // namespace rastertrace

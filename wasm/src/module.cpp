@@ -36,18 +36,12 @@ using namespace rastertrace;
 std::string answer;
 bool is_message = false;
 
-/// Keeps what `ask` says of a scene, or why it says nothing.
-template <typename Ask>
-const char* answer_of(const char* scene_text, Ask&& ask, const MethodOverrides& overrides = {}) {
+/// Keeps what `ask` answers, or the message that tells why it does not.
+template <typename Ask> const char* answer_to(Ask&& ask) {
     is_message = true;
     try {
-        const auto read = read_scene({.name = "scene", .text = scene_text}, overrides);
-        if (!read) {
-            answer = to_text(read.problem());
-        } else {
-            answer = ask(read.value());
-            is_message = false;
-        }
+        answer = ask();
+        is_message = false;
     } catch (const Problem& problem) {
         answer = to_text(problem);
     } catch (const std::bad_alloc&) {
@@ -57,6 +51,17 @@ const char* answer_of(const char* scene_text, Ask&& ask, const MethodOverrides& 
         answer = exception.what();
     }
     return answer.c_str();
+}
+
+/// Asks of a scene.
+template <typename Ask>
+const char* answer_of(const char* scene, Ask&& ask, const MethodOverrides& overrides = {}) {
+    return answer_to([&] {
+        const auto read = read_scene({.name = "scene", .text = scene}, overrides);
+        if (!read)
+            throw read.problem();
+        return ask(read.value());
+    });
 }
 
 std::string text_of_trace(const PlannedScene& planned) {
@@ -195,14 +200,14 @@ void rastertrace_tell_steps_in(const char* code) {
 
 /// What is wrong with a scene: {"message":, "hint":, "line":, "column":}, line 0 where it has no place; "" if nothing is.
 const char* rastertrace_problem(const char* scene) {
-    is_message = false;
-    const auto read = read_scene({.name = "scene", .text = scene});
-    answer =
-        read ? std::string()
-             : fmt::format(R"({{"message":{},"hint":{},"line":{},"column":{}}})",
-                           json_quoted(read.problem().message), json_quoted(read.problem().hint),
-                           read.problem().line, read.problem().column);
-    return answer.c_str();
+    return answer_to([&] {
+        const auto read = read_scene({.name = "scene", .text = scene});
+        return read ? std::string()
+                    : fmt::format(R"({{"message":{},"hint":{},"line":{},"column":{}}})",
+                                  json_quoted(read.problem().message),
+                                  json_quoted(read.problem().hint), read.problem().line,
+                                  read.problem().column);
+    });
 }
 
 /// The trace of a scene, as `rastertrace trace scene.json -o -` writes it.
@@ -231,7 +236,7 @@ const char* rastertrace_frame(const char* scene) {
 const char* rastertrace_explain_pixel(const char* scene, int x, int y) {
     return answer_of_drawn(scene, [&](Drawn& drawn) {
         if (!drawn.trace.canvas.contains(x, y))
-            throw problem_of("", "expected a pixel of the canvas");
+            throw problem_of("", fmt::format("expected a pixel of the canvas, found {},{}", x, y));
         return page_answer(drawn.explainer, {x, y});
     });
 }

@@ -18,9 +18,11 @@ function with_text(text, use) {
   const size = lengthBytesUTF8(text) + 1;
   const at = _malloc(size);
   stringToUTF8(text, at, size);
-  const result = use(at);
-  _free(at);
-  return result;
+  try {
+    return use(at);
+  } finally {
+    _free(at);
+  }
 }
 
 function ask_of_scene(answer_of) {

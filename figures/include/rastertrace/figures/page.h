@@ -99,8 +99,9 @@ struct PageFrame {
 /// What a page that has the module can draw.
 struct PageScene {
     std::string text = {}; ///< "": the page has only what it was made with
-    bool is_movable =
-        false; ///< its vertices can be moved. Without the module, who tries it is told why they stay
+    /// Its vertices can be moved. Without the module, who tries it is told why they stay.
+    bool is_movable = false;
+    bool can_be_turned = false; ///< it is in space
 };
 
 struct PageOptions {
