@@ -172,7 +172,8 @@ std::vector<std::string> completed_word(std::span<const std::string> words,
         for (const CommandTable* command : group.commands)
             names.push_back(command->about.name);
     if (before.empty()) {
-        names.insert(names.end(), {"-h", "--help", "-V", "--version"});
+        if (word.starts_with('-'))
+            names = {"-h", "--help", "-V", "--version"};
         names = beginning_with(word, "", std::move(names));
         return names.empty() ? std::vector{std::string(files)} : names;
     }
