@@ -117,7 +117,7 @@ function check_questions(module) {
   const message_of = (ask) => { try { ask(); return ''; } catch (error) { return error.message.split('\n')[0]; } };
   expect(module.problem(scene), '');
   const {line, column} = JSON.parse(module.problem(scene.replace('"ABC"', '\n "ABD"')));
-  expect([line, column], [2, 2]);
+  expect([line, column], [2, 5]); // the D
   expect(JSON.parse(module.explain_pixel(scene, 4, 2)).whyNot[0].sentence, 'AC ends row y=2 at x = 25/8 -> floor -> 3; x = 4 lies beyond it by 7/8');
   expect(message_of(() => module.explain_pixel(scene, 400, 2)), 'expected a pixel of the canvas, found 400,2');
   expect(JSON.parse(module.check(scene, 'y=2: -1/4, 25/8 -> -1..3\ny=1: 0, 7/2 -> -1..3')).map((one) => [one.verdict, one.fields]),
