@@ -1093,7 +1093,7 @@ function prepareNumbers() {
     numbers.push({slider, told, first, put, unmoved: slider.value});
   };
   for (const axis of ["x", "y"]) add(`turn about ${axis}`, 0, -180, 180, 1, (scene, degrees) => turned(scene, axis, degrees));
-  const places = [["camera", 10, scene => scene.camera?.position], ["light", 5, scene => scene.light?.direction]];
+  const places = [["camera", 10, scene => scene.camera?.position], ["light", 5, scene => scene.light?.direction ?? scene.light?.position]];
   for (const [name, far, placeIn] of places)
     placeIn(scene)?.forEach?.((given, k) => {
       const first = numberIn(given);

@@ -155,7 +155,7 @@ def check_player(file, where, address):
             failures.append(f"{where}: the player {address} loads {loaded}")
     for style in page.styles:
         check_styles(f"{where}: {address}", style)
-    if "script" not in page.tags or "slider" not in page.ids:
+    if "script" not in page.tags or "raster-trace" not in page.tags:
         failures.append(f"{where}: {address} is no page to click through")
 
 
