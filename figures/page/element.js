@@ -60,16 +60,24 @@ function canBeMoved(scene) {
 }
 
 class RasterTrace extends HTMLElement {
-  static observedAttributes = ["src", "step", "view", "language"];
+  static observedAttributes = ["src", "step", "view", "language", "theme"];
 
   /** The program that the elements share: a promise of its functions (wasm/src/module.js). */
   static async module() { return (await programOf(load)).module; }
 
   #player;
+  #isDark = matchMedia("(prefers-color-scheme: dark)");
+  #setTheme = () => {
+    const theme = this.getAttribute("theme");
+    this.toggleAttribute("data-dark", theme === "dark" || (theme === null || theme === "auto") && this.#isDark.matches);
+    this.#player?.repaint();
+  };
   #given;      // the scene that was set
   #loading = 0; // of several loads, the last one counts
 
   connectedCallback() {
+    this.#setTheme();
+    this.#isDark.addEventListener("change", this.#setTheme);
     if (!this.shadowRoot) {
       this.attachShadow({mode: "open"}).adoptedStyleSheets = [styleSheet()];
       this.shadowRoot.innerHTML = "<slot></slot>"; // what the element holds, until the scene is drawn
@@ -84,6 +92,7 @@ class RasterTrace extends HTMLElement {
   }
 
   disconnectedCallback() {
+    this.#isDark.removeEventListener("change", this.#setTheme);
     ++this.#loading;
     this.#player?.end();
     this.#player = undefined;
@@ -93,6 +102,7 @@ class RasterTrace extends HTMLElement {
     if (!this.shadowRoot) return;
     if (name === "step") return this.#player?.goTo(this.step);
     if (before === now) return;
+    if (name === "theme") return this.#setTheme();
     if (name === "src") this.#given = undefined;
     if (name === "view") this.#player?.setView(now);
     else this.#load();

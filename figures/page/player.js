@@ -162,7 +162,7 @@ const numberIn = text => { const [above, below = 1] = String(text).split("/").ma
  * Shows frames in the root of an element, and has them gone through.
  *
  * options: keys and strokes (page.cpp), language, title; view, step, scene and whether it is movable, if given. `program` draws a changed scene; none
- * if undefined. What it returns is what the element does: goTo(step), setView(name), end().
+ * if undefined. What it returns is what the element does: goTo(step), setView(name), repaint() in other colors, end().
  */
 function startPlayer(host, options, frames, program) {
 const root = host.shadowRoot, by = id => root.getElementById(id);
@@ -546,6 +546,7 @@ function drawSpace() {
     by("space").innerHTML = space.all + "<g></g>";
   }
   by("space").lastElementChild.innerHTML = step > 0 ? trace.words[space.steps[step - 1]] : "";
+  for (const one of by("space").querySelectorAll('[class*=" "]')) one.style.color = `var(--${one.classList[1]})`; // its role
 }
 
 /** The steps around this one. */
@@ -1241,7 +1242,6 @@ function listen() {
     addEventListener("resize", lay, until);
     addEventListener("hashchange", () => { const asked = stepOfAddress(); if (asked !== null) goTo(asked); }, until);
   }
-  matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => { readColors(); paint(); }, until);
 }
 
 function tellKeys() {
@@ -1269,6 +1269,7 @@ prepareMoving();
 return {
   goTo: n => { stop(); goTo(n); },
   setView,
+  repaint: () => { readColors(); paint(); },
   end: () => { stop(); gone.abort(); },
 };
 }

@@ -58,11 +58,13 @@ std::string compressed(std::string_view text) {
     return base64;
 }
 
-/// A style sheet's variables: the color of each role.
+/// A style sheet's variables: the color of each role; of a theme besides the light one, where it differs from that.
 std::string variables_in(Theme theme) {
     std::string text;
     for (const Role role : roles())
-        text += fmt::format("--{}:{};", name_of(role), to_text(paint_of(role, theme).color));
+        if (const Color color = paint_of(role, theme).color;
+            theme == Theme::light || color != paint_of(role, Theme::light).color)
+            text += fmt::format("--{}:{};", name_of(role), to_text(color));
     return text;
 }
 
@@ -70,14 +72,38 @@ std::string_view word_of(Theme theme) {
     return theme_names()[static_cast<std::size_t>(theme)];
 }
 
-/// The colors of the element in each theme: as the reader has set it, or as its attribute says.
+/// The colors of the element: element.js sets data-dark as the reader has it, or as the attribute `theme` says.
 std::string colors_of_themes() {
-    std::string text = fmt::format(":host{{color-scheme:light dark;{}}}\n@media "
-                                   "(prefers-color-scheme:dark){{:host(:not([theme])){{{}}}}}\n",
-                                   variables_in(Theme::light), variables_in(Theme::dark));
-    for (const Theme theme : {Theme::light, Theme::dark, Theme::print})
-        text += fmt::format(":host([theme={}]){{color-scheme:{};{}}}\n", word_of(theme),
-                            theme == Theme::dark ? "dark" : "light", variables_in(theme));
+    return fmt::format(
+        ":host{{color-scheme:light;{}}}\n:host([data-dark]){{color-scheme:dark;{}}}\n"
+        ":host([theme=print]){{{}}}\n",
+        variables_in(Theme::light), variables_in(Theme::dark), variables_in(Theme::print));
+}
+
+/// HTML without indentation and ends of lines.
+std::string squeezed(std::string_view html) {
+    std::string text;
+    for (const std::string& line : split_at(html, '\n'))
+        text += without_blanks(line);
+    return text;
+}
+
+/// A style sheet without comments, which are lines by themselves, and blanks that only its writer needs.
+std::string squeezed_css(std::string_view css) {
+    std::string text;
+    for (const std::string& line : split_at(css, '\n')) {
+        const std::string_view words = without_blanks(line);
+        if (words.starts_with("/*"))
+            continue;
+        for (std::size_t i = 0; i < words.size(); ++i) {
+            constexpr std::string_view signs = ":;{},";
+            const bool is_beside_sign =
+                (i > 0 && signs.find(words[i - 1]) != signs.npos) ||
+                (i + 1 < words.size() && (words[i + 1] == '{' || words[i + 1] == '}'));
+            if (words[i] != ' ' || !is_beside_sign)
+                text += words[i];
+        }
+    }
     return text;
 }
 
@@ -146,10 +172,10 @@ std::string data_text(std::span<const PageFrame> frames) {
 } // namespace
 
 std::string page_element() {
-    const std::string resources =
-        fmt::format(R"({{"keys":{},"strokes":{},"html":{},"css":{}}})", keys_text(), strokes_text(),
-                    json_quoted(element_html()),
-                    json_quoted(colors_of_themes() + element_css() + rules_of_roles("in-space")));
+    const std::string resources = fmt::format(
+        R"({{"keys":{},"strokes":{},"html":{},"css":{}}})", keys_text(), strokes_text(),
+        json_quoted(squeezed(element_html())),
+        json_quoted(squeezed_css(colors_of_themes() + element_css() + rules_of_roles("in-space"))));
     return fmt::format(
         "// SPDX-License-Identifier: MIT\n\"use strict\";\nconst RESOURCES = {};\n{}\n{}",
         in_script(resources), player_js(), element_js());

@@ -342,10 +342,14 @@ std::string svg_elements(std::span<const Shape> shapes) {
 }
 
 std::string rules_of_roles(std::string_view scope) {
-    std::string css;
-    for (const Role role : roles())
-        css += fmt::format(".{0} .{1}{{fill:var(--{1});stroke:var(--{1});{2}}}\n", scope,
-                           name_of(role), line_css(paint_of(role, Theme::light)));
+    const std::string common = line_css({});
+    std::string css = fmt::format(
+        ".{} [class*=\" \"]{{fill:currentColor;stroke:currentColor;{}}}\n", scope, common);
+    for (const Role role : roles()) {
+        const std::string line = line_css(paint_of(role, Theme::light));
+        if (line != common)
+            css += fmt::format(".{} .{}{{{}}}\n", scope, name_of(role), line);
+    }
     return css + rules_of_kinds("var(--paper)", scope);
 }
 

@@ -10,4 +10,8 @@ tools=$4
 PLAYGROUND_TOOLS=$tools/playground "$source/scripts/site" "$program" "$folder"
 /usr/bin/python3 "$source/tests/site/check_site.py" "$folder" "$source"
 "$source/tests/page/with_browser.sh" "$tools" "$source/tests/site/check_look.cjs" "$folder"
+if [ -d "$folder/playground" ]; then
+    size=$("$tools/playground/node_modules/.bin/esbuild" --minify --format=esm "$folder/playground/raster-trace.js" | wc -c)
+    [ "$size" -le 60000 ] || { echo "raster-trace.js has $size bytes minified, 60,000 at most" >&2; exit 1; }
+fi
 [ ! -d "$folder/playground" ] || "$source/tests/page/with_browser.sh" "$tools" "$source/tests/site/check_playground.cjs" "$folder"

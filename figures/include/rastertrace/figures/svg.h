@@ -34,8 +34,8 @@ Result<std::string> animated_svg_of(std::span<const Drawing> frames, double seco
 /// The elements of shapes, to stand in an SVG of a document that has rules_of_roles().
 std::string svg_elements(std::span<const Shape> shapes);
 
-/// The rules for all roles and kinds of shape, within elements of a class; colors are the variables --grid, ... of a style
-/// sheet.
+/// The rules for all roles and kinds of shape, within elements of a class. A shape has the classes of its kind and its role;
+/// its `color` is that of the role, which whoever puts the shape into a document sets.
 std::string rules_of_roles(std::string_view scope);
 
 } // namespace rastertrace
