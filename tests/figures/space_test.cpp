@@ -267,8 +267,7 @@ TEST(SpaceFrames, EarsAreTheCornersThatAreConvexAndEmpty) {
 TEST(Space, PagesTellOfEachStepWhatItAdds) {
     const Trace trace = trace_of_example("t4-pipeline/six-spaces");
     const auto in_space_of_trace = steps_in_space(trace, {});
-    const auto data =
-        nlohmann::json::parse(page_data(trace, {}, in_space_of_trace.get()));
+    const auto data = nlohmann::json::parse(page_data(trace, {}, in_space_of_trace.get()));
     const auto& space = data.at("space");
     ASSERT_EQ(space.at("steps").size(), trace.size());
     const std::string all = space.at("all");
