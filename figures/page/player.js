@@ -1,5 +1,6 @@
 // A trace, to be clicked through. The sentences are the program's: this script fills numbers into them, remembers which
-// step drew which pixel, and paints. It draws nothing by itself: every pixel of every frame is a step of the trace.
+// step drew which pixel, and paints. It draws nothing by itself: every pixel of every frame is a step of the trace, or, while
+// a scene is turned, one of the picture that the program has drawn.
 
 // --- what was told -------------------------------------------------------------------------------------------------
 
@@ -161,8 +162,8 @@ const numberIn = text => { const [above, below = 1] = String(text).split("/").ma
 /**
  * Shows frames in the root of an element, and has them gone through.
  *
- * options: keys and strokes (page.cpp), language, title; view, step, scene and whether it is movable, if given. `program` draws a changed scene; none
- * if undefined. What it returns is what the element does: goTo(step), setView(name), repaint() in other colors, end().
+ * options: keys and strokes (page.cpp), language, title; view, step, scene and whether it is movable, if given. `program`
+ * draws a changed scene; none if undefined. What it returns is what the element does: goTo(step), setView(name), repaint() in other colors, end().
  */
 function startPlayer(host, options, frames, program) {
 const root = host.shadowRoot, by = id => root.getElementById(id);

@@ -59,8 +59,7 @@ std::string module_for_pages() {
 
 /// What is shown of the first frame where there is no JavaScript; "" of a large canvas.
 std::string picture_without_script(const Trace& trace, const FigureCommand& command) {
-    constexpr int largest_side = 128;
-    if (std::max(trace.canvas.width, trace.canvas.height) > largest_side)
+    if (std::max(trace.canvas.width, trace.canvas.height) > largest_side_with_why_not)
         return {};
     const std::vector<FigureFrame> last{{.steps = {0, trace.size()}}};
     FigureMaker maker(trace, last, {.view = command.options.view});
