@@ -24,6 +24,10 @@ function programOf(begin) {
       return JSON.parse(await (detail === "all" ? module.page_data(scene) : module.page_data_in_motion(scene)));
     },
     frame: scene => JSON.parse(module.frame(scene)),
+    step(scene, language, n) {
+      module.tell_steps_in(language);
+      return JSON.parse(module.step(scene, n));
+    },
     explain(scene, language, x, y) {
       module.tell_steps_in(language);
       return JSON.parse(module.explain_pixel(scene, x, y));

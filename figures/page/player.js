@@ -209,7 +209,7 @@ function play(to) {
 
 const raster = by("raster"), overlay = by("overlay"), sheet = by("sheet"), scroller = by("scroller");
 const brush = raster.getContext("2d", {willReadFrequently: true}); // pixels are put one by one
-let image, shades, lastMarked = -1, layout;
+let image, shades, layout;
 
 /** The colors in force: those of the style sheet, light or dark. */
 function readColors() {
@@ -523,11 +523,7 @@ function tellStep() {
     host.dispatchEvent(new CustomEvent("step", {bubbles: true, detail: {step, count: trace.count, kind: nameOf(step), sentence}}));
   }
   by("sentence").replaceChildren(...parts(sentence));
-  const lines = by("working"), {working} = trace.data;
-  if (!hasWorking || step === 0) lines.replaceChildren();
-  else if (working) lines.replaceChildren(...working[step - 1].map(word => element("li", "", trace.words[word])));
-  else if (fileOf()) lines.replaceChildren(element("li", "", `rastertrace explain ${fileOf()} --step ${step}`));
-  else lines.replaceChildren();
+  by("working").replaceChildren(...(hasWorking && step > 0 ? workingOf(step) : []).map(line => element("li", "", line)));
   const slider = by("slider");
   slider.value = step;
   slider.setAttribute("aria-valuetext", `step ${step} of ${trace.count}${step ? ": " + nameOf(step) : ""}`);
@@ -536,13 +532,15 @@ function tellStep() {
   if (by("as-text").open) tellAsText();
 }
 
+let inSpaceOf; // the trace whose picture in space is there
+
 /** The picture in space: what all steps have, and over it what this one adds. */
 function drawSpace() {
   const {space} = trace.data;
   by("space-section").hidden = !space;
   if (!space) return;
-  if (by("space").dataset.frame !== String(frame)) {
-    by("space").dataset.frame = frame;
+  if (inSpaceOf !== trace) {
+    inSpaceOf = trace;
     by("space").setAttribute("viewBox", `0 0 ${space.width} ${space.height}`);
     by("space").innerHTML = space.all + "<g></g>";
   }
@@ -646,10 +644,21 @@ function whyNotItem({primitive, reason, sentence}) {
   return item;
 }
 
+/** True if the program can be asked about the scene that is shown. */
+const canAsk = () => program && options.scene && trace.count <= options.steps_with_working;
+
+/** The working of a step: from the data, or asked of the program, or the command that tells it. */
+function workingOf(n) {
+  const {working} = trace.data;
+  if (working) return working[n - 1].map(word => trace.words[word]);
+  if (canAsk()) return program.step(drawnScene, options.language, n).working;
+  return fileOf() ? [`rastertrace explain ${fileOf()} --step ${n}`] : [];
+}
+
 /** The answer about a pixel: from the data, or asked of the program; null if neither has it. */
 function answerAbout(pixel) {
   if (trace.answers) return answerOf(trace, pixel);
-  if (!program || !options.scene || trace.count > 50000) return null; // as most_steps_with_working
+  if (!canAsk()) return null;
   return program.explain(drawnScene, options.language, xOf(pixel), yOf(pixel));
 }
 
@@ -1058,7 +1067,8 @@ async function drawAgain(detail) {
       by("back").hidden = !hasMoved;
       by("problem").hidden = true;
       drawnScene = text;
-      show(data, stepLike(data));
+      const drawn = readTrace(data);
+      show(drawn, stepLike(drawn));
       if (detail === "all") host.dispatchEvent(new CustomEvent("scene", {bubbles: true, detail: {scene: text}}));
     } catch (problem) {
       tellProblem(problem.message);
@@ -1073,6 +1083,7 @@ async function drawAgain(detail) {
 // What is in space is turned by dragging the picture, and its camera and light are moved by sliders. Meanwhile its last
 // picture is drawn, and all of its steps once it rests.
 const numbers = []; // {slider, told, first, unmoved, put}: `put` puts the slider's number into a scene
+const mostNumbers = 24;
 
 /** Meshes and vertices turned about their own centers, before all that the scene does with them. */
 function turned(scene, axis, degrees) {
@@ -1093,22 +1104,25 @@ function prepareNumbers() {
     row.append(slider, told);
     by("numbers").append(row);
     numbers.push({slider, told, first, put, unmoved: slider.value});
+    return numbers.at(-1);
   };
-  for (const axis of ["x", "y"]) add(`turn about ${axis}`, 0, -180, 180, 1, (scene, degrees) => turned(scene, axis, degrees));
-  const places = [["camera", 10, scene => scene.camera?.position], ["light", 5, scene => scene.light?.direction ?? scene.light?.position]];
-  for (const [name, far, placeIn] of places)
-    placeIn(scene)?.forEach?.((given, k) => {
-      const first = numberIn(given);
-      add(`${name} ${"xyz"[k]}`, first, first - far, first + far, 0.1, (scene, value) => { placeIn(scene)[k] = value; });
-    });
-  if (typeof scene.projection?.fov_y === "number")
-    add("fov_y", scene.projection.fov_y, 10, 150, 1, (scene, value) => { scene.projection.fov_y = value; });
+  const turning = ["x", "y"].map(axis => add(`turn about ${axis}`, 0, -180, 180, 1, (scene, degrees) => turned(scene, axis, degrees)));
+  const addNumbersOf = (label, value, holderIn, key) => { // all that the value has
+    if (typeof value === "object")
+      for (const [name, one] of Object.entries(value ?? {}))
+        addNumbersOf(`${label} ${Array.isArray(value) && typeof one !== "object" ? "xyz"[name] : name}`, one, scene => holderIn(scene)[key], name);
+    const first = typeof value === "object" ? NaN : numberIn(value);
+    if (!Number.isFinite(first) || numbers.length === mostNumbers) return;
+    const isAngle = /^(degrees|fov_y)$/.test(key), far = isAngle ? 60 : Math.max(5, 2 * Math.abs(first));
+    add(label, first, first - far, first + far, isAngle ? 1 : 0.1, (scene, value) => { holderIn(scene)[key] = value; });
+  };
+  for (const key of ["camera", "light", "projection", "model"]) addNumbersOf(key, scene[key], scene => scene, key);
   by("numbers-section").hidden = false;
   sheet.classList.add("turns");
   let from = null;
   sheet.addEventListener("pointerdown", event => {
     hasTurned = false;
-    if (event.pointerType !== "touch" && event.button === 0) from = {x: event.clientX, y: event.clientY, angles: numbers.slice(0, 2).map(({slider}) => Number(slider.value)), moves: false};
+    if (event.pointerType !== "touch" && event.button === 0) from = {x: event.clientX, y: event.clientY, angles: turning.map(({slider}) => Number(slider.value)), moves: false};
   });
   sheet.addEventListener("pointermove", event => {
     if (!(event.buttons & 1)) from = null; // it was let go elsewhere
@@ -1117,7 +1131,7 @@ function prepareNumbers() {
     if (!from.moves && Math.hypot(right, down) < 4) return;
     if (!from.moves) { from.moves = true; sheet.setPointerCapture(event.pointerId); sheet.dataset.held = "true"; hover(-1); }
     const sides = [down, right].map((way, k) => (from.angles[k] + Math.round(way / 2) + 540) % 360 - 180);
-    numbers.slice(0, 2).forEach(({slider, told}, k) => { slider.value = told.value = sides[k]; });
+    turning.forEach(({slider, told}, k) => { slider.value = told.value = sides[k]; });
     changeNumbers("frame");
   });
   for (const end of ["pointerup", "pointercancel"])
@@ -1134,11 +1148,12 @@ function changeNumbers(detail) {
 }
 
 /** The last picture of a scene in motion. */
-function showFrame({names, owners, colors, pixels}) {
+function showFrame({names, owners, colors, pixels, depths}) {
   const words = new Uint32Array(image.data.buffer), own = colors.map(color => wordOf(color)), empty = emptyColor();
   const groups = new Map(trace.primitives.map(one => [one.name, one.group]));
   for (let i = 0; i < trace.pixels; ++i)
-    words[i] = owners[i] < 0 ? empty
+    words[i] = view === "depth" ? (depths[i] ? gray(depths[i]) : 0)
+             : owners[i] < 0 ? empty
              : view === "faces" && groups.get(names[owners[i]]) >= 0 ? shades.faces[groups.get(names[owners[i]]) % 8]
              : view === "plotted" ? shades.plotted : own[pixels[i]];
   brush.putImageData(image, 0, 0);
@@ -1147,11 +1162,11 @@ function showFrame({names, owners, colors, pixels}) {
   host.dispatchEvent(new CustomEvent("frame"));
 }
 
-/** The step of other data that is most like this one: of the same kind and primitive, in the same row or pixel. */
-function stepLike(data) {
+/** The step of another trace that is most like this one: of the same kind and primitive, in the same row or pixel. */
+function stepLike(other) {
   if (step === trace.count) return Infinity;
   if (step === 0) return 0;
-  const other = readTrace(data), kind = trace.kind[step], primitive = trace.primitive[step];
+  const kind = trace.kind[step], primitive = trace.primitive[step];
   const rowOf = (one, n) => one.kindNames[one.kind[n]] === "scanline" ? one.data.rows[7 * one.own[n]] : one.at[n];
   let alike = 0;
   for (let n = 1; n <= other.count; ++n) {
@@ -1165,8 +1180,9 @@ function stepLike(data) {
 // --- the page --------------------------------------------------------------------------------------------------------
 
 /** Shows a trace: that of a frame, or of a scene that was changed. */
-function show(data, atStep) {
-  trace = readTrace(data);
+function show(shown, atStep) {
+  trace = shown;
+  const {data} = trace;
   drawnBy = new Int32Array(trace.pixels);
   storedBy = new Int32Array(trace.pixels);
   writes = new Int32Array(trace.pixels);
@@ -1197,7 +1213,7 @@ function setFrame(place) {
   const wasAtEnd = step === trace.count;
   frame = place;
   by("frame").value = place;
-  show(frames[frame].data, wasAtEnd ? Infinity : step);
+  show(readTrace(frames[frame].data), wasAtEnd ? Infinity : step);
 }
 
 /** The step that the address asks for: page.html#14. */
@@ -1263,7 +1279,7 @@ by("frame-choice").hidden = frames.length < 2;
 for (const told of ["sentence", "working", "steps"]) by(told).lang = options.language;
 view = options.view ?? frames[0].data.view;
 tellKeys();
-show(frames[0].data, (isPage ? stepOfAddress() : null) ?? options.step ?? Infinity);
+show(readTrace(frames[0].data), (isPage ? stepOfAddress() : null) ?? options.step ?? Infinity);
 listen();
 prepareMoving();
 

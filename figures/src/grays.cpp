@@ -14,6 +14,17 @@ Color gray(double share) {
     return {level, level, level};
 }
 
+void DepthGrays::include(double depth) {
+    least_ = std::min(least_.value_or(depth), depth);
+    largest_ = std::max(largest_.value_or(depth), depth);
+}
+
+int DepthGrays::level_of(std::optional<double> depth) const {
+    const double range = least_ ? *largest_ - *least_ : 0;
+    const double share = depth && range > 0 ? (*depth - *least_) / range : 1;
+    return gray(larger_is_nearer_ ? share : 1 - share).red();
+}
+
 double share_of_writes(std::uint32_t writes) {
     const std::uint32_t told = std::min(writes, most_writes_told);
     return 1 - (told - 1) / (most_writes_told - 1.0);

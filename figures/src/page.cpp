@@ -173,8 +173,8 @@ std::string data_text(std::span<const PageFrame> frames) {
 
 std::string page_element() {
     const std::string resources = fmt::format(
-        R"({{"keys":{},"strokes":{},"html":{},"css":{}}})", keys_text(), strokes_text(),
-        json_quoted(squeezed(element_html())),
+        R"({{"steps_with_working":{},"keys":{},"strokes":{},"html":{},"css":{}}})",
+        most_steps_with_working, keys_text(), strokes_text(), json_quoted(squeezed(element_html())),
         json_quoted(squeezed_css(colors_of_themes() + element_css() + rules_of_roles("in-space"))));
     return fmt::format(
         "// SPDX-License-Identifier: MIT\n\"use strict\";\nconst RESOURCES = {};\n{}\n{}",

@@ -118,38 +118,24 @@ Numberless without_numbers(const std::string& sentence) {
     return result;
 }
 
-/// The depths of a trace, as grays.
-class DepthGrays {
-public:
-    explicit DepthGrays(const Trace& trace) {
-        for (std::size_t n = 1; n <= trace.size(); ++n) {
-            if (trace.kind_of(n) != StepKind::depth)
-                continue;
-            has_tests_ = true;
-            if (!larger_is_nearer_)
-                larger_is_nearer_ = larger_depth_passes(trace, n);
-            if (const auto depth = trace.step(n).as<DepthStep>().depth.nearest_double()) {
-                least_ = std::min(least_.value_or(*depth), *depth);
-                largest_ = std::max(largest_.value_or(*depth), *depth);
-            }
+/// The grays of all depths of a trace; nothing if it has no depth test.
+std::optional<DepthGrays> depth_grays(const Trace& trace) {
+    std::optional<DepthGrays> grays;
+    bool is_known = false; // whether larger is nearer
+    for (std::size_t n = 1; n <= trace.size(); ++n) {
+        if (trace.kind_of(n) != StepKind::depth)
+            continue;
+        if (!grays)
+            grays.emplace();
+        if (const auto larger = is_known ? std::nullopt : larger_depth_passes(trace, n)) {
+            grays->say_larger_is_nearer(*larger);
+            is_known = true;
         }
+        if (const auto depth = trace.step(n).as<DepthStep>().depth.nearest_double())
+            grays->include(*depth);
     }
-
-    bool has_tests() const { return has_tests_; }
-
-    /// The level of a gray, 0 to 255. The nearest is the lightest.
-    int level_of(const TracedNumber& told) const {
-        const auto depth = told.nearest_double();
-        const double range = least_ ? *largest_ - *least_ : 0;
-        const double share = depth && range > 0 ? (*depth - *least_) / range : 1;
-        return gray(larger_is_nearer_.value_or(false) ? share : 1 - share).red();
-    }
-
-private:
-    bool has_tests_ = false;
-    std::optional<bool> larger_is_nearer_;
-    std::optional<double> least_, largest_;
-};
+    return grays;
+}
 
 /// The answer about a pixel, with the nearest of those that have not drawn it, and how many these were.
 std::pair<Explanation, std::size_t> told_of_pixel(PixelExplainer& explainer, Pixel pixel) {
@@ -166,9 +152,9 @@ std::pair<Explanation, std::size_t> told_of_pixel(PixelExplainer& explainer, Pix
 class PageData {
 public:
     PageData(const Trace& trace, const PageDetail& detail, const StepsInSpace* in_space)
-        : trace_(trace), grays_(trace), replay_(trace, {.writes = false, .depths = true}),
-          detail_(detail), has_working_(trace.size() <= detail.steps_with_working),
-          in_space_(in_space) {}
+        : trace_(trace), grays_(depth_grays(trace)),
+          replay_(trace, {.writes = false, .depths = true}), detail_(detail),
+          has_working_(trace.size() <= detail.steps_with_working), in_space_(in_space) {}
 
     std::string text() {
         add_groups();
@@ -254,7 +240,7 @@ private:
         if (group_count_ > 1)
             views.push_back(View::faces);
         views.push_back(View::shade);
-        if (grays_.has_tests())
+        if (grays_)
             views.push_back(View::depth);
         views.push_back(View::writes);
         return views;
@@ -396,7 +382,7 @@ private:
         case StepKind::depth: {
             const auto test = step.as<DepthStep>();
             depths_.add((test.pass.is_true() ? 1 : 0) + (stores_depth(test) ? 2 : 0));
-            depths_.add(grays_.level_of(test.depth));
+            depths_.add(grays_->level_of(test.depth.nearest_double()));
             depths_.add(printable_word(short_number(test.depth.text())));
             return;
         }
@@ -548,7 +534,7 @@ private:
     }
 
     const Trace& trace_;
-    DepthGrays grays_;
+    std::optional<DepthGrays> grays_; ///< none: there are no depth tests
     Replay replay_;
     PageDetail detail_;
     bool has_working_;

@@ -147,8 +147,9 @@ async function checkTurning() {
   files["/cube64.json"] = JSON.stringify({...scene, canvas: {width: 64, height: 64}, method: {...scene.method, snap: "none", scalar: "double"}});
   const page = await open('<raster-trace src="cube64.json" view="faces"></raster-trace>');
   const pictureOf = () => page.$eval("#raster", canvas => Array.from(canvas.getContext("2d").getImageData(0, 0, 64, 64).data).join());
-  const stepsOf = async () => Number(await page.textContent("#last"));
-  const [before, steps] = [await pictureOf(), await stepsOf()];
+  const stepsOf = async () => Number(await page.textContent("#last")), spaceOf = () => page.innerHTML("#space");
+  const [before, steps, space] = [await pictureOf(), await stepsOf(), await spaceOf()];
+  expectSame([steps > 3000, await page.$$eval("#working li", all => all.length)], [true, 5], "a working that is asked for");
   const drag = () => page.evaluate(async () => {
     const host = document.querySelector("raster-trace"), sheet = host.shadowRoot.getElementById("sheet"), box = sheet.getBoundingClientRect(), times = [];
     const send = (type, x, y) => sheet.dispatchEvent(new PointerEvent(type, {bubbles: true, pointerId: 1, pointerType: "mouse", button: 0, buttons: type === "pointerup" ? 0 : 1, clientX: box.x + x, clientY: box.y + y}));
@@ -171,12 +172,27 @@ async function checkTurning() {
   expectSame(await pictureOf(), inMotion, "at rest, the picture that was in motion");
   expectSame(await page.$$eval("#numbers output", all => all.map(one => one.value).slice(0, 2)), ["55", "100"], "how far it is turned");
   expectSame(await page.textContent("#sentence") !== "...", true, "its steps");
+  expectSame([space, await spaceOf()].map(one => one.includes('class="line ')), [true, true], "the picture in space");
+  expectSame(await spaceOf() !== space, true, "that of the cube as it is turned");
   const again = await drag(); // now the scene is another one at every move
   console.log(`turning it again: ${again[50].toFixed(0)} ms`);
   await page.waitForFunction(() => document.querySelector("raster-trace").shadowRoot.getElementById("sentence").textContent !== "...", undefined, {timeout: 60000});
   await page.click("#back");
   await page.waitForFunction(steps => Number(document.querySelector("raster-trace").shadowRoot.getElementById("last").textContent) === steps, steps, {timeout: 60000});
   expectSame(await pictureOf(), before, "back");
+  // In motion too, the view of depths shows depths.
+  await page.selectOption("#view", "depth");
+  const depths = await pictureOf();
+  await page.evaluate(() => {
+    const host = document.querySelector("raster-trace"), slider = host.shadowRoot.querySelector("#numbers input");
+    const shown = new Promise(done => host.addEventListener("frame", done, {once: true}));
+    slider.value = 1;
+    slider.dispatchEvent(new Event("input"));
+    slider.value = 0;
+    slider.dispatchEvent(new Event("input"));
+    return shown;
+  });
+  expectSame(await pictureOf(), depths, "depths in motion");
   // By keyboard.
   await page.click("#numbers-section summary");
   await page.focus("#numbers input");
@@ -184,6 +200,14 @@ async function checkTurning() {
   await page.waitForSelector("#back:not([hidden])");
   expectSame(await page.$eval("#numbers output", one => one.value), "1", "by keyboard");
   await close(page);
+  const other = await open('<raster-trace src="examples/t4-pipeline/six-spaces.json"></raster-trace>');
+  const places = ["position", "look_at", "up"].flatMap(name => ["x", "y", "z"].map(axis => `camera ${name} ${axis}`));
+  expectSame(await other.$$eval("#numbers label", all => all.map(one => one.firstChild.textContent)),
+             ["turn about x", "turn about y", ...places, "projection distance"], "the numbers of the scene");
+  await other.$eval("#numbers label:last-child input", slider => { slider.value = 2; slider.dispatchEvent(new Event("change")); });
+  await other.waitForSelector("#back:not([hidden])");
+  expectSame(await other.textContent("#problem"), "", "the distance that it is changed to");
+  await close(other);
 }
 
 /** The next step is asked about before it is shown. */

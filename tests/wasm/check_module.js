@@ -80,7 +80,7 @@ function asked_of_module(module, text) {
   }
 }
 
-/// The picture in motion has the pixels that the steps of the same scene in doubles draw. Returns how many were compared.
+/// The picture in motion has the pixels and depths of the steps of the same scene in doubles. Returns how many were compared.
 function check_frames(module, scenes) {
   let count = 0;
   for (const [name, text] of scenes) {
@@ -92,7 +92,7 @@ function check_frames(module, scenes) {
     }
     const scene = JSON.parse(text);
     const in_doubles = JSON.stringify({...scene, method: {...scene.method, scalar: 'double'}});
-    const {width, height, left, top, down} = JSON.parse(module.page_data_in_motion(in_doubles)).canvas;
+    const data = JSON.parse(module.page_data_in_motion(in_doubles)), {width, height, left, top, down} = data.canvas;
     if (width * height > 5000) continue; // takes long
     const trace = JSON.parse(module.trace(in_doubles));
     const owners = new Array(width * height).fill(-1);
@@ -102,10 +102,29 @@ function check_frames(module, scenes) {
       if (step.step === 'pixel') owners[(step.y - top) * down * width + step.x - left] = primitive;
     }
     ++count;
-    const wrong = owners.findIndex((owner, i) => owner !== frame.owners[i]);
-    if (wrong >= 0) throw new Error(`${name}: pixel ${wrong} of the frame: expected ${owners[wrong]}, found ${frame.owners[wrong]}`);
+    const depths = frame.depths.map(() => 0), tests = data.step_kinds.map((kind, n) => data.kinds[kind][0] === 'depth' ? data.at[n] : -1);
+    tests.filter((at) => at >= 0).forEach((at, i) => { if (data.depths[3 * i] & 2) depths[at] = data.depths[3 * i + 1]; });
+    for (const [told, expected, found] of [['pixel', owners, frame.owners], ['depth', depths, frame.depths]]) {
+      const wrong = expected.findIndex((one, i) => one !== found[i]);
+      if (wrong >= 0) throw new Error(`${name}: ${told} ${wrong} of the frame: expected ${expected[wrong]}, found ${found[wrong]}`);
+    }
   }
   return count;
+}
+
+/// The picture in space is that of the program's own page: the widths of letters are the same.
+function check_space(module) {
+  for (const name of ['t0-projection/cube', 't0-hidden/cube-culled', 't4-pipeline/six-spaces', 't3-light/concave-depth']) {
+    const file = path.join(examples, `${name}.json`);
+    const page = execFileSync(program, ['figure', file, '--format', 'html', '-o', '-'], {encoding: 'utf8', maxBuffer: 1 << 28});
+    const [, packed] = /<script type="text\/plain">([^<]*)</.exec(page);
+    const [{data}] = JSON.parse(zlib.inflateSync(Buffer.from(packed, 'base64')).toString());
+    const found = JSON.parse(module.page_data(fs.readFileSync(file, 'utf8')));
+    const told = ({space, words}) => [space.all, ...space.steps.map((word) => words[word])];
+    const wrong = told(data).findIndex((shapes, i) => shapes !== told(found)[i]);
+    if (wrong >= 0 || data.space.steps.length !== found.space.steps.length)
+      throw new Error(`${name}: the picture in space of step ${wrong} is not the program's`);
+  }
 }
 
 /// Each question, about the triangle of the worked example.
@@ -118,6 +137,8 @@ function check_questions(module) {
   expect(module.problem(scene), '');
   const {line, column} = JSON.parse(module.problem(scene.replace('"ABC"', '\n "ABD"')));
   expect([line, column], [2, 5]); // the D
+  expect(JSON.parse(module.step(scene, 7)).working.at(-1), 'x = 1 to 2: 2 - 1 + 1 = 2 pixels'); // row y=4
+  expect(message_of(() => module.step(scene, 0)).startsWith('expected a step of 1 to '), true);
   expect(JSON.parse(module.explain_pixel(scene, 4, 2)).whyNot[0].sentence, 'AC ends row y=2 at x = 25/8 -> floor -> 3; x = 4 lies beyond it by 7/8');
   expect(message_of(() => module.explain_pixel(scene, 400, 2)), 'expected a pixel of the canvas, found 400,2');
   expect(JSON.parse(module.check(scene, 'y=2: -1/4, 25/8 -> -1..3\ny=1: 0, 7/2 -> -1..3')).map((one) => [one.verdict, one.fields]),
@@ -145,6 +166,7 @@ async function main() {
   if (frames < 100) throw new Error(`expected 100 frames of examples, found ${frames}`);
   console.log(`${frames} frames of examples; ${size} bytes deflated`);
   check_questions(module);
+  check_space(module);
   const without_file = asked_of_module(module, '{"meshes": [{"obj": "cube.obj"}]}');
   if (!/^cube.obj: expected a file that can be read/.test(without_file.message))
     throw new Error(`expected a message that there is no file, found ${JSON.stringify(without_file)}`);

@@ -2,14 +2,19 @@
 // What the module can be asked for: each function takes a scene as a text, and gives a text. module.js makes
 // functions of JavaScript of them.
 
+#include "grays.h"
+
 #include <rastertrace/core/draw/draw.h>
 #include <rastertrace/core/draw/model/mistakes.h>
 #include <rastertrace/figures/page.h>
 #include <rastertrace/trace/check/check.h>
 #include <rastertrace/trace/check/claims.h>
 #include <rastertrace/trace/explain/explain_pixels.h>
+#include <rastertrace/trace/record/frame.h>
 #include <rastertrace/trace/record/write_trace.h>
 #include <rastertrace/trace/scene/scene_file.h>
+#include <rastertrace/trace/tell/describe.h>
+#include <rastertrace/trace/tell/working.h>
 #include <rastertrace/trace/text/color_text.h>
 #include <rastertrace/trace/text/language.h>
 #include <rastertrace/trace/text/output.h>
@@ -18,7 +23,9 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <exception>
 #include <map>
 #include <memory>
@@ -73,7 +80,9 @@ std::string text_of_trace(const PlannedScene& planned) {
 
 /// The scene that was drawn last, so that several questions about it draw it once.
 struct Drawn {
-    explicit Drawn(const PlannedScene& planned) : trace(read_trace_of(planned)), explainer(trace) {}
+    explicit Drawn(const PlannedScene& planned)
+        : trace(read_trace_of(planned)), explainer(trace),
+          replay(trace, {.writes = false, .depths = true}) {}
 
     static Trace read_trace_of(const PlannedScene& planned) {
         auto trace = read_written_trace({.name = "trace", .text = text_of_trace(planned)});
@@ -84,6 +93,7 @@ struct Drawn {
 
     Trace trace;
     PixelExplainer explainer;
+    Replay replay;
 };
 std::string drawn_scene;
 std::unique_ptr<Drawn> last_drawn;
@@ -116,29 +126,54 @@ template <typename Number> std::string numbers_of(const std::vector<Number>& num
     return text + "]";
 }
 
-/// Who has drawn each pixel.
-struct Owners {
-    explicit Owners(const Canvas& canvas)
+/// Who has drawn each pixel, and the depth that is stored there.
+struct LastFrame {
+    explicit LastFrame(const Canvas& canvas)
         : canvas(canvas),
-          of_pixel(static_cast<std::size_t>(canvas.width) * static_cast<std::size_t>(canvas.height),
-                   -1) {}
+          owners(static_cast<std::size_t>(canvas.width) * static_cast<std::size_t>(canvas.height),
+                 -1),
+          depths(owners.size()) {}
 
     static bool reads_corners() { return false; }
     void operator()(const PrimitiveBegan<Quantity>& step) { names.emplace_back(step.name); }
     void operator()(const PixelPlotted& step) {
-        of_pixel[canvas.offset_of(step.pixel)] = static_cast<int>(names.size()) - 1;
+        owners[canvas.offset_of(step.pixel)] = static_cast<int>(names.size()) - 1;
+    }
+    void operator()(const DepthTested<Quantity>& step) {
+        const double depth = step.depth.to_double();
+        if (!std::isfinite(depth))
+            return;
+        grays.include(depth);
+        if (step.reason != DepthReason::stored)
+            return;
+        if (step.stored && step.stored->to_double() != depth)
+            grays.say_larger_is_nearer((depth > step.stored->to_double()) == step.passes);
+        if (step.passes)
+            depths[canvas.offset_of(step.pixel)] = depth;
+    }
+
+    /// Of each pixel the level of its depth's gray; 0: nothing is stored. Empty if there are no depths.
+    std::vector<int> levels() const {
+        std::vector<int> levels;
+        const auto is_stored = [](const std::optional<double>& depth) { return depth.has_value(); };
+        if (std::any_of(depths.begin(), depths.end(), is_stored))
+            for (const std::optional<double>& depth : depths)
+                levels.push_back(depth ? grays.level_of(depth) : 0);
+        return levels;
     }
 
     Canvas canvas;
     std::vector<std::string> names; ///< of the primitives
-    std::vector<int> of_pixel;      ///< a place in names; -1: nobody
+    std::vector<int> owners;        ///< a place in names; -1: nobody
+    std::vector<std::optional<double>> depths;
+    DepthGrays grays;
 };
 
 /// The last frame alone: {"names": of the primitives, "owners": of each pixel a place in names or -1, "colors": those that
-/// there are, "pixels": of each pixel a place in colors}.
+/// there are, "pixels": of each pixel a place in colors, "depths": of each pixel the level of a gray, 0 if none is stored}.
 std::string frame_of(const PlannedScene& planned) {
-    Owners owners(planned.scene.canvas);
-    const Image image = draw(planned.scene, planned.plan, owners);
+    LastFrame frame(planned.scene.canvas);
+    const Image image = draw(planned.scene, planned.plan, frame);
     std::map<std::string, std::size_t> places;
     std::vector<std::string> colors;
     std::vector<std::size_t> pixels;
@@ -156,9 +191,9 @@ std::string frame_of(const PlannedScene& planned) {
                 colors.push_back(place->first);
             pixels.push_back(place->second);
         }
-    return fmt::format(R"({{"names":{},"owners":{},"colors":{},"pixels":{}}})",
-                       json_of(owners.names), numbers_of(owners.of_pixel), json_of(colors),
-                       numbers_of(pixels));
+    return fmt::format(R"({{"names":{},"owners":{},"colors":{},"pixels":{},"depths":{}}})",
+                       json_of(frame.names), numbers_of(frame.owners), json_of(colors),
+                       numbers_of(pixels), numbers_of(frame.levels()));
 }
 
 /// What was found about a claim.
@@ -217,8 +252,9 @@ const char* rastertrace_trace(const char* scene) {
 
 /// What a page shows of a scene: figures/page.h.
 const char* rastertrace_page_data(const char* scene) {
-    return answer_of_drawn(
-        scene, [](const Drawn& drawn) { return page_data(drawn.trace, detail_at_rest); });
+    return answer_of_drawn(scene, [](const Drawn& drawn) {
+        return page_data(drawn.trace, detail_at_rest, steps_in_space(drawn.trace, {}).get());
+    });
 }
 
 /// The same while a vertex is moved.
@@ -230,6 +266,19 @@ const char* rastertrace_page_data_in_motion(const char* scene) {
 /// The last frame of a scene, without steps, for a picture in motion: in doubles, whatever its own numbers are.
 const char* rastertrace_frame(const char* scene) {
     return answer_of(scene, frame_of, {{"scalar", "double"}});
+}
+
+/// A step, counted from 1: {"sentence":, "working": [lines]}.
+const char* rastertrace_step(const char* scene, int n) {
+    return answer_of_drawn(scene, [n](Drawn& drawn) {
+        if (n < 1 || static_cast<std::size_t>(n) > drawn.trace.size())
+            throw problem_of(
+                "", fmt::format("expected a step of 1 to {}, found {}", drawn.trace.size(), n));
+        drawn.replay.go_to(static_cast<std::size_t>(n));
+        return fmt::format(R"({{"sentence":{},"working":{}}})",
+                           json_quoted(describe_step(drawn.replay)),
+                           json_of(working_of(drawn.replay)));
+    });
 }
 
 /// Why a pixel is as it is: page_answer of page.h.

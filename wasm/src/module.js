@@ -6,6 +6,7 @@
 //     module.problem(scene)               // what is wrong with it; '' if nothing is
 //     module.page_data(scene)             // what a page shows of it; page_data_in_motion: less, sooner
 //     module.frame(scene)                 // its last picture alone
+//     module.step(scene, 14)              // a step's sentence and working
 //     module.explain_pixel(scene, 4, 2)   // why a pixel is as it is
 //     module.check(scene, 'y=2: 0..3')    // what is wrong of what was worked out by hand
 //     module.mistakes(scene)              // those that may change it
@@ -38,6 +39,7 @@ Module['trace'] = ask_of_scene((scene) => _rastertrace_trace(scene));
 Module['page_data'] = ask_of_scene((scene) => _rastertrace_page_data(scene));
 Module['page_data_in_motion'] = ask_of_scene((scene) => _rastertrace_page_data_in_motion(scene));
 Module['frame'] = ask_of_scene((scene) => _rastertrace_frame(scene));
+Module['step'] = ask_of_scene((scene, n) => _rastertrace_step(scene, n));
 Module['explain_pixel'] = ask_of_scene((scene, x, y) => _rastertrace_explain_pixel(scene, x, y));
 Module['check'] = ask_of_scene((scene, claims) => with_text(claims, (at) => _rastertrace_check(scene, at)));
 Module['mistakes'] = ask_of_scene((scene) => _rastertrace_mistakes(scene));

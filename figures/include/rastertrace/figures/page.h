@@ -61,7 +61,7 @@ struct PageDetail {
 inline constexpr PageDetail detail_at_rest{.steps_with_working = 3'000, .why_not_asked = 0};
 inline constexpr PageDetail detail_in_motion{.steps_with_working = 500, .why_not_asked = 0};
 
-/// The picture in space on a page. The program compiled for browsers has none, and need not have its letters.
+/// The picture in space on a page.
 class StepsInSpace {
 public:
     virtual ~StepsInSpace() = default;
