@@ -228,9 +228,10 @@ function setText(words) {
 // --- begin -----------------------------------------------------------------------------------------------------------
 
 async function begin() {
+  const module = import(new URL("raster-trace.js", import.meta.url)).then(({RasterTrace}) => RasterTrace.module());
   const held = await heldByAddress();
-  const [{RasterTrace}, schema, first] = await Promise.all([
-    import(new URL("raster-trace.js", import.meta.url)), fetch("scene.schema.json").then(answer => answer.json()),
+  const [schema, first] = await Promise.all([
+    fetch("scene.schema.json").then(answer => answer.json()),
     held.scene ?? fetch(`../examples/${examples[0][1]}.json`).then(answer => answer.text())]);
   const {enum: conventions, enumDescriptions: whose} = schema.definitions.convention;
   by("convention").append(new Option("the scene's", ""), ...conventions.map((name, i) => Object.assign(new Option(name), {title: whose[i]})));
@@ -249,7 +250,7 @@ async function begin() {
     })]});
   by("claims").value = held.claims ?? "";
   by("convention").value = held.convention ?? "";
-  program = await RasterTrace.module();
+  program = await module;
   draw();
   by("mistake").value = held.mistake ?? "";
   drawMistake();

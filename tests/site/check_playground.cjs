@@ -17,10 +17,12 @@ const expectSame = (found, expected, what) => {
 };
 
 const types = {".html": "text/html", ".css": "text/css", ".js": "text/javascript", ".mjs": "text/javascript", ".wasm": "application/wasm", ".json": "application/json"};
+const compressed = {}; // as a site keeps its files
 const server = http.createServer((request, answer) => {
   const file = path.join(folder, decodeURI(request.url.split("?")[0]));
   if (!fs.existsSync(file)) return answer.writeHead(404).end();
-  answer.writeHead(200, {"content-type": types[path.extname(file)] ?? "text/plain", "content-encoding": "gzip"}).end(zlib.gzipSync(fs.readFileSync(file), {level: 9}));
+  compressed[file] ??= zlib.gzipSync(fs.readFileSync(file), {level: 9});
+  answer.writeHead(200, {"content-type": types[path.extname(file)] ?? "text/plain", "content-encoding": "gzip"}).end(compressed[file]);
 });
 
 /** Waits until something holds in the page. */

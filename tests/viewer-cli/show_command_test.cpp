@@ -52,6 +52,20 @@ TEST_F(ProgramTest, SentencesOfWrongStepsSayWhatTheirNumbersGive) {
                 Not(HasSubstr("[!]")));
 }
 
+TEST_F(ProgramTest, ShowBeginsWithWhatTheSceneIsAbout) {
+    const std::string show = "$rastertrace show $examples/t0-fill/first-triangle.json";
+    const std::string summary = shell(show).out;
+    EXPECT_THAT(summary, StartsWith("First triangle\n"
+                                    "triangle ABC   A (2, 5)   B (-4, -3)   C (5, -3)\n"
+                                    "  y=5    AB x = 2 -> 2        AC x = 2 -> 2      1 pixel\n"));
+    EXPECT_THAT(summary, Not(HasSubstr("step 62"))); // nor marks of one
+    EXPECT_THAT(summary, Not(HasSubstr("@")));
+    EXPECT_THAT(summary, Not(HasSubstr(">-3")));
+    EXPECT_THAT(shell(show + " --last").out, HasSubstr("step 62 of 62\npixel (5, -3)"));
+    EXPECT_THAT(shell(show + " --bare").out, StartsWith("................."));
+    EXPECT_THAT(shell(show + " --language pt").out, HasSubstr("tri\u00E2ngulo ABC"));
+}
+
 TEST_F(ProgramTest, ShowLooksAtAFrameInManyWays) {
     const Outcome faces =
         shell("$rastertrace show $examples/t2-lines/points.json --bare --view faces");

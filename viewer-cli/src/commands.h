@@ -61,10 +61,16 @@ struct PlanCommand {
 int run(const PlanCommand& command);
 
 struct ShowCommand {
-    enum class Which { last, step, every, all };
+    enum class Which {
+        summary, ///< what the scene is about, and the last frame
+        last,
+        step,
+        every,
+        all
+    };
 
     std::string trace;
-    Which which = Which::last;
+    Which which = Which::summary;
     std::string selector; ///< for Which::step and Which::every, see selector.h
     bool bare = false;
     std::optional<View> view;     ///< none: the trace's default; `plotted` if bare
@@ -81,7 +87,7 @@ struct ShowCommand {
     /// True if an option is about the grid of a frame.
     bool asks_for_frames() const { return has_frames || view || region || is_overview; }
 };
-int run(const ShowCommand& command);
+int run(ShowCommand command);
 
 struct PlayCommand {
     std::string trace;

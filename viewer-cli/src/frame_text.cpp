@@ -360,7 +360,7 @@ private:
     MarkedCell at(Pixel pixel) const {
         const std::size_t offset = replay_.trace().canvas.offset_of(pixel);
         const std::size_t drawn_by = replay_.frame().drawn_by[offset];
-        const bool is_new = drawn_by != 0 && drawn_by >= about_.first_step;
+        const bool is_new = about_.first_step != 0 && drawn_by >= about_.first_step;
         if (not_drawn_.count(offset) != 0)
             return {"x"};
         if (is_new && about_.view == View::plotted)

@@ -28,7 +28,7 @@ namespace rastertrace {
 /// A frame, how it is looked at, and what is said above it.
 struct FrameText {
     std::string caption = {};   ///< what the step says, see describe_step
-    std::size_t first_step = 0; ///< pixels drawn by the steps from this one ...
+    std::size_t first_step = 0; ///< pixels drawn by the steps from this one (0: none) ...
     std::size_t last_step = 0;  ///< ... to this one, the frame's own, are new, and marked
     View view = View::plotted;
     ColorDepth colors = ColorDepth::none;

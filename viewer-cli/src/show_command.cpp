@@ -14,6 +14,7 @@
 #include <rastertrace/figures/shown_steps.h>
 #include <rastertrace/trace/record/selector.h>
 #include <rastertrace/trace/tell/describe.h>
+#include <rastertrace/trace/tell/digest.h>
 #include <rastertrace/trace/tell/working.h>
 #include <rastertrace/trace/text/text.h>
 
@@ -36,6 +37,7 @@ namespace {
 std::vector<ShownSteps> steps_to_show(const ShowCommand& command, const Trace& trace) {
     std::vector<ShownSteps> shown;
     switch (command.which) {
+    case ShowCommand::Which::summary:
     case ShowCommand::Which::last:
         shown.push_back({trace.size(), trace.size()});
         break;
@@ -126,6 +128,24 @@ void check_sequence(const ShowCommand& command, const InputFrames& input) {
                          "--frame 1 makes a table of the first");
 }
 
+/// What a scene is about, and above `below` all of its picture.
+void print_summary(const Replay& replay, FrameText about, TextSize size) {
+    const Trace& trace = replay.trace();
+    std::string text = shortened(printable(trace.title), size.columns - 1) + "\n";
+    for (const std::string& line : digest_of(trace))
+        text += line + "\n";
+    about.has_heading = false;
+    about.first_step = about.last_step = 0; // no step is told, and none marked
+    LaidOutFrame frame = laid_out_frame(replay, about, size);
+    const FrameWindow& window = frame.grid.window;
+    if (!about.region &&
+        (window.columns < trace.canvas.width || window.rows < trace.canvas.height)) {
+        about.is_overview = true;
+        frame = laid_out_frame(replay, about, size);
+    }
+    print(text + frame.text);
+}
+
 /// `faces` have letters; those of the frame before, then those of this one.
 ExitStatus show(const Trace& trace, const ShowCommand& command, FaceGroups& faces) {
     const auto shown = steps_to_show(command, trace);
@@ -176,6 +196,10 @@ ExitStatus show(const Trace& trace, const ShowCommand& command, FaceGroups& face
             continue;
         }
         replay.go_to(steps.last);
+        if (command.which == ShowCommand::Which::summary) {
+            print_summary(replay, about, size);
+            break;
+        }
         const std::string blank_line = is_first ? "" : "\n";
         print(blank_line + (command.bare
                                 ? bare_frame_text(replay, view, command.region, about.faces)
@@ -188,12 +212,14 @@ ExitStatus show(const Trace& trace, const ShowCommand& command, FaceGroups& face
 
 } // namespace
 
-int run(const ShowCommand& command) {
+int run(ShowCommand command) {
     InputFrames input(command.trace, {.method = command.method,
                                       .limits = command.input,
                                       .frames = command.frames,
                                       .tells_steps = true});
     check_sequence(command, input);
+    if (input.is_sequence() && command.which == ShowCommand::Which::summary)
+        command.which = ShowCommand::Which::last;
     ExitStatus status = exit_fine;
     FaceGroups faces;
     for (std::size_t frame = input.first(); frame <= input.last(); ++frame) {
@@ -222,7 +248,9 @@ public:
 
     void add_to(OptionList& options) override {
         options.option("trace", command_.trace, trace_input, "TRACE").required();
-        OptionList which = options.one_of("Which frames", "One of these; --last if none is given");
+        OptionList which = options.one_of(
+            "Which frames",
+            "One of these; if none is given, what the scene is about and all of its picture");
         which.option("--step", step_, "After this step, from 0", "STEP");
         which.flag("--last", last_, "After the last step");
         which.option("--every", every_,
@@ -247,6 +275,8 @@ public:
     }
 
     void read() override {
+        if (last_ || command_.bare || command_.has_working)
+            command_.which = ShowCommand::Which::last;
         if (!step_.empty())
             command_.which = ShowCommand::Which::step;
         if (!every_.empty())

@@ -34,7 +34,9 @@ ${glue}
 export default async function rastertrace() {
   const answer = await fetch(new URL('rastertrace.wasm', import.meta.url));
   if (!answer.ok) throw new Error(\`rastertrace.wasm: \${answer.status} \${answer.statusText}\`);
-  return rastertrace_of_binary({wasmBinary: await answer.arrayBuffer()});
+  const isStream = answer.headers.get('content-type') === 'application/wasm'; // compiled while it is loaded
+  const compiled = await (isStream ? WebAssembly.compileStreaming(answer) : WebAssembly.compile(await answer.arrayBuffer()));
+  return rastertrace_of_binary({instantiateWasm: (imports, done) => { WebAssembly.instantiate(compiled, imports).then(done); return {}; }});
 }
 `);
 fs.writeFileSync(`${packed}.wasm`, binary);
