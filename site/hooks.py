@@ -15,9 +15,10 @@ from markdown.extensions import Extension
 from markdown.treeprocessors import Treeprocessor
 from mkdocs.exceptions import PluginError
 
-# Sections and their pages, as (pattern of the file's name, title or None for the page's own). A section may stand in
-# place of a page. Of several pages with a pattern, the numbers in their names say the order.
-SECTIONS = [
+# What docs/README.md, the list of contents, does not have: pages before its sections, as (pattern of the file's name, title or
+# None for the page's own). A section may stand in place of a page. Of several pages with a pattern, the numbers in their
+# names say the order.
+BEFORE = [
     ("README.md", "Home"),
     ("Tutorial", [
         ("docs/tutorial/README.md", "About the tutorial"),
@@ -25,52 +26,7 @@ SECTIONS = [
         ("Answers", [("docs/tutorial/answers/*.md", None)]),
         ("Em português", [("docs/tutorial/pt/*.md", None), ("docs/tutorial/pt/*/*.md", None)]),
     ]),
-    ("Commands", [
-        ("docs/commands.md", "All commands"),
-        ("docs/frames.md", "show"),
-        ("docs/player.md", "play"),
-        ("docs/figures.md", "figure"),
-        ("docs/element.md", None),
-        ("docs/explain.md", "explain"),
-        ("docs/trace.md", "trace"),
-        ("docs/stats.md", "stats"),
-        ("docs/plan.md", "plan"),
-        ("docs/check.md", "check"),
-        ("docs/diff.md", "diff"),
-        ("docs/validate.md", "validate"),
-        ("docs/editors.md", "In an editor"),
-        ("docs/report.md", "report"),
-        ("docs/exercises.md", "exercise"),
-        ("docs/for-teachers.md", "For teachers"),
-        ("docs/diagnose.md", "diagnose"),
-        ("docs/stress-command.md", "stress"),
-        ("docs/pages.md", "renew"),
-        ("examples/page.md", "A page to renew"),
-        ("docs/install.md", None),
-    ]),
-    ("How it draws", [
-        ("docs/pipeline.md", None),
-        ("docs/conventions.md", None),
-        ("docs/mistakes.md", None),
-        ("docs/fills.md", None),
-        ("docs/lines.md", None),
-        ("docs/along-the-texts.md", None),
-        ("docs/text-figures.md", None),
-        ("docs/sources.md", None),
-    ]),
-    ("Formats", [("docs/scene-format.md", None), ("docs/trace-format.md", None)]),
-    ("Numbers", [("docs/numerics.md", None), ("docs/stress.md", None)]),
-    ("For developers", [
-        ("docs/your-own-rasterizer.md", None),
-        ("docs/troubleshooting.md", None),
-        ("docs/library.md", None),
-        ("docs/python.md", None),
-        ("docs/regression-tests.md", None),
-        ("docs/architecture.md", None),
-        ("docs/performance.md", None),
-        ("docs/contributing.md", None),
-        ("CHANGELOG.md", None),
-    ]),
+    ("docs/README.md", None),
 ]
 
 CHAPTER = re.compile(r"docs/tutorial/(?:\d[^/]*|README)\.md")
@@ -104,13 +60,24 @@ def navigation(sections, pages):
     return nav
 
 
+def sections_of(contents, folder):
+    """The sections of the list of contents: each heading, and the pages of the table below it."""
+    sections = []
+    for line in contents.splitlines():
+        if heading := re.fullmatch("## (.*)", line):
+            sections.append((heading[1], []))
+        elif page := re.match(r"\| \[(.*?)\]\((.*?)\)", line):
+            sections[-1][1].append((os.path.normpath(os.path.join(folder, page[2])), None))
+    return sections
+
+
 def on_config(config):
     folder = Path(config["docs_dir"])
     pages = [os.path.relpath(os.path.join(where, name), folder)
              for where, _, names in os.walk(folder, followlinks=True) for name in names if name.endswith(".md")]
-    config["nav"] = navigation(SECTIONS, pages)
+    config["nav"] = navigation(BEFORE + sections_of((folder / "docs/README.md").read_text(), "docs"), pages)
     if pages:
-        raise PluginError("in no section of the site: " + ", ".join(sorted(pages)) + "; SECTIONS in site/hooks.py needs a line")
+        raise PluginError("in no section of the site: " + ", ".join(sorted(pages)) + "; docs/README.md needs a line")
     config["theme"].static_templates.clear()  # a map of the site needs the site's address
     config["markdown_extensions"].append(Anchors())
     return config

@@ -820,6 +820,7 @@ const actions = {
   "larger-cells": () => setZoom(1.25),
   "smaller-cells": () => setZoom(0.8),
   "working": () => { hasWorking = !hasWorking; tellStep(); },
+  "answer-first": () => by("asks").click(),
   "next-frame": () => setFrame((frame + 1) % frames.length),
   "previous-frame": () => setFrame((frame + frames.length - 1) % frames.length),
   "help": () => by("help").open ? by("help").close() : by("help").showModal(),

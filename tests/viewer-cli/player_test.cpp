@@ -14,6 +14,7 @@
 #include <rastertrace/trace/tell/describe.h>
 #include <rastertrace/trace/text/text.h>
 
+#include <fmt/core.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -25,6 +26,7 @@ namespace rastertrace {
 namespace {
 
 using ::testing::HasSubstr;
+using ::testing::Not;
 
 Player player_of(const Scene& scene, const PlayerOptions& options = {}) {
     return Player({.open = [scene](std::size_t) { return GrowingTrace(trace_of(scene)); }},
@@ -394,11 +396,11 @@ TEST(Player, ClicksOnThePixelThatTheScreenShowsThere) {
         for (std::size_t line = 0; line < size.lines; ++line)
             for (std::size_t column = 0; column < size.columns; ++column) {
                 const auto pixel =
-                    screen.grid.pixel_at(line, column, player.playback().trace().canvas);
+                    screen.places.grid.pixel_at(line, column, player.playback().trace().canvas);
                 if (!pixel)
                     continue;
                 ++found;
-                player.press({"Click", column, line}, screen.grid);
+                player.press({"Click", column, line}, screen.places);
                 ASSERT_EQ(player.cursor(), pixel);
                 ASSERT_LT(line, screen.lines.size());
                 // What stands in the row in front of its cells is its y.
@@ -406,11 +408,126 @@ TEST(Player, ClicksOnThePixelThatTheScreenShowsThere) {
                 while (screen.lines[label].substr(0, 4).find_first_not_of(" >") ==
                        std::string::npos)
                     ++label; // the first line of a large cell has it
-                if (screen.grid.cell_lines == 1) {
+                if (screen.places.grid.cell_lines == 1) {
                     ASSERT_EQ(std::stoi(screen.lines[label].substr(1, 3)), pixel->y);
                 }
             }
         EXPECT_GT(found, 0);
+    }
+}
+
+TEST(Player, AsksAboutTheNextStepAndMarksTheAnswer) {
+    Player player = player_of(first_triangle(), {.step = "13", .answers_first = true});
+    const auto answer = [&player](const std::string& text) {
+        press(player, {"Right"});
+        type(player, text);
+        return player.message();
+    };
+    // What comes is not told.
+    EXPECT_THAT(screen_text(player), Not(HasSubstr("14  scanline y=2")));
+    press(player, {"Right"});
+    EXPECT_EQ(player.playback().step(), 13U);
+    EXPECT_EQ(player.message(), "ABC, row y=2: which pixels does it have? from x, to x");
+    EXPECT_THAT(screen_text(player), HasSubstr("answer: _"));
+    type(player, "-1 to 3");
+    EXPECT_EQ(player.message(), "right. 1 of 1 right");
+    EXPECT_EQ(player.playback().step(), 14U);
+    EXPECT_EQ(answer("0 2"), "no: -1 2. 1 of 2 right");
+    // A click answers where a pixel is asked for; so does the cursor.
+    press(player, {"Right"});
+    const PlayerScreen screen = player_screen(player, {80, 24}, {});
+    for (std::size_t column = 0; player.answers().size() < 3 && column < 80; ++column)
+        for (std::size_t line = 0; player.answers().size() < 3 && line < 24; ++line)
+            if (screen.places.grid.pixel_at(line, column, player.playback().trace().canvas) ==
+                Pixel{0, 2})
+                player.press({"Click", column, line}, screen.places);
+    EXPECT_EQ(player.message(), "right. 2 of 3 right");
+    // Nothing typed shows the step; Escape does not.
+    EXPECT_EQ(answer(""), "");
+    EXPECT_EQ(step_after(player, {"Right", "Escape"}), 17U);
+    EXPECT_EQ(player.answers().size(), 3U);
+    EXPECT_EQ(csv_of(player.answers()),
+              "step,kind,question,answer,right answer,is right\r\n"
+              "14,scanline,\"ABC, row y=2: which pixels does it have? from x, to x\","
+              "'-1 to 3,'-1 3,true\r\n"
+              "15,pixel,\"ABC, which pixel is drawn next? x, y, or the cursor\","
+              "0 2,'-1 2,false\r\n"
+              "16,pixel,\"ABC, which pixel is drawn next? x, y, or the cursor\",0 2,0 2,true\r\n");
+    press(player, {"a"}); // no more
+    EXPECT_EQ(step_after(player, {"Right"}), 18U);
+}
+
+TEST(Player, AsksForWordsByTheirFirstLetters) {
+    Player player =
+        player_of(scene_in(R"({"canvas":{"width":9,"height":9},"method":{"depth":"linear-z"},
+        "vertices":{"A":[0,3,5],"B":[-3,-2,5],"C":[3,-2,5],"D":[0,3,6],"E":[-3,-2,6],"F":[3,-2,6]},
+        "triangles":["ABC","DEF"]})"),
+                  {.answers_first = true});
+    type(player, "/depth in=DEF"); // behind the nearer triangle
+    press(player, {"Left", "Right"});
+    EXPECT_THAT(player.message(), HasSubstr("does it pass or fail"));
+    type(player, "f");
+    EXPECT_EQ(player.message(), "right. 1 of 1 right");
+    EXPECT_THAT(player.message(), Not(HasSubstr("no")));
+}
+
+TEST(Player, SearchesForWordsOfSentences) {
+    Player player = player_of(first_triangle());
+    type(player, "/HORIZONTAL, it");
+    EXPECT_EQ(step_of(player).as<EdgeStep>().edge, "BC");
+    type(player, "/25/8");
+    EXPECT_EQ(player.playback().step(), 14U);
+    EXPECT_EQ(step_after(player, {"n"}), 14U);
+    EXPECT_EQ(player.message(), "no other step that way says \"25/8\"");
+    type(player, "/scanlin");
+    EXPECT_EQ(player.playback().step(), 20U); // in a sentence
+    type(player, "/scanlime");
+    EXPECT_THAT(player.message(), HasSubstr("no other step that way says \"scanlime\"; expected"));
+}
+
+TEST(Player, HasBookmarks) {
+    Player player = player_of(first_triangle());
+    press(player, {"'"});
+    EXPECT_EQ(player.message(), "there is no bookmark: m sets one");
+    press(player, {"1", "4", "G", "m", "2", "0", "G", "m"});
+    EXPECT_EQ(step_after(player, {"'"}), 14U);
+    EXPECT_THAT(screen_text(player), HasSubstr("* 14  scanline"));
+    EXPECT_EQ(step_after(player, {"'"}), 20U);
+    press(player, {"m"});
+    EXPECT_EQ(player.message(), "bookmark removed");
+    EXPECT_EQ(step_after(player, {"g", "'"}), 14U);
+    EXPECT_EQ(step_after(player, {"'"}), 14U);
+}
+
+TEST(Player, ScrollsTheWorkingWhereItHasNoRoom) {
+    Player player = player_of(titled_triangle(), {.step = "scanline y=2"});
+    const TextSize small{60, 20};
+    const std::string lines_of_all = screen_text(player, {200, 60});
+    EXPECT_THAT(lines_of_all, HasSubstr("AB is left, AC is right"));
+    EXPECT_THAT(screen_text(player, small), HasSubstr("Ctrl+d, Ctrl+u"));
+    std::string seen = screen_text(player, small);
+    for (int i = 0; i < 20; ++i) {
+        press(player, {"Ctrl+d"});
+        seen += screen_text(player, small);
+    }
+    for (const char* const line :
+         {"left AB: x = (x2", "right AC: x = (x2", "AB is left, AC is right"})
+        EXPECT_THAT(seen, HasSubstr(line));
+    press(player, {"9", "9", "Ctrl+u"});
+    EXPECT_THAT(screen_text(player, small), HasSubstr("... lines 1 to"));
+}
+
+TEST(Player, GoesToAStepOfTheListThatIsClicked) {
+    for (const TextSize size : {TextSize{80, 24}, TextSize{200, 60}}) {
+        Player player = player_of(first_triangle(), {.step = "20"});
+        const PlayerScreen screen = player_screen(player, size, {});
+        const auto& list = screen.places.list;
+        ASSERT_GT(list.count, 2U);
+        for (std::size_t i = 0; i < list.count; ++i)
+            EXPECT_THAT(screen.lines[list.first_line + i].substr(list.first_column),
+                        HasSubstr(fmt::format(" {}  ", list.first_step + i)));
+        player.press({"Click", list.first_column + 3, list.first_line + 1}, screen.places);
+        EXPECT_EQ(player.playback().step(), list.first_step + 1);
     }
 }
 
@@ -427,7 +544,7 @@ scanline y=2   left AB: x = 2 + 3/4 (2 - 5) = -1/4 -> floor -> -1   right AC: x 
   5   . . . . . . . . . . A . . . . . .   right AC: x = (x2 - x1)/(y2 - y1) (y - y1) + x1 = (5 -
   4   . . . . . . . . . # # . . . . . .   2)/(-3 - 5) (2 - 5) + 2 = (-3/8) (-3) + 2 = 25/8 -> floor
   3   . . . . . . . . # # # . . . . . .   -> 3
-> 2   . . . . . . . . . . . . . . . . .   -1/4 < 25/8: AB is left, AC is right
+> 2   . . . . . . . + + + + + . . . . .   -1/4 < 25/8: AB is left, AC is right
   1   . . . . . . . . . . . . . . . . .   x = -1 to 3: 3 - (-1) + 1 = 5 pixels
   0   . . . . . . . . . . . . . . . . .
  -1   . . . . . . . . . . . . . . . . .     11  pixel (0, 3)   row y=3: 0 to 2

@@ -303,6 +303,8 @@ public:
         auto legend = cells_.legend();
         if (!not_drawn_.empty())
             legend.emplace_back("x tested, not drawn");
+        if (about_.coming)
+            legend.emplace_back("+ to come");
         for (const VertexMark& mark : long_names_)
             legend.push_back(fmt::format(
                 "{} {} ({}, {})",
@@ -367,6 +369,8 @@ private:
             return {"@", {.is_reversed = true}};
         if (const auto vertex = vertices_.find(offset); vertex != vertices_.end())
             return {letter_of(vertex->second, drawn_by != 0)};
+        if (about_.coming && drawn_by == 0 && has(*about_.coming, pixel))
+            return {"+"};
         Cell cell = cells_.at(pixel);
         return {std::move(cell.text), {.background = cell.color, .is_reversed = is_new}, is_new};
     }
@@ -385,11 +389,11 @@ std::string half_block(const MarkedCell& upper, const MarkedCell& lower, ColorDe
         constexpr Color cursor{255, 255, 0};
         constexpr Color marked{255, 0, 255};
         constexpr Color drawn{200, 200, 200};
-        return cell.is_cursor           ? std::optional(cursor)
-               : cell.style.is_reversed ? std::optional(marked)
-               : cell.style.background  ? cell.style.background
-               : cell.text == "."       ? std::nullopt
-                                        : std::optional(drawn);
+        return cell.is_cursor                         ? std::optional(cursor)
+               : cell.style.is_reversed               ? std::optional(marked)
+               : cell.style.background                ? cell.style.background
+               : cell.text == "." || cell.text == "+" ? std::nullopt
+                                                      : std::optional(drawn);
     };
     const auto above = color(upper);
     const auto below = color(lower);

@@ -61,9 +61,11 @@ std::vector<std::size_t> parameters_in(std::string_view text) {
     }
 }
 
-/// `<0;12;7M`: the first button was pressed in column 12 of line 7.
+/// `<0;12;7M`: the first button was pressed in column 12 of line 7. The wheel is buttons 64 and 65, which are keys.
 KeyPress click_in(std::string_view sequence) {
     const auto numbers = parameters_in(sequence.substr(1, sequence.size() - 2));
+    if (numbers.size() == 3 && sequence.ends_with('M') && (numbers[0] == 64 || numbers[0] == 65))
+        return {numbers[0] == 64 ? "Left" : "Right"};
     const bool is_press = sequence.ends_with('M') && numbers.size() == 3 && numbers[0] == 0;
     if (!is_press || numbers[1] == 0 || numbers[2] == 0)
         return {};

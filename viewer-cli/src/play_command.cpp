@@ -8,10 +8,14 @@
 #include "player.h"
 #include "player_screen.h"
 #include "shared_options.h"
+#include "step_question.h"
 #include "terminal_session.h"
+#include "two_players.h"
 
 #include <rastertrace/trace/record/growing_trace.h>
 #include <rastertrace/trace/record/selector.h>
+#include <rastertrace/trace/text/output.h>
+#include <rastertrace/trace/text/process_files.h>
 
 #include <fmt/core.h>
 
@@ -115,19 +119,41 @@ int show_instead(const PlayCommand& command) {
 }
 
 PlayerOptions player_options(const PlayCommand& command) {
-    return {.view = command.view, .step = command.step, .bytes = command.bytes};
+    return {.view = command.view,
+            .step = command.step,
+            .bytes = command.bytes,
+            .answers_first = !command.answers.empty()};
+}
+
+/// One player as a session takes it: TwoPlayers has the same functions.
+class OnePlayer {
+public:
+    explicit OnePlayer(Player player) : player_(std::move(player)) {}
+
+    void press(const KeyPress& key, const ScreenPlaces& places) { player_.press(key, places); }
+    bool work() { return player_.work(); }
+    bool pass(double seconds) { return player_.pass(seconds); }
+    void look_for_change() { player_.look_for_change(); }
+    const Player& first() const { return player_; }
+    PlayerScreen screen(TextSize size, const ScreenAbility& ability) const {
+        return player_screen(player_, size, ability);
+    }
+
+private:
+    Player player_;
+};
+
+ScreenAbility ability_of(const PlayCommand& command) {
+    return {.colors = output_colors(command.color), .has_unicode = output_has_unicode()};
 }
 
 /// What a terminal of some size would show at first.
-int print_screen(const PlayCommand& command) {
-    Player player(open_input_of(command), player_options(command));
-    while (player.work()) {
+template <typename Players> int print_screen(Players players, const PlayCommand& command) {
+    while (players.work()) {
     }
-    const ScreenAbility ability{.colors = output_colors(command.color),
-                                .has_unicode = output_has_unicode()};
-    for (const std::string& line : player_screen(player, *command.screen, ability).lines)
+    for (const std::string& line : players.screen(*command.screen, ability_of(command)).lines)
         print(line.substr(0, line.find_last_not_of(' ') + 1) + "\n");
-    return report_damage(player.playback().trace());
+    return report_damage(players.first().playback().trace());
 }
 
 /// How long to wait for a key, in milliseconds; for ever if that is negative.
@@ -138,50 +164,63 @@ int time_to_wait(const Player& player, bool has_worked, bool is_shown) {
 }
 
 /// Keys, time and screens, until somebody leaves.
-void play(Player& player, const ScreenAbility& ability) {
+template <typename Players> void play(Players& players, const ScreenAbility& ability) {
     TerminalSession terminal;
     PlayerScreen screen;
     bool is_shown = false; // as things are now
     bool is_urgent = true; // somebody waits for it
     auto drawn = Clock::now();
     auto before = Clock::now();
-    while (!player.wants_to_leave() && terminal.is_open()) {
+    while (!players.first().wants_to_leave() && terminal.is_open()) {
         is_urgent = terminal.needs_redraw() || is_urgent;
         if (is_urgent || (!is_shown && Clock::now() - drawn >= between_screens)) {
-            player.look_for_change();
-            screen = player_screen(player, terminal.size(), ability);
+            players.look_for_change();
+            screen = players.screen(terminal.size(), ability);
             terminal.show(screen.lines);
             drawn = Clock::now();
             is_shown = true;
             is_urgent = false;
         }
-        const bool has_worked = player.work();
+        const bool has_worked = players.work();
         is_shown = is_shown && !has_worked;
-        terminal.wait(time_to_wait(player, has_worked, is_shown),
-                      player.playback().growing().pipe());
+        terminal.wait(time_to_wait(players.first(), has_worked, is_shown),
+                      players.first().playback().growing().pipe());
         while (const auto key = terminal.key()) {
-            player.press(*key, screen.grid);
+            players.press(*key, screen.places);
             is_urgent = true;
         }
         const auto now = Clock::now();
-        if (player.pass(std::chrono::duration<double>(now - before).count()))
+        if (players.pass(std::chrono::duration<double>(now - before).count()))
             is_shown = false;
         before = now;
     }
 }
 
+template <typename Players> int run(Players players, const PlayCommand& command) {
+    if (command.screen)
+        return print_screen(std::move(players), command);
+    if (!command.answers.empty()) // nobody answers what cannot be kept
+        write_file(command.answers, csv_of({}), opened_files());
+    play(players, ability_of(command));
+    if (!command.answers.empty())
+        write_file(command.answers, csv_of(players.first().answers()), opened_files());
+    return report_damage(players.first().playback().trace());
+}
+
 } // namespace
 
 int run(const PlayCommand& command) {
-    if (command.screen)
-        return print_screen(command);
-    if (!TerminalSession::is_possible())
+    if (!command.screen && !TerminalSession::is_possible())
         return show_instead(command);
-    if (command.trace == "-")
+    if (command.trace == "-" && !command.screen)
         print_error("rastertrace: standard input is kept in a temporary file\n");
     Player player(open_input_of(command), player_options(command));
-    play(player, {.colors = output_colors(command.color), .has_unicode = output_has_unicode()});
-    return report_damage(player.playback().trace());
+    if (command.other.empty())
+        return run(OnePlayer(std::move(player)), command);
+    PlayCommand other = command;
+    other.trace = command.other;
+    return run(TwoPlayers(std::move(player), Player(open_input_of(other), player_options(other))),
+               command);
 }
 
 namespace {
@@ -192,13 +231,16 @@ constexpr std::size_t key_columns = 79;
 class PlayCommandLine final : public Command {
 public:
     CommandAbout about() const override {
-        return {"play", "Go through a trace step by step, forward and back, in the terminal",
-                "rastertrace play examples/t0-fill/first-triangle.json --step \"scanline y=2\"\n\n"
-                "rastertrace play --keys lists the keys, and ? does while it plays."};
+        return {
+            "play", "Go through a trace step by step, forward and back, in the terminal",
+            "rastertrace play examples/t0-fill/first-triangle.json --step \"scanline y=2\"\n\n"
+            "rastertrace play --keys lists the keys, and ? does while it plays. OTHER is a second "
+            "trace, beside the\nfirst one: playing stops at the first step that differs."};
     }
 
     void add_to(OptionList& options) override {
         AddedOption trace = options.option("trace", command_.trace, trace_input, "TRACE");
+        options.option("other", command_.other, trace_input, "OTHER");
         options.flag("--keys", lists_keys_, "List the keys, and play nothing").excludes(trace);
         options.option("--step", command_.step, "Begin at this step; before the first if not given",
                        "STEP");
@@ -209,6 +251,9 @@ public:
                         Snapshots::usual_bytes / 1'000'000),
             "N");
         options.option("--color", color_, "Colors", "WHEN").values(color_choices);
+        options.option("--answers", command_.answers,
+                       "Begin with answer first (key a), and write the answers to this table (CSV)",
+                       "FILE");
         options.option("--print", screen_size_,
                        "Print the first screen of a terminal of that size, and play nothing",
                        "COLUMNSxLINES");

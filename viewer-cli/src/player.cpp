@@ -25,7 +25,7 @@ constexpr double fastest = 1024;
 
 Player::Player(PlayerInput input, const PlayerOptions& options)
     : input_(std::move(input)), options_(options), view_(options.view.value_or(View::plotted)),
-      has_own_view_(options.view.has_value()) {
+      has_own_view_(options.view.has_value()), answers_first_(options.answers_first) {
     open(input_.first_frame);
     if (!options.step.empty())
         begin_at(options.step);
@@ -105,13 +105,15 @@ std::optional<std::string> Player::prompt() const {
         return "/" + typed_;
     case Asked::breakpoint:
         return "break at: " + typed_;
+    case Asked::answer:
+        return "answer: " + typed_;
     case Asked::nothing:
         break;
     }
     return count_.empty() ? std::nullopt : std::optional(count_);
 }
 
-void Player::press(const KeyPress& key, const FrameGrid& grid) {
+void Player::press(const KeyPress& key, const ScreenPlaces& places) {
     if (key.key.empty())
         return; // none that we know, or a button of the mouse let go
     message_.clear();
@@ -121,15 +123,10 @@ void Player::press(const KeyPress& key, const FrameGrid& grid) {
             act(*action);
         return;
     }
+    if (key.key == "Click")
+        return click(key, places);
     if (asked_ != Asked::nothing)
         return type(key.key);
-    if (key.key == "Click") {
-        if (const auto pixel = grid.pixel_at(key.line, key.column, trace().canvas)) {
-            set_cursor(pixel);
-            looks_at_cursor_ = true;
-        }
-        return;
-    }
     if (help_page_ > 0 && act_in_help(key.key))
         return;
     search_.reset(); // any key ends it
@@ -202,7 +199,7 @@ void Player::act(PlayerAction action) {
     wanted_.reset();
     switch (action) {
     case next:
-        return move_by(take_times(), forward);
+        return answers_first_ ? ask(step() + 1) : move_by(take_times(), forward);
     case previous:
         return move_by(take_times(), back);
     case next_row:
@@ -230,6 +227,8 @@ void Player::act(PlayerAction action) {
     case last:
         return move_to(has_count ? take_count() : trace().size());
     case play:
+        if (answers_first_)
+            return ask(step() + 1);
         is_playing_ = !is_playing_ && step() < trace().size();
         due_ = 0;
         return;
@@ -279,6 +278,20 @@ void Player::act(PlayerAction action) {
     case working:
         has_working_ = !has_working_;
         return;
+    case working_down:
+        return scroll_working(times());
+    case working_up:
+        return scroll_working(-times());
+    case answer_first:
+        answers_first_ = !answers_first_;
+        is_playing_ = false;
+        message_ = answers_first_ ? "the next step is asked about before it is shown"
+                                  : "steps are shown at once";
+        return;
+    case bookmark:
+        return toggle_bookmark();
+    case next_bookmark:
+        return go_to_bookmark();
     case next_frame:
         return change_frame(forward);
     case previous_frame:
@@ -306,8 +319,91 @@ void Player::play_at(double steps_per_second) {
     message_ = fmt::format("{:g} steps a second", speed_);
 }
 
+/// What is clicked: a pixel, or a step of the list. The wheel goes from step to step.
+void Player::click(const KeyPress& key, const ScreenPlaces& places) {
+    if (const auto pixel = places.grid.pixel_at(key.line, key.column, trace().canvas)) {
+        if (asked_step_ && asked_step_->is_about_pixel)
+            return answer(fmt::format("{} {}", pixel->x, pixel->y));
+        set_cursor(pixel);
+        looks_at_cursor_ = true;
+        return;
+    }
+    const ScreenPlaces::List& list = places.list;
+    const bool is_in_list = asked_ == Asked::nothing && key.column >= list.first_column &&
+                            key.line >= list.first_line && key.line - list.first_line < list.count;
+    if (is_in_list)
+        move_to(list.first_step + (key.line - list.first_line));
+}
+
+/// Asks about a step; one about which nothing can be asked is shown.
+void Player::ask(std::size_t step) {
+    if (step > trace().size())
+        return move_by(1, Direction::forward);
+    Replay replay(trace(), {.writes = false, .depths = playback_->has_depths()});
+    replay.go_to_place_of(playback_->replay());
+    replay.go_to(step);
+    asked_step_ = question_about(replay);
+    if (!asked_step_)
+        return move_to(step);
+    asked_ = Asked::answer;
+    typed_.clear();
+    message_ = asked_step_->words;
+}
+
+/// Marks an answer, and shows the step; without an answer it is only shown.
+void Player::answer(const std::string& given) {
+    asked_ = Asked::nothing;
+    const StepQuestion question = *std::exchange(asked_step_, std::nullopt);
+    move_to(question.step);
+    if (given.empty())
+        return;
+    answers_.push_back({question, given, is_right(question, given)});
+    const auto right = std::count_if(answers_.begin(), answers_.end(),
+                                     [](const GivenAnswer& one) { return one.is_right; });
+    message_ = fmt::format("{}. {} of {} right",
+                           answers_.back().is_right ? "right" : "no: " + question.right, right,
+                           answers_.size());
+}
+
+/// How many lines it takes, only a screen knows, which shows its end at the least.
+void Player::scroll_working(int lines) {
+    constexpr std::size_t most = 1000;
+    const auto from = static_cast<long long>(working_from_) + lines;
+    working_from_ = std::min(static_cast<std::size_t>(std::max(from, 0LL)), most);
+}
+
+void Player::toggle_bookmark() {
+    if (bookmarks_.erase(step()) > 0) {
+        message_ = "bookmark removed";
+        return;
+    }
+    bookmarks_.insert(step());
+    message_ = fmt::format("bookmark {} at step {}; ' goes from one to the next", bookmarks_.size(),
+                           step());
+}
+
+void Player::go_to_bookmark() {
+    if (bookmarks_.empty()) {
+        message_ = "there is no bookmark: m sets one";
+        return;
+    }
+    const auto next = bookmarks_.upper_bound(step());
+    move_to(next == bookmarks_.end() ? *bookmarks_.begin() : *next);
+}
+
+void Player::stop_at(std::size_t step, const std::string& message) {
+    is_playing_ = false;
+    if (step != this->step()) {
+        working_from_ = 0;
+        playback_->go_to(step);
+    }
+    if (!message.empty())
+        message_ = message;
+}
+
 void Player::move_to(std::size_t step) {
     looks_at_cursor_ = false;
+    working_from_ = 0;
     const std::size_t last = trace().size();
     if (step > last)
         message_ = fmt::format("expected a step up to {}, found {}", last, step);
@@ -316,6 +412,7 @@ void Player::move_to(std::size_t step) {
 
 void Player::move_by(std::size_t count, Direction direction) {
     looks_at_cursor_ = false;
+    working_from_ = 0;
     const std::size_t last = trace().size();
     if (direction == Direction::forward && step() == last)
         message_ = playback_->growing().is_whole() ? "this is the last step" : "more is being read";

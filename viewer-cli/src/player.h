@@ -14,6 +14,7 @@
 #include "key_reader.h"
 #include "pixel_question.h"
 #include "playback.h"
+#include "step_question.h"
 
 #include <rastertrace/figures/player_keys.h>
 #include <rastertrace/figures/view.h>
@@ -23,10 +24,27 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
 namespace rastertrace {
+
+/// Where what can be clicked stands on the screen.
+struct ScreenPlaces {
+    FrameGrid grid = {}; ///< the pixels
+
+    /// The list of steps: one a line, from a step on.
+    struct List {
+        std::size_t first_line = 0;
+        std::size_t first_column = 0;
+        std::size_t first_step = 0;
+        std::size_t count = 0;
+    };
+    List list = {};
+    std::size_t second_from =
+        0; ///< the column from which on the same stands once more, of another trace; 0: it does not
+};
 
 /// The traces to be played: one, or that of each frame of a scene whose numbers vary.
 struct PlayerInput {
@@ -40,6 +58,7 @@ struct PlayerOptions {
     std::optional<View> view = {}; ///< none: the trace's default
     std::string step = {};         ///< to begin with, see selector.h; empty: before the first
     std::size_t bytes = Snapshots::usual_bytes;
+    bool answers_first = false;
 };
 
 class Player {
@@ -47,14 +66,17 @@ public:
     /// Opens the first frame, and reads as far as the step to begin with. Throws a Problem.
     Player(PlayerInput input, const PlayerOptions& options);
 
-    /// Does what a key says; a Click is about a place of the picture that `grid` tells.
-    void press(const KeyPress& key, const FrameGrid& grid = {});
+    /// Does what a key says; a Click is about a place of the screen.
+    void press(const KeyPress& key, const ScreenPlaces& places = {});
 
     /// Does a piece of what is to be done beside keys; false if there is nothing now.
     bool work();
 
     /// Goes on by what is due after some time, while it plays; false if nothing is.
     bool pass(double seconds);
+
+    /// Goes to a step, and plays no more.
+    void stop_at(std::size_t step, const std::string& message);
 
     bool is_playing() const { return is_playing_; }
     bool wants_to_leave() const { return wants_to_leave_; }
@@ -64,6 +86,14 @@ public:
     bool is_overview() const { return is_overview_; }
     std::size_t scale() const { return scale_; }
     bool has_working() const { return has_working_; }
+    std::size_t working_from() const {
+        return working_from_;
+    } ///< the first line of it that is shown
+    bool is_bookmarked(std::size_t step) const { return bookmarks_.contains(step); }
+
+    /// True if steps are asked about before they are shown: nothing tells what comes.
+    bool answers_first() const { return answers_first_; }
+    const std::vector<GivenAnswer>& answers() const { return answers_; }
     std::optional<Pixel> cursor() const { return cursor_; }
     const PixelQuestion* question() const { return question_ ? &*question_ : nullptr; }
     double steps_per_second() const { return speed_; }
@@ -96,7 +126,7 @@ private:
     /// Steps that are looked at before keys are asked for again: a few milliseconds.
     static constexpr std::size_t steps_at_once = 50'000;
 
-    enum class Asked { nothing, search, breakpoint };
+    enum class Asked { nothing, search, breakpoint, answer };
     enum class Direction { forward, back };
 
     /// A search for a step, done in pieces.
@@ -108,6 +138,13 @@ private:
         std::size_t found = 0;     ///< the last one that is meant; 0: none so far
         std::size_t remaining = 1; ///< so many are passed
         std::string missing = {};  ///< what is said if there is none
+        std::size_t at_once = steps_at_once;
+    };
+
+    /// What was searched for: a kind of step, or words of sentences.
+    struct Wanted {
+        std::string text;
+        std::optional<Selector> selector;
     };
 
     void open(std::size_t frame);
@@ -124,19 +161,27 @@ private:
     void play_at(double steps_per_second);
     void move_to(std::size_t step);
     void move_by(std::size_t count, Direction direction);
-    void find(Direction direction, std::function<bool(std::size_t)> is_meant, std::string missing);
+    void find(Direction direction, std::function<bool(std::size_t)> is_meant, std::string missing,
+              std::size_t at_once = steps_at_once);
     void find_kind(Direction direction);
     void find_row(Direction direction);
     void find_primitive(Direction direction);
     void find_of_primitive(Direction direction);
     void find_at_cursor(Direction direction);
     void find_match(Direction direction);
+    void find_words(Direction direction, const std::string& words);
     bool search_on();
     void change_view(int by);
     void change_frame(Direction direction);
     void move_cursor(int columns, int rows);
     void set_cursor(std::optional<Pixel> pixel);
     void toggle_cursor();
+    void click(const KeyPress& key, const ScreenPlaces& places);
+    void ask(std::size_t step);
+    void answer(const std::string& given);
+    void scroll_working(int lines);
+    void toggle_bookmark();
+    void go_to_bookmark();
     void start_search(const std::string& text);
     void add_breakpoint(const std::string& text);
     bool is_at_breakpoint() const;
@@ -155,6 +200,11 @@ private:
     bool is_overview_ = false;
     std::size_t scale_ = 1;
     bool has_working_ = true;
+    std::size_t working_from_ = 0;
+    std::set<std::size_t> bookmarks_;
+    bool answers_first_ = false;
+    std::optional<StepQuestion> asked_step_; ///< the one that waits for an answer
+    std::vector<GivenAnswer> answers_;
     std::size_t help_page_ = 0;
 
     std::optional<std::string> lost_;
@@ -169,7 +219,7 @@ private:
     std::string message_;
 
     std::optional<Search> search_;
-    std::optional<Selector> searched_for_;
+    std::optional<Wanted> searched_for_;
     std::vector<Selector> breakpoints_;
 
     bool is_playing_ = false;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "player_screen.h"
 
+#include <rastertrace/trace/record/traced_steps.h>
 #include <rastertrace/trace/tell/describe.h>
 #include <rastertrace/trace/tell/working.h>
 #include <rastertrace/trace/text/text.h>
@@ -44,37 +45,52 @@ void append(TextLines& lines, TextLines more) {
                  std::make_move_iterator(more.end()));
 }
 
-/// The steps around the current one, a line each.
-TextLines steps_around(const Player& player, std::size_t columns, std::size_t count) {
+/// Lines of a panel, and what of them can be clicked.
+struct Panel {
+    TextLines lines;
+    std::size_t first_step = 0; ///< of the list of steps
+};
+
+/// The steps around the current one, a line each. Where answers come first, what follows is not told.
+Panel steps_around(const Player& player, std::size_t columns, std::size_t count,
+                   ColorDepth colors) {
     const Trace& trace = player.playback().trace();
     const std::size_t here = player.playback().step();
-    const std::size_t last = trace.size();
+    const std::size_t last = player.answers_first() ? here : trace.size();
     const std::size_t before = std::min(here, count / 2);
     const std::size_t first = std::min(here - before, last + 1 - std::min(last + 1, count));
-    const std::size_t digits = std::to_string(last).size();
-    TextLines lines;
+    const std::size_t digits = std::to_string(trace.size()).size();
+    Panel panel{.lines = {}, .first_step = first};
     for (std::size_t n = first; n < first + count && n <= last; ++n) {
         const bool is_here = n == here;
+        const char mark = player.is_bookmarked(n) ? '*' : is_here ? '>' : ' ';
         const std::string& sentence = player.playback().sentence_of(n);
-        lines.push_back(shortened(
-            fmt::format("{} {:>{}}  {}", is_here ? '>' : ' ', trace.number_of(n), digits, sentence),
-            columns));
+        panel.lines.push_back(styled(
+            shortened(fmt::format("{} {:>{}}  {}", mark, trace.number_of(n), digits, sentence),
+                      columns),
+            {.is_strong = is_here, .is_quiet = !is_here}, colors));
     }
-    return lines;
+    return panel;
 }
 
-/// How the numbers of the step come of one another, as far as there is room.
+/// How the numbers of the step come of one another, a part of it where there is no room for all.
 TextLines working_panel(const Player& player, std::size_t columns, std::size_t count) {
     if (!player.has_working() || count == 0)
         return {};
     TextLines lines;
     for (const std::string& line : working_of(player.playback().replay()))
         append(lines, wrapped(line, columns));
-    if (lines.size() > count) {
-        lines.resize(count);
-        lines.back() = shortened("... (a larger terminal shows all)", columns);
-    }
-    return lines;
+    if (lines.size() <= count)
+        return lines;
+    const std::size_t room = count - 1; // the last line tells the part
+    const std::size_t first = std::min(player.working_from(), lines.size() - room);
+    const std::string part =
+        fmt::format("... lines {} to {} of {}: Ctrl+d, Ctrl+u", std::min(first + 1, lines.size()),
+                    first + room, lines.size());
+    TextLines shown(lines.begin() + static_cast<std::ptrdiff_t>(first),
+                    lines.begin() + static_cast<std::ptrdiff_t>(first + room));
+    shown.push_back(shortened(part, columns));
+    return shown;
 }
 
 /// The choices of the trace's header: `fill scanline, rounding floor, ...`.
@@ -88,7 +104,7 @@ std::string conventions(const Trace& trace, std::size_t columns) {
 /// What has become of the pixel under the cursor.
 TextLines pixel_panel(const Player& player, std::size_t columns, std::size_t count) {
     const PixelQuestion* const question = player.question();
-    if (question == nullptr || count == 0)
+    if (question == nullptr || count == 0 || player.answers_first())
         return {};
     const std::string name =
         fmt::format("pixel ({}, {})", question->pixel().x, question->pixel().y);
@@ -166,9 +182,14 @@ std::string prompt_line(const std::string& prompt, std::size_t columns) {
 
 /// What is typed, or else what is to be said, what is wrong with the trace, and the keys to begin with.
 TextLines last_lines(const Player& player, TextSize size) {
-    if (const auto prompt = player.prompt())
-        return {prompt_line(*prompt, size.columns)};
+    const std::size_t most_lines = std::min<std::size_t>(3, size.lines / 6 + 1);
     TextLines lines;
+    if (const auto prompt = player.prompt()) {
+        lines = wrapped(printable(player.message()), size.columns); // the question, if one is asked
+        lines.resize(std::min(lines.size(), most_lines));
+        lines.push_back(prompt_line(*prompt, size.columns));
+        return lines;
+    }
     const auto& damage = player.playback().trace().damage;
     if (!player.message().empty())
         lines = wrapped(printable(player.message()), size.columns);
@@ -176,7 +197,6 @@ TextLines last_lines(const Player& player, TextSize size) {
         lines = wrapped(
             fmt::format("line {}: {}", damage.front().line, printable(damage.front().message)),
             size.columns);
-    const std::size_t most_lines = std::min<std::size_t>(3, size.lines / 6 + 1);
     lines.resize(std::min(lines.size(), most_lines));
     if (player.message().empty() && lines.size() < most_lines)
         lines.emplace_back(
@@ -184,6 +204,19 @@ TextLines last_lines(const Player& player, TextSize size) {
     for (std::string& line : lines)
         line = shortened(line, size.columns);
     return lines;
+}
+
+/// The pixels of a row that has been found; nothing at any other step.
+std::optional<Region> pixels_to_come(const Replay& replay) {
+    const Trace& trace = replay.trace();
+    if (replay.step() == 0 || trace.kind_of(replay.step()) != StepKind::scanline)
+        return std::nullopt;
+    const auto row = trace.step(replay.step()).as<ScanlineStep>();
+    return row.from > row.to ? std::nullopt
+                             : std::optional(Region{.x0 = static_cast<int>(row.from),
+                                                    .y0 = static_cast<int>(row.y),
+                                                    .x1 = static_cast<int>(row.to),
+                                                    .y1 = static_cast<int>(row.y)});
 }
 
 /// The frame as `show` prints it; heading and working stand elsewhere.
@@ -200,19 +233,10 @@ FrameText frame_options(const Player& player, const ScreenAbility& ability) {
             .has_heading = false,
             .center = player.looks_at_cursor() ? player.cursor() : std::nullopt,
             .cursor = player.cursor(),
+            .coming = pixels_to_come(replay),
             .scale = std::max<std::size_t>(player.scale(), 1),
             .has_half_blocks = has_half_blocks,
             .faces = player.view() == View::faces ? &player.playback().faces() : nullptr};
-}
-
-/// A line, and from a column on another one beside it.
-std::string beside(const std::string& left, const std::string& right, std::size_t column) {
-    if (right.empty())
-        return left;
-    // Who knows how many columns a line with colors takes? The terminal.
-    return left.find('\x1b') == std::string::npos
-               ? padded(left, column) + right
-               : fmt::format("{}\x1b[{}G{}", left, column + 1, right);
 }
 
 PlayerScreen help_screen(const Player& player, TextSize size) {
@@ -245,6 +269,15 @@ PlayerScreen lost_screen(const Player& player, TextSize size) {
 
 } // namespace
 
+std::string beside(const std::string& left, const std::string& right, std::size_t column) {
+    if (right.empty())
+        return left;
+    // Who knows how many columns a line with colors takes? The terminal.
+    return left.find('\x1b') == std::string::npos
+               ? padded(left, column) + right
+               : fmt::format("{}\x1b[{}G{}", left, column + 1, right);
+}
+
 std::vector<std::string> player_help(std::size_t columns) {
     std::size_t width = 0;
     std::vector<std::pair<std::string, std::string_view>> rows;
@@ -261,8 +294,9 @@ std::vector<std::string> player_help(std::size_t columns) {
             front.assign(front.size(), ' ');
         }
     }
-    append(lines, {"", "A number in front of a key that goes somewhere: so many times.",
-                   "A click sets the cursor."});
+    append(lines,
+           {"", "A number in front of a key that goes somewhere: so many times.",
+            "A click sets the cursor, or goes to a step of the list; the wheel goes on and back."});
     return lines;
 }
 
@@ -299,8 +333,10 @@ std::size_t side_columns(const Canvas& canvas, const FrameText& about, std::size
     return columns >= wide ? side_of_wide : 0;
 }
 
-/// The panels, each as long as `lines` allows: the working gives way to the steps, these to the pixel.
-TextLines panels_of(const Player& player, std::size_t columns, std::size_t lines) {
+/// The panels, each as long as `lines` allows: the working gives way to the steps, these to the pixel. Of the list of
+/// steps it tells where it stands among them.
+TextLines panels_of(const Player& player, std::size_t columns, std::size_t lines, ColorDepth colors,
+                    ScreenPlaces::List& list) {
     constexpr std::size_t few_steps = 3;
     constexpr std::size_t more_steps = 7;
     const TextLines pixel = pixel_panel(player, columns, std::min(lines, lines / 3 + 2));
@@ -310,12 +346,17 @@ TextLines panels_of(const Player& player, std::size_t columns, std::size_t lines
     const TextLines working =
         working_panel(player, columns, left > few_steps ? left - few_steps : 0);
     left -= working.size();
-    const TextLines steps = steps_around(player, columns, std::min(left, more_steps));
+    const Panel steps = steps_around(player, columns, std::min(left, more_steps), colors);
     TextLines panels;
-    for (const TextLines& panel : {working, steps, pixel}) {
-        if (!panels.empty() && !panel.empty() && gaps > 0)
+    for (const TextLines* panel : {&working, &steps.lines, &pixel}) {
+        if (!panels.empty() && !panel->empty() && gaps > 0)
             panels.emplace_back();
-        append(panels, panel);
+        if (panel == &steps.lines)
+            list = {.first_line = panels.size(),
+                    .first_column = 0,
+                    .first_step = steps.first_step,
+                    .count = steps.lines.size()};
+        append(panels, *panel);
     }
     return panels;
 }
@@ -350,18 +391,22 @@ PlayerScreen player_screen(const Player& player, TextSize size, const ScreenAbil
         lines.resize(most_lines);
         lines.back() = shortened(lines.back() + " ...", size.columns);
     }
+    for (std::size_t i = 1; i < lines.size(); ++i) // the sentence, below the title
+        lines[i] = styled(lines[i], {.is_strong = true}, ability.colors);
     TextLines bottom;
     constexpr std::size_t lines_for_conventions = 16;
     if (size.lines >= lines_for_conventions)
-        bottom.push_back(conventions(trace, size.columns));
+        bottom.push_back(
+            styled(conventions(trace, size.columns), {.is_quiet = true}, ability.colors));
     bottom.push_back(progress(player, size.columns));
     append(bottom, last_lines(player, size));
 
     const std::size_t body = size.lines - lines.size() - bottom.size();
     const std::size_t side = side_columns(trace.canvas, about, size.columns);
     const std::size_t below = side > 0 ? 0 : lines_below(trace.canvas, about, body);
-    const TextLines panels =
-        panels_of(player, side > 0 ? side : size.columns, side > 0 ? body - 1 : below);
+    ScreenPlaces places;
+    const TextLines panels = panels_of(player, side > 0 ? side : size.columns,
+                                       side > 0 ? body - 1 : below, ability.colors, places.list);
     const std::size_t frame_lines = side > 0 ? body : body - panels.size();
     const std::size_t frame_columns =
         side > 0 ? std::min(size.columns - side - 2, columns_of_picture(trace.canvas, about))
@@ -370,6 +415,9 @@ PlayerScreen player_screen(const Player& player, TextSize size, const ScreenAbil
     LaidOutFrame frame =
         laid_out_frame(player.playback().replay(), about, {frame_columns, frame_lines + 1});
     frame.grid.first_line += lines.size();
+    places.grid = frame.grid;
+    places.list.first_line += lines.size() + (side > 0 ? 1 : frame_lines);
+    places.list.first_column = side > 0 ? frame_columns + 2 : 0;
     TextLines grid = lines_in(frame.text);
     grid.resize(frame_lines);
     for (std::string& line : grid)
@@ -382,7 +430,7 @@ PlayerScreen player_screen(const Player& player, TextSize size, const ScreenAbil
     if (side == 0)
         append(lines, panels);
     append(lines, std::move(bottom));
-    return {std::move(lines), frame.grid};
+    return {std::move(lines), places};
 }
 
 } // namespace rastertrace

@@ -25,11 +25,14 @@ struct ScreenAbility {
 
 struct PlayerScreen {
     std::vector<std::string> lines; ///< as many as the size has, at most, none longer
-    FrameGrid grid;                 ///< where the pixels stand in them
+    ScreenPlaces places = {};       ///< of pixels and steps in them
 };
 
 /// What a size has room for; of a very small one only the step and its sentence.
 PlayerScreen player_screen(const Player& player, TextSize size, const ScreenAbility& ability);
+
+/// A line, and from a column on another one beside it.
+std::string beside(const std::string& left, const std::string& right, std::size_t column);
 
 /// The keys as lines of so many columns: the player's help.
 std::vector<std::string> player_help(std::size_t columns);

@@ -16,6 +16,13 @@ namespace rastertrace {
 
 namespace {
 
+std::string in_lower_case(std::string text) {
+    std::transform(text.begin(), text.end(), text.begin(), [](char c) {
+        return 'A' <= c && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+    });
+    return text;
+}
+
 /// A trace of more steps is not searched once more for what is near to what was not found.
 constexpr std::size_t most_steps_for_hints = 200'000;
 
@@ -56,14 +63,15 @@ bool touches(const Trace& trace, std::size_t n, Pixel pixel) {
 
 /// Begins to search, as often as a number in front of the key says.
 void Player::find(Direction direction, std::function<bool(std::size_t)> is_meant,
-                  std::string missing) {
+                  std::string missing, std::size_t at_once) {
     looks_at_cursor_ = false;
     search_ = Search{.is_meant = std::move(is_meant),
                      .direction = direction,
                      .begin = step(),
                      .place = step(),
                      .remaining = take_times(),
-                     .missing = std::move(missing)};
+                     .missing = std::move(missing),
+                     .at_once = at_once};
     search_on();
 }
 
@@ -73,7 +81,7 @@ bool Player::search_on() {
         return false;
     Search& search = *search_;
     const bool is_forward = search.direction == Direction::forward;
-    for (std::size_t looked_at = 0; looked_at < steps_at_once; ++looked_at) {
+    for (std::size_t looked_at = 0; looked_at < search.at_once; ++looked_at) {
         const bool is_behind = is_forward ? search.place >= trace().size() : search.place <= 1;
         if (is_behind && is_forward && !playback_->growing().is_whole() && looked_at == 0)
             return false; // until more has been read
@@ -173,7 +181,9 @@ void Player::find_match(Direction direction) {
         message_ = "nothing was searched for: / does";
         return;
     }
-    const Selector selector = *searched_for_;
+    if (!searched_for_->selector)
+        return find_words(direction, searched_for_->text);
+    const Selector selector = *searched_for_->selector;
     std::string missing =
         fmt::format("no other step that way is {}", printable(selector.source.text));
     find(
@@ -184,13 +194,28 @@ void Player::find_match(Direction direction) {
         std::move(missing));
 }
 
+/// Sentences take longer to make than steps to look at.
+void Player::find_words(Direction direction, const std::string& words) {
+    constexpr std::size_t sentences_at_once = 500;
+    find(
+        direction,
+        [this, wanted = in_lower_case(words)](std::size_t n) {
+            return in_lower_case(playback_->sentence_of(n)).find(wanted) != std::string::npos;
+        },
+        fmt::format("no other step that way says \"{}\"", printable(words)), sentences_at_once);
+}
+
 void Player::type(const std::string& key) {
     if (key == "Enter")
         return finish_typing();
     if (key == "Escape") {
         asked_ = Asked::nothing;
+        asked_step_.reset();
         return;
     }
+    if (const auto action = player_action_of(key); asked_step_ && action && key.size() > 1)
+        if (*action >= PlayerAction::cursor_left && *action <= PlayerAction::cursor_right)
+            return act(*action); // the cursor answers where a pixel is asked for
     if (key == "Backspace") {
         if (typed_.empty())
             asked_ = Asked::nothing;
@@ -208,7 +233,10 @@ void Player::type(const std::string& key) {
 
 void Player::finish_typing() {
     const Asked asked = std::exchange(asked_, Asked::nothing);
-    if (asked == Asked::search)
+    if (asked == Asked::answer) {
+        const bool is_by_cursor = typed_.empty() && asked_step_->is_about_pixel && cursor_;
+        answer(is_by_cursor ? fmt::format("{} {}", cursor_->x, cursor_->y) : typed_);
+    } else if (asked == Asked::search)
         start_search(typed_);
     else
         add_breakpoint(typed_);
@@ -228,17 +256,22 @@ std::optional<Selector> Player::selector_of(const std::string& text) {
 void Player::start_search(const std::string& text) {
     if (!text.empty()) {
         auto selector = selector_of(text);
-        if (!selector)
-            return;
-        if (selector->number)
+        if (selector && selector->number)
             return move_to(*selector->number);
-        searched_for_ = std::move(selector);
+        searched_for_ = {text, std::move(selector)};
+        message_.clear(); // what is no step may be said by one
     }
     find_match(Direction::forward);
-    if (search_ || message_.empty() || trace().size() > most_steps_for_hints)
+    if (search_ || message_.empty() || !searched_for_ || trace().size() > most_steps_for_hints)
         return;
+    if (!searched_for_->selector) {
+        const std::string nowhere = message_;
+        selector_of(searched_for_->text); // what is wrong with it
+        message_ = nowhere + "; " + message_;
+        return;
+    }
     // Perhaps it is behind us, or there is none at all.
-    const auto all = matching_steps(*searched_for_, trace());
+    const auto all = matching_steps(*searched_for_->selector, trace());
     if (!all)
         message_ =
             all.problem().message + (all.problem().hint.empty() ? "" : "; " + all.problem().hint);

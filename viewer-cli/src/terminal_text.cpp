@@ -123,6 +123,10 @@ std::string styled(std::string_view text, const Style& style, ColorDepth colors)
         codes.push_back(code_of(*style.background, background, colors));
     if (style.is_reversed)
         codes.emplace_back("7");
+    if (style.is_strong)
+        codes.emplace_back("1");
+    if (style.is_quiet)
+        codes.emplace_back("2");
     return codes.empty() ? std::string(text)
                          : fmt::format("\x1b[{}m{}\x1b[0m", joined(codes, ";"), text);
 }

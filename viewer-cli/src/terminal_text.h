@@ -38,6 +38,8 @@ struct Style {
     bool is_reversed = false;
     std::optional<Color> foreground = {}; ///< where that is meant to be seen, too
     bool is_cursor = false;               ///< black on yellow, whatever else it is
+    bool is_strong = false;               ///< what the step is about
+    bool is_quiet = false;                ///< what stands around it
 };
 
 /// The text with the escape sequences for its style; the text alone if there is none, or no color.
