@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
-// Steps told in Portuguese: nothing is missing, and only words differ from English.
+// Steps told, and questions answered, in Portuguese: nothing is missing, and only words differ from English.
 
 #include "effort.h"
 #include "random_scene.h"
 #include "traces.h"
 
+#include <rastertrace/trace/explain/explain.h>
 #include <rastertrace/trace/record/step_kind.h>
 #include <rastertrace/trace/record/traced_steps.h>
 #include <rastertrace/trace/scene/scene_file.h>
@@ -18,6 +19,8 @@
 
 #include <algorithm>
 #include <cctype>
+#include <fstream>
+#include <iterator>
 #include <map>
 #include <set>
 #include <string>
@@ -164,6 +167,108 @@ TEST(Language, TheFirstTriangleInPortuguese) {
     EXPECT_EQ(told(14), "linha y=2   esquerda AB: x = 2 + 3/4 (2 - 5) = -1/4 -> floor -> -1   "
                         "direita AC: x = 2 - 3/8 (2 - 5) = 25/8 -> floor -> 3");
     EXPECT_EQ(told(15), "pixel (-1, 2)   linha y=2: -1 a 3");
+}
+
+Scene example(const std::string& name) {
+    std::ifstream file(RASTERTRACE_EXAMPLES "/" + name + ".json");
+    return scene_in({std::istreambuf_iterator<char>(file), {}});
+}
+
+/// Some questions of each kind that a trace has an answer to.
+std::vector<Question> questions_about(const Trace& trace) {
+    const Canvas& canvas = trace.canvas;
+    std::vector<Question> questions{{.about = Topic::step, .text = "1"}};
+    for (int row = 0; row < canvas.height; row += 2) {
+        const int y = canvas.y_of(row);
+        questions.push_back({.about = Topic::scanline, .pixel = {0, y}});
+        for (int x = canvas.left(); x <= canvas.right(); x += 3)
+            questions.push_back({.pixel = {x, y}});
+    }
+    for (const Topic topic : {Topic::face, Topic::vertex, Topic::edge})
+        for (const std::string& name : names_to_ask(trace, topic))
+            questions.push_back({.about = topic, .text = name});
+    if (const auto names = names_to_ask(trace, Topic::pair); names.size() >= 2)
+        questions.push_back({.about = Topic::pair, .text = names[0] + "," + names[1]});
+    return questions;
+}
+
+/// All that an answer says; nothing if there is none.
+std::vector<std::string> told_of(const Trace& trace, const Question& question) {
+    const auto answer = explain(trace, question);
+    if (!answer)
+        return {};
+    const Explanation& told = answer.value();
+    std::vector<std::string> texts{told.question, told.answer};
+    const auto add = [&texts](const std::vector<std::string>& lines) {
+        texts.insert(texts.end(), lines.begin(), lines.end());
+    };
+    add(told.lacks);
+    for (const Try& one : told.tries) {
+        texts.push_back(one.sentence);
+        add(one.working);
+    }
+    for (const WhyNot& one : told.why_not) {
+        texts.push_back(one.sentence);
+        add(one.working);
+    }
+    for (const PixelAlongEdge& one : told.pixels)
+        add(one.why);
+    return texts;
+}
+
+/// Words of English sentences that are neither Portuguese nor words of traces.
+const std::set<std::string> english_words{
+    "about", "above", "along",   "and",    "any",   "are",  "at",    "below",  "beyond",
+    "both",  "but",   "by",      "corner", "cover", "does", "drawn", "end",    "from",
+    "goes",  "has",   "have",    "hides",  "is",    "it",   "its",   "leaves", "lies",
+    "line",  "more",  "neither", "not",    "of",    "off",  "on",    "row",    "rows",
+    "seen",  "steps", "that",    "the",    "there", "they", "to",    "told",   "trace",
+    "was",   "what",  "where",   "which",  "why",   "with"};
+
+void expect_in_portuguese(const Trace& trace) {
+    for (const Question& question : questions_about(trace)) {
+        const std::vector<std::string> english = told_of(trace, question);
+        const TellingIn portuguese(Language::portuguese);
+        const std::vector<std::string> told = told_of(trace, question);
+        ASSERT_EQ(told.size(), english.size());
+        for (std::size_t i = 0; i < told.size(); ++i) {
+            const Split found = split(told[i]);
+            EXPECT_EQ(found.digits, split(english[i]).digits) << told[i];
+            for (const std::string& word : found.words)
+                EXPECT_FALSE(english_words.contains(word)) << word << " in: " << told[i];
+        }
+    }
+}
+
+TEST(Language, NoEnglishWordIsLeftInAnswersInPortuguese) {
+    for (const char* const name :
+         {"circle/midpoint", "polygon/star", "t0-fill/first-triangle", "t0-hidden/cube-culled",
+          "t0-hidden/two-depths", "t2-lines/naive", "t2-lines/outline", "t2-lines/points",
+          "t3-sweep-and-box/barycentric", "t3-sweep-and-box/top-left", "t4-fan/fan"})
+        expect_in_portuguese(trace_of(example(name)));
+
+    const Scene scene = example("t0-fill/first-triangle");
+    expect_in_portuguese(readable_trace(
+        trace_text(scene, {.filter = {.only = {{StepKind::primitive, StepKind::pixel}}}})));
+    expect_in_portuguese(
+        readable_trace(trace_text(scene, {.filter = {.region = Region{-3, -3, 1, 1}}})));
+    const std::string lines = trace_text(scene, in_lines);
+    expect_in_portuguese(readable_trace(lines.substr(0, lines.find("\n", lines.size() / 2) + 1)));
+}
+
+TEST(Language, WhyAPixelIsNotDrawnInPortuguese) {
+    const Trace trace = trace_of(example("t0-fill/first-triangle"));
+    const Question question{.pixel = {4, 2}};
+    EXPECT_EQ(explain(trace, question).value().why_not[0].sentence,
+              "AC ends row y=2 at x = 25/8 -> floor -> 3; x = 4 lies beyond it by 7/8");
+    const TellingIn portuguese(Language::portuguese);
+    const Explanation told = explain(trace, question).value();
+    EXPECT_EQ(told.answer, "não desenhado: ABC não o cobre");
+    EXPECT_EQ(told.why_not[0].sentence,
+              "AC termina a linha y=2 em x = 25/8 -> floor -> 3; x = 4 fica 7/8 além");
+    EXPECT_EQ(told.why_not[0].reason, "outside");
+    EXPECT_EQ(explain(trace, {.about = Topic::scanline, .pixel = {0, 2}}).value().answer,
+              "1 primitiva com esta linha");
 }
 
 } // namespace

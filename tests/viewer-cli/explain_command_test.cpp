@@ -37,6 +37,30 @@ TEST_F(ExplainTest, APixelThatIsNotDrawn) {
               "2 = (-3/8) (-3) + 2 = 25/8 -> floor -> 3\n");
 }
 
+TEST_F(ExplainTest, AnswersInPortuguese) {
+    EXPECT_EQ(explain("--pixel 4,2 --language pt").out,
+              "First triangle\n"
+              "pixel (4, 2): não desenhado: ABC não o cobre\n"
+              "\n"
+              "não desenhado por\n"
+              "  ABC  fora  AC termina a linha y=2 em x = 25/8 -> floor -> 3; x = 4 fica 7/8 além\n"
+              "      direita AC: x = (x2 - x1)/(y2 - y1) (y - y1) + x1 = (5 - 2)/(-3 - 5) (2 - 5) "
+              "+ 2 = (-3/8) (-3) + 2 = 25/8 -> floor -> 3\n");
+    const std::string told = explain("--pixel -1,2 --against rounding=truncate --language pt").out;
+    EXPECT_THAT(told, HasSubstr("pixel (-1, 2): desenhado por ABC no passo 15\n"
+                                "\n"
+                                "passo antes  depois\n"
+                                "  15  vazio  ABC #000000  pixel (-1, 2)   linha y=2: -1 a 3\n"));
+    EXPECT_THAT(told, HasSubstr("\ncom rounding=truncate: não desenhado: ABC não o cobre\n"));
+    EXPECT_THAT(told, HasSubstr("\na primeira decisão que difere\n"
+                                "  como é             passo 14: linha y=2   esquerda AB"));
+    // The reason is a code in JSON.
+    const auto json = nlohmann::json::parse(explain("--pixel 4,2 --language pt --json").out);
+    EXPECT_EQ(json["answer"], "não desenhado: ABC não o cobre");
+    EXPECT_EQ(json["why_not"][0]["reason"], "outside");
+    EXPECT_EQ(explain("--pixel 40,2 --language pt").err, explain("--pixel 40,2").err);
+}
+
 TEST_F(ExplainTest, TakesAPixelAsItIsPrinted) {
     const std::string told = explain("--pixel 4,2").out;
     for (const char* const pixel : {"(4,2)", "(4, 2)", "4, 2", " ( 4 , 2 ) "})

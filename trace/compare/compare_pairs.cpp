@@ -4,7 +4,7 @@
 
 #include "trace_comparison.h"
 
-#include <fmt/core.h>
+#include <rastertrace/trace/tell/step_text.h>
 
 #include <algorithm>
 #include <functional>
@@ -54,8 +54,10 @@ void TraceComparison::compare_pairs() {
     const bool is_one_order = std::find(stays.begin(), stays.end(), false) == stays.end() &&
                               std::find(in_a.begin(), in_a.end(), nowhere) == in_a.end();
     if (!is_one_order && compared_.tells_all_primitives())
-        remarks_.emplace_back("the primitives are not the same in the same order: from there on "
-                              "the traces were read twice");
+        remarks_.push_back(said({"the primitives are not the same in the same order: from there "
+                                 "on the traces were read twice",
+                                 "as primitivas não são as mesmas na mesma ordem: dali em diante "
+                                 "os rastros foram lidos duas vezes"}));
     if (!options_.compares_names)
         find_names(of_a, of_b, in_b);
 
@@ -104,8 +106,10 @@ void TraceComparison::find_names(const std::vector<PrimitivePlace>& of_a,
     }
     if (renamed == 0)
         return;
-    remarks_.push_back(renamed == 1 ? "1 primitive is renamed"
-                                    : fmt::format("{} primitives are renamed", renamed));
+    remarks_.push_back(
+        renamed == 1
+            ? said({"1 primitive is renamed", "1 primitiva tem outro nome"})
+            : said({"{} primitives are renamed", "{} primitivas têm outro nome"}, renamed));
     const auto has_front = [](const DiffSide& side) {
         return !side.primitives.empty() && side.primitives.front().steps > 0;
     };

@@ -7,6 +7,7 @@
 #include "trace_comparison.h"
 
 #include <rastertrace/trace/record/trace_lines.h>
+#include <rastertrace/trace/tell/step_text.h>
 #include <rastertrace/trace/text/text.h>
 
 #include <fmt/core.h>
@@ -111,7 +112,7 @@ bool leave_out_steps(const DiffOptions& options) {
 TraceDiff same_bytes(TraceDiff found, const TraceText& a, const TraceText& b) {
     found.is_same = found.is_same_bytes = true;
     if (a.file() && a.file() == b.file())
-        found.remarks.emplace_back("both are the same file");
+        found.remarks.push_back(said({"both are the same file", "ambos são o mesmo arquivo"}));
     if (!is_complete(a)) {
         const std::string what =
             "expected the rest of the trace, found the end of the file: the trace is truncated";

@@ -14,6 +14,7 @@
 #include <rastertrace/core/raster/canvas.h>
 #include <rastertrace/core/raster/image.h>
 #include <rastertrace/trace/record/trace_text.h>
+#include <rastertrace/trace/text/language.h>
 #include <rastertrace/trace/text/problem.h>
 
 #include <algorithm>
@@ -177,10 +178,14 @@ TraceDiff diff(const TraceText& a, const TraceText& b, const DiffOptions& option
 std::uint64_t count_steps(const TraceDiff& found);
 std::uint64_t count_pixels(const TraceDiff& found);
 
-/// "1 step differs", "8 steps differ".
-std::string counted_differences(std::uint64_t count, std::string_view what);
+/// "1 step differs", "8 steps differ": in the language of steps, as diff_text.
+std::string counted_differences(std::uint64_t count, const Words& what);
 
 /// The whole of it as text, for people. Safe to print.
 std::string diff_text(const TraceDiff& found);
+
+/// How its table of kinds begins, and the line above its pictures.
+std::string heading_of_kinds();
+std::string heading_of_pictures();
 
 } // namespace rastertrace

@@ -5,9 +5,10 @@
 #include "diff.h"
 #include "diff_header.h"
 
-#include <rastertrace/core/draw/plan/stages.h>
+#include <rastertrace/trace/tell/step_text.h>
 #include <rastertrace/trace/text/color_text.h>
 #include <rastertrace/trace/text/json_scanner.h>
+#include <rastertrace/trace/text/language.h>
 #include <rastertrace/trace/text/text.h>
 
 #include <fmt/core.h>
@@ -28,13 +29,16 @@ constexpr std::size_t most_pixels_named = 8;
 struct DifferenceRow {
     std::uint64_t PictureDifference::*count;
     std::vector<Pixel> Consequences::*led_to;
-    std::string_view words;
+    Words words;
 };
 constexpr std::array difference_rows{
-    DifferenceRow{&PictureDifference::only_a, &Consequences::only_a, "only in a"},
-    DifferenceRow{&PictureDifference::only_b, &Consequences::only_b, "only in b"},
-    DifferenceRow{&PictureDifference::colors, &Consequences::colors, "in another color"},
-    DifferenceRow{&PictureDifference::owners, &Consequences::owners, "of another primitive"},
+    DifferenceRow{&PictureDifference::only_a, &Consequences::only_a, {"only in a", "só em a"}},
+    DifferenceRow{&PictureDifference::only_b, &Consequences::only_b, {"only in b", "só em b"}},
+    DifferenceRow{
+        &PictureDifference::colors, &Consequences::colors, {"in another color", "em outra cor"}},
+    DifferenceRow{&PictureDifference::owners,
+                  &Consequences::owners,
+                  {"of another primitive", "de outra primitiva"}},
 };
 
 /// Longer JSON is cut.
@@ -43,9 +47,13 @@ constexpr std::size_t longest_value = 60;
 /// A value as a sentence has it: a string without its quotes, a stage as what became of it.
 std::string value_text(const std::string& json) {
     if (json.starts_with("{\"stage\""))
-        return fmt::format("{} ({})", value_of_stage(json, "kept") == "true" ? "kept" : "left out",
+        return fmt::format("{} ({})",
+                           value_of_stage(json, "kept") == "true"
+                               ? said({"kept", "mantida"})
+                               : said({"left out", "deixada de fora"}),
                            printable(value_of_stage(json, "why").text()));
-    return json.empty() ? "none" : shortened(printable(plain_text(json)), longest_value);
+    return json.empty() ? said({"none", "nada"})
+                        : shortened(printable(plain_text(json)), longest_value);
 }
 
 std::string distance_text(double distance) {
@@ -54,16 +62,18 @@ std::string distance_text(double distance) {
 
 /// `left: -1/4 in a, -1/2 in b, 0.25 apart`.
 std::string field_text(const FieldDifference& field) {
-    std::string text = fmt::format("{}: {} in a, {} in b", printable(field.name),
-                                   value_text(field.a), value_text(field.b));
+    std::string text = said({"{}: {} in a, {} in b", "{}: {} em a, {} em b"}, printable(field.name),
+                            value_text(field.a), value_text(field.b));
     if (field.distance)
-        text += fmt::format(", {} apart", distance_text(*field.distance));
+        text += said({", {} apart", ", {} de distância"}, distance_text(*field.distance));
     return text;
 }
 
 std::string step_line(char side, char mark, const DiffStep& step) {
-    const std::string line = step.line == 0 ? "" : fmt::format(" (line {})", step.line);
-    return fmt::format("{} {} step {}{}: {}\n", side, mark, step.number, line, step.sentence);
+    const std::string line =
+        step.line == 0 ? "" : said({" (line {})", " (linha {} do arquivo)"}, step.line);
+    return said({"{} {} step {}{}: {}\n", "{} {} passo {}{}: {}\n"}, side, mark, step.number, line,
+                step.sentence);
 }
 
 std::string steps_of(char side, const std::vector<DiffStep>& before,
@@ -74,7 +84,7 @@ std::string steps_of(char side, const std::vector<DiffStep>& before,
     if (step)
         text += step_line(side, '>', *step);
     else
-        text += fmt::format("{} > no such step\n", side);
+        text += said({"{} > no such step\n", "{} > não há esse passo\n"}, side);
     for (const DiffStep& one : after)
         text += step_line(side, ' ', one);
     return text;
@@ -89,10 +99,13 @@ std::string pixels_named(const std::vector<Pixel>& pixels) {
 
 std::string first_text(const TraceDiff& found) {
     const StepDifference& first = *found.first;
-    std::string text =
-        fmt::format("\nthe first difference{}{}\n",
-                    first.primitive.empty() ? "" : ", in " + printable(first.primitive),
-                    first.is_moved ? ": a " + printable(first.kind) + " that has moved" : "");
+    // In color, lines that begin with `a ` are those of a.
+    std::string text = said(
+        {"\nthe first difference{}{}\n", "\nprimeira diferença{}{}\n"},
+        first.primitive.empty() ? "" : said({", in {}", ", em {}"}, printable(first.primitive)),
+        first.is_moved
+            ? said({": a {} that has moved", ": um {} que mudou de lugar"}, printable(first.kind))
+            : "");
     text += steps_of('a', found.before_a, first.a, found.after_a);
     text += steps_of('b', found.before_b, first.b, found.after_b);
     for (const FieldDifference& field : first.fields)
@@ -100,11 +113,15 @@ std::string first_text(const TraceDiff& found) {
 
     const Consequences& led_to = found.led_to;
     if (led_to.count == 0)
-        return text + (found.picture ? "    it changes no pixel\n" : "");
-    text += fmt::format("    {} because of it\n", counted_differences(led_to.count, "pixel"));
+        return text + (found.picture
+                           ? said({"    it changes no pixel\n", "    não muda nenhum pixel\n"})
+                           : "");
+    text += said({"    {} because of it\n", "    {} por causa dela\n"},
+                 counted_differences(led_to.count, {"pixel", "pixel"}));
     for (const DifferenceRow& row : difference_rows)
         if (const std::vector<Pixel>& pixels = led_to.*row.led_to; !pixels.empty())
-            text += fmt::format("        {}:{}\n", row.words, pixels_named(pixels));
+            text += fmt::format("        {}:{}\n", row.words.in(language_of_steps()),
+                                pixels_named(pixels));
     return text;
 }
 
@@ -113,7 +130,8 @@ std::string fields_text(const std::vector<FieldSummary>& fields) {
     for (const FieldSummary& field : fields) {
         std::string part = fmt::format("{} {}", printable(field.name), field.count);
         if (field.largest)
-            part += fmt::format(" (by at most {})", distance_text(*field.largest));
+            part +=
+                said({" (by at most {})", " (por no máximo {})"}, distance_text(*field.largest));
         parts.push_back(std::move(part));
     }
     return joined(parts, ", ");
@@ -124,16 +142,20 @@ std::string count_text(std::size_t count) {
 }
 
 std::string kinds_text(const std::vector<KindDifference>& kinds) {
-    std::size_t width = 5;
+    const std::array<std::string, 4> titles{
+        said({"changed", "mudados"}), said({"only a", "só em a"}), said({"only b", "só em b"}),
+        said({"moved", "movidos"})};
+    std::size_t width = columns_in(heading_of_kinds());
     for (const KindDifference& kind : kinds)
         width = std::max(width, columns_in(printable(kind.kind)));
     std::string text =
-        fmt::format("\n{}  changed  only a  only b  moved\n", padded("steps", width));
+        fmt::format("\n{}  {}\n", padded(heading_of_kinds(), width), joined(titles, "  "));
     for (const KindDifference& kind : kinds) {
-        std::string line =
-            fmt::format("{}  {:>7}  {:>6}  {:>6}  {:>5}   {}", padded(printable(kind.kind), width),
-                        count_text(kind.changed), count_text(kind.only_a), count_text(kind.only_b),
-                        count_text(kind.moved), fields_text(kind.fields));
+        const std::array counts{kind.changed, kind.only_a, kind.only_b, kind.moved};
+        std::string line = padded(printable(kind.kind), width);
+        for (std::size_t i = 0; i < counts.size(); ++i)
+            line += fmt::format("  {:>{}}", count_text(counts[i]), columns_in(titles[i]));
+        line += "   " + fields_text(kind.fields);
         text += line.substr(0, line.find_last_not_of(' ') + 1) + "\n";
     }
     return text;
@@ -149,8 +171,8 @@ std::string grid_text(const PictureDifference& picture,
     };
     for (std::size_t row = 0; row < picture.rows.size(); ++row)
         label = std::max(label, y_of(row).size());
-    std::string text = fmt::format("{}  x = {} to {}\n", std::string(label, ' '), picture.left,
-                                   picture.left + static_cast<int>(columns) - 1);
+    std::string text = said({"{}  x = {} to {}\n", "{}  x = {} a {}\n"}, std::string(label, ' '),
+                            picture.left, picture.left + static_cast<int>(columns) - 1);
     for (std::size_t row = 0; row < picture.rows.size(); ++row) {
         text += fmt::format("{:>{}}  ", y_of(row), label);
         for (std::size_t i = 0; i < grids.size(); ++i)
@@ -177,31 +199,34 @@ std::string names_text(const std::vector<std::string>& names) {
 
 std::string picture_text(const PictureDifference& picture) {
     if (picture.rows.empty())
-        return "\nthe pictures are alike\n";
+        return said({"\nthe pictures are alike\n", "\nas imagens são iguais\n"});
     std::vector<std::string> counts;
     for (const DifferenceRow& row : difference_rows)
         if (const std::uint64_t count = picture.*row.count; count > 0)
-            counts.push_back(fmt::format("{} {}", counted(count, "pixel"), row.words));
-    std::string text = fmt::format("\nthe pictures: {}\n", joined(counts, ", "));
+            counts.push_back(fmt::format("{} {}", said_count(count, {"pixel", "pixel"}),
+                                         row.words.in(language_of_steps())));
+    std::string text = fmt::format("\n{}{}\n", heading_of_pictures(), joined(counts, ", "));
     text += grid_text(picture, {&picture.rows});
-    text += "# in both, ! only in a, ? only in b, ~ in both, but otherwise\n";
+    text += said({"# in both, ! only in a, ? only in b, ~ in both, but otherwise\n",
+                  "# em ambas, ! só em a, ? só em b, ~ em ambas, mas de outro modo\n"});
     if (!picture.names.empty()) {
         std::vector<const std::vector<std::string>*> grids{&picture.faces_a, &picture.faces_b};
         std::erase_if(grids, [](const auto* faces) { return faces->empty(); });
-        const std::string_view one = picture.faces_a.empty() ? "b" : "a";
-        text += fmt::format("\nwho drew them, {}\n", grids.size() > 1 ? "a and b" : one);
+        const std::string one = picture.faces_a.empty() ? "b" : "a";
+        text += said({"\nwho drew them, {}\n", "\nquem os desenhou, {}\n"},
+                     grids.size() > 1 ? said({"a and b", "a e b"}) : one);
         text += grid_text(picture, grids);
         text += names_text(picture.names);
         if (picture.names.size() == primitive_letters.size())
-            text += "# another one\n";
+            text += said({"# another one\n", "# outra\n"});
     }
     if (picture.is_cut)
-        text += "(a part of the canvas)\n";
+        text += said({"(a part of the canvas)\n", "(uma parte da tela)\n"});
     return text;
 }
 
 std::string header_text(const TraceDiff& found) {
-    std::string text = "\nthe header\n";
+    std::string text = said({"\nthe header\n", "\no cabeçalho\n"});
     for (const FieldDifference& field : found.header)
         text += "    " + field_text(field) + "\n";
     for (const FieldDifference& field : found.end)
@@ -231,8 +256,17 @@ std::uint64_t count_pixels(const TraceDiff& found) {
                          : 0;
 }
 
-std::string counted_differences(std::uint64_t count, std::string_view what) {
-    return counted(count, what) + (count == 1 ? " differs" : " differ");
+std::string counted_differences(std::uint64_t count, const Words& what) {
+    return said_count(count, what) +
+           (count == 1 ? said({" differs", " difere"}) : said({" differ", " diferem"}));
+}
+
+std::string heading_of_kinds() {
+    return said({"steps", "passos"});
+}
+
+std::string heading_of_pictures() {
+    return said({"the pictures: ", "as imagens: "});
 }
 
 std::string diff_text(const TraceDiff& found) {
@@ -240,17 +274,18 @@ std::string diff_text(const TraceDiff& found) {
         fmt::format("a: {}\nb: {}\n", printable(found.name_a), printable(found.name_b));
     if (found.is_same)
         return text + remarks_text(found) +
-               (found.is_same_bytes    ? "the same, byte for byte\n"
-                : found.damage.empty() ? "the same\n"
-                                       : "the same, as far as they go\n");
+               (found.is_same_bytes ? said({"the same, byte for byte\n", "iguais, byte a byte\n"})
+                : found.damage.empty()
+                    ? said({"the same\n", "iguais\n"})
+                    : said({"the same, as far as they go\n", "iguais, até onde vão\n"}));
 
     text += remarks_text(found);
     const std::uint64_t steps = count_steps(found);
     const bool has_header = !found.header.empty() || !found.end.empty();
     if (steps > 0)
-        text += counted_differences(steps, "step") + "\n";
+        text += counted_differences(steps, {"step", "passo"}) + "\n";
     else if (has_header) // else only the pictures differ
-        text += "no step differs\n";
+        text += said({"no step differs\n", "nenhum passo difere\n"});
     if (has_header)
         text += header_text(found);
     if (found.first)

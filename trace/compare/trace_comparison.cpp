@@ -3,6 +3,7 @@
 
 #include <rastertrace/trace/record/trace_lines.h>
 #include <rastertrace/trace/record/traced_steps.h>
+#include <rastertrace/trace/tell/step_text.h>
 
 #include <algorithm>
 #include <cstring>
@@ -103,7 +104,9 @@ void TraceComparison::run() {
     if (!compare_in_order())
         compare_pairs();
     if (is_cut_off())
-        remarks_.emplace_back("what follows the place where a trace breaks off was not compared");
+        remarks_.push_back(said({"what follows the place where a trace breaks off was not compared",
+                                 "o que vem depois do ponto em que um rastro se interrompe não foi "
+                                 "comparado"}));
 }
 
 std::vector<Problem> TraceComparison::damage() const {

@@ -5,8 +5,10 @@
 
 #include <rastertrace/trace/record/selector.h>
 #include <rastertrace/trace/tell/describe.h>
+#include <rastertrace/trace/tell/step_text.h>
 #include <rastertrace/trace/tell/working.h>
 #include <rastertrace/trace/text/color_text.h>
+#include <rastertrace/trace/text/language.h>
 #include <rastertrace/trace/text/text.h>
 
 #include <fmt/core.h>
@@ -19,8 +21,17 @@ namespace rastertrace {
 
 namespace {
 
-constexpr std::array<std::string_view, 7> topics{"pixel", "scanline", "face", "vertex",
-                                                 "edge",  "pair",     "step"};
+constexpr std::array<Words, 7> topics{{{"pixel", "pixel"},
+                                       {"scanline", "linha"},
+                                       {"face", "face"},
+                                       {"vertex", "vértice"},
+                                       {"edge", "aresta"},
+                                       {"pair", "par"},
+                                       {"step", "passo"}}};
+
+const Words& words_for(Topic topic) {
+    return topics[static_cast<std::size_t>(topic)];
+}
 
 /// A pixel, or a row, that is asked about has to be on the canvas.
 std::optional<Problem> off_canvas(const Canvas& canvas, const Question& question) {
@@ -48,10 +59,10 @@ Explanation explain_step(const Trace& trace, const std::string& selector) {
     Explanation explanation{.tries = tries_of(trace, {step.value()})};
     Replay replay(trace);
     replay.go_to(step.value());
-    explanation.answer = fmt::format("step {} of {}", step.value(), trace.size());
+    explanation.answer = said({"step {} of {}", "passo {} de {}"}, step.value(), trace.size());
     if (replay.primitive() != 0)
         explanation.answer +=
-            fmt::format(", of {}", printable(name_in(trace.step(replay.primitive())).text()));
+            said({", of {}", ", de {}"}, printable(name_in(trace.step(replay.primitive())).text()));
     return explanation;
 }
 
@@ -78,15 +89,16 @@ Explanation answer_to(const Question& question, const Trace& trace) {
 } // namespace
 
 std::string_view name_of(Topic topic) {
-    return topics[static_cast<std::size_t>(topic)];
+    return words_for(topic).in(Language::english);
 }
 
 std::string to_text(const Question& question) {
+    const std::string_view topic = words_for(question.about).in(language_of_steps());
     if (question.about == Topic::pixel)
-        return fmt::format("pixel ({}, {})", question.pixel.x, question.pixel.y);
+        return fmt::format("{} ({}, {})", topic, question.pixel.x, question.pixel.y);
     if (question.about == Topic::scanline)
-        return fmt::format("scanline y={}", question.pixel.y);
-    return fmt::format("{} {}", name_of(question.about), printable(question.text));
+        return fmt::format("{} y={}", topic, question.pixel.y);
+    return fmt::format("{} {}", topic, printable(question.text));
 }
 
 bool was_nearer_to_drawing(const WhyNot& one, const WhyNot& other) {

@@ -34,7 +34,7 @@ enum class Topic : std::uint8_t {
     step,     ///< one step, see selector.h
 };
 
-/// pixel, scanline, ...
+/// pixel, scanline, ...: as the options are named.
 std::string_view name_of(Topic topic);
 
 /// The names of what can be asked about: faces, vertices, edges; of Topic::pair, the triangles. None of other topics.

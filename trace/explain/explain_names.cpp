@@ -3,7 +3,6 @@
 
 #include "explanation.h"
 
-#include <rastertrace/core/draw/plan/stages.h>
 #include <rastertrace/trace/tell/step_text.h>
 #include <rastertrace/trace/text/language.h>
 #include <rastertrace/trace/text/text.h>
@@ -66,7 +65,14 @@ bool is_face(const StepOf& primitive) {
 
 /// An answer that counts steps: not all of them are there if the trace lacks some.
 std::string counted_in(const Explanation& explanation, const std::string& answer) {
-    return explanation.lacks.empty() ? answer : "as far as the trace goes: " + answer;
+    return explanation.lacks.empty()
+               ? answer
+               : said({"as far as the trace goes: {}", "até onde o rastro vai: {}"}, answer);
+}
+
+/// The answer of a trace that does not tell it.
+std::string no_answer() {
+    return said({"not told", "sem resposta"});
 }
 
 /// What has become of a triangle or an outline. Pixels are counted once, however often they were written.
@@ -116,21 +122,27 @@ std::map<std::string, Fate> fates_in(const Trace& trace, const std::vector<std::
 
 std::string text_of(const Fate& fate, bool lacks_depths) {
     if (!fate.skipped.empty() && fate.plotted.empty() && fate.hidden.empty())
-        return fmt::format("not drawn: {}", printable(in_language_of_steps(fate.skipped)));
+        return said({"not drawn: {}", "não se desenha: {}"},
+                    printable(in_language_of_steps(fate.skipped)));
     if (!fate.is_painted)
-        return fmt::format("not painted: it only hides what lies behind it, at {}",
-                           counted(fate.passed.size(), "pixel"));
+        return said({"not painted: it only hides what lies behind it, at {}",
+                     "não se pinta: só esconde o que está atrás, em {}"},
+                    said_count(fate.passed.size(), {"pixel", "pixel"}));
     const std::string hidden =
-        lacks_depths ? "" : fmt::format(", {} hidden by what is nearer", fate.hidden.size());
-    return fmt::format("{} plotted{}, {} seen at the end", counted(fate.plotted.size(), "pixel"),
-                       hidden, fate.seen);
+        lacks_depths ? ""
+                     : said({", {} hidden by what is nearer", ", {} atrás do que está mais perto"},
+                            fate.hidden.size());
+    return said({"{} plotted{}, {} seen at the end", "desenha {}{}, {} à vista no fim"},
+                said_count(fate.plotted.size(), {"pixel", "pixel"}), hidden, fate.seen);
 }
 
 /// Why no step tests whether a face is turned away.
 std::string why_not_tested(const Trace& trace) {
     const std::string cull = trace.method_value("cull");
-    return cull.empty() || cull == "none" ? "no face is tested: the method does not cull"
-                                          : "it was skipped before it was tested";
+    return cull.empty() || cull == "none"
+               ? said({"no face is tested: the method does not cull",
+                       "nenhuma face é testada: o método não elimina faces"})
+               : said({"it was skipped before it was tested", "foi omitida antes de ser testada"});
 }
 
 /// Who has pixels in a row without being filled row by row: lines, and the sides of outlines.
@@ -153,13 +165,18 @@ std::set<std::string> passing_through(const Trace& trace, int y) {
 std::string why_no_row(const Trace& trace, int y) {
     const std::string fill = trace.method_value("fill");
     if (fill == "barycentric" || fill == "fan")
-        return fmt::format("no primitive has rows: {} goes {}", fill,
-                           fill == "fan" ? "line by line" : "through every pixel of a box");
+        return said(
+            {"no primitive has rows: {} goes {}", "nenhuma primitiva tem linhas: {} vai {}"}, fill,
+            fill == "fan"
+                ? said({"line by line", "segmento a segmento"})
+                : said({"through every pixel of a box", "por todos os pixels de uma caixa"}));
     const auto lines = passing_through(trace, y);
     if (lines.empty())
-        return "no primitive has this row";
-    return fmt::format("no filled triangle has this row; {} with pixels in it {} no rows",
-                       counted(lines.size(), "line"), lines.size() == 1 ? "has" : "have");
+        return said({"no primitive has this row", "nenhuma primitiva tem esta linha"});
+    return said({"no filled triangle has this row; {} with pixels in it {} no rows",
+                 "nenhum triângulo preenchido tem esta linha; {} com pixels nela {} linhas"},
+                said_count(lines.size(), {"line", "segmento"}),
+                lines.size() == 1 ? said({"has", "não tem"}) : said({"have", "não têm"}));
 }
 
 } // namespace
@@ -179,9 +196,10 @@ Explanation explain_scanline(const Trace& trace, int y) {
     explanation.lacks = what_lacks(trace, {StepKind::scanline});
     if (!owners.empty())
         explanation.answer =
-            counted_in(explanation, counted(owners.size(), "primitive") + " with this row");
+            counted_in(explanation, said({"{} with this row", "{} com esta linha"},
+                                         said_count(owners.size(), {"primitive", "primitiva"})));
     else
-        explanation.answer = explanation.lacks.empty() ? why_no_row(trace, y) : "not told";
+        explanation.answer = explanation.lacks.empty() ? why_no_row(trace, y) : no_answer();
     return explanation;
 }
 
@@ -280,7 +298,7 @@ Explanation explain_face(const Trace& trace, const std::string& name) {
     for (const std::string& triangle : triangles)
         texts.push_back((triangles.size() == 1 ? "" : printable(triangle) + ": ") +
                         text_of(fates.at(triangle), trace.lacks(StepKind::depth)));
-    explanation.answer = is_told ? counted_in(explanation, joined(texts, "; ")) : "not told";
+    explanation.answer = is_told ? counted_in(explanation, joined(texts, "; ")) : no_answer();
     if (!has_test && explanation.lacks.empty())
         explanation.lacks.push_back(why_not_tested(trace));
     return explanation;
@@ -296,7 +314,8 @@ Explanation explain_vertex(const Trace& trace, const std::string& name) {
     const bool has_places = !explanation.tries.empty();
     if (has_places) {
         const auto last = StepView(explanation.tries.back().step).as<VertexStep>();
-        place = fmt::format("{} space: {}", last.space.text(), point(last.at.texts()));
+        place = said({"{} space: {}", "espaço {}: {}"}, in_language_of_steps(last.space.text()),
+                     point(last.at.texts()));
     }
 
     // Where no matrix moves a vertex, the primitives say where it is.
@@ -308,8 +327,9 @@ Explanation explain_vertex(const Trace& trace, const std::string& name) {
         for (std::size_t i = 0; i < primitive.vertices.size(); ++i) {
             is_corner = is_corner || primitive.vertices[i] == name;
             if (primitive.vertices[i] == name && place.empty() && i < primitive.positions.size())
-                place = fmt::format("{}, as it was typed: no matrix moves it",
-                                    point(primitive.positions[i]));
+                place = said({"{}, as it was typed: no matrix moves it",
+                              "{}, como foi digitado: nenhuma matriz o move"},
+                             point(primitive.positions[i]));
         }
         return is_corner;
     });
@@ -318,7 +338,7 @@ Explanation explain_vertex(const Trace& trace, const std::string& name) {
     if (!has_places)
         explanation.tries = tries_of(trace, corners);
     explanation.lacks = what_lacks(trace, {StepKind::vertex});
-    explanation.answer = place.empty() ? "not told" : place;
+    explanation.answer = place.empty() ? no_answer() : place;
     return explanation;
 }
 
@@ -327,7 +347,7 @@ namespace {
 /// Why no step is about an edge that a primitive has.
 std::string why_not_set_up(const Trace& trace, const std::set<std::string>& spellings) {
     std::set<std::string> owners;
-    std::string why = "no step is about it";
+    std::string why = said({"no step is about it", "nenhum passo trata dela"});
     for_each_step(trace, [&](const StepOf& one) {
         if (one.kind == StepKind::primitive) {
             const PrimitiveText primitive = primitive_in(one.step);
@@ -341,9 +361,10 @@ std::string why_not_set_up(const Trace& trace, const std::set<std::string>& spel
         const auto skip = one.step.as<SkipStep>();
         const std::string name = skip.name ? skip.name.text() : one.primitive;
         if (owners.contains(name))
-            why = fmt::format("no edge is set up: {} is {}{}", printable(name),
-                              skip.why == SkipReason::culled ? "" : "skipped, ",
-                              printable(in_language_of_steps(skip.why.text())));
+            why = said({"no edge is set up: {} is {}{}", "nenhuma aresta é preparada: {} é {}{}"},
+                       printable(name),
+                       skip.why == SkipReason::culled ? "" : said({"skipped, ", "omitido, "}),
+                       printable(in_language_of_steps(skip.why.text())));
     });
     return why;
 }
@@ -406,7 +427,8 @@ Explanation explain_edge(const Trace& trace, const std::string& name) {
         explanation.answer = explanation.tries.front().sentence;
     else
         explanation.answer =
-            counted_in(explanation, rows > 0 ? counted(rows, "row") + " with this end"
+            counted_in(explanation, rows > 0 ? said({"{} with this end", "{} com este extremo"},
+                                                    said_count(rows, {"row", "linha"}))
                                              : why_not_set_up(trace, spellings));
     return explanation;
 }

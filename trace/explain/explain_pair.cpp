@@ -253,7 +253,7 @@ PixelAlongEdge pixel_of(const Trace& excerpt, const Pair& pair, Pixel pixel) {
                          [&name](const WhyNot& one) { return one.primitive == name; });
         if (why_not == story.why_not.end()) {
             found.owners.push_back(name);
-            found.why.push_back(fmt::format("{} has it", name));
+            found.why.push_back(said({"{} has it", "{} o tem"}, name));
             continue;
         }
         if (why_not->reason == "hidden")
@@ -286,12 +286,13 @@ Explanation explain_pair(const Trace& trace, const std::string& names) {
         else
             ++only[owners.front() == pair.names[0] ? 0 : 1];
     }
-    explanation.answer =
-        printable(fmt::format("edge {}: {} along it, {} of {}, {} of {}, {} of both, {} of neither",
-                              pair.edge, counted(explanation.pixels.size(), "pixel"), only[0],
-                              pair.names[0], only[1], pair.names[1], both, none));
+    explanation.answer = printable(
+        said({"edge {}: {} along it, {} of {}, {} of {}, {} of both, {} of neither",
+              "aresta {}: {} ao longo dela, {} de {}, {} de {}, {} de ambos, {} de nenhum"},
+             pair.edge, said_count(explanation.pixels.size(), {"pixel", "pixel"}), only[0],
+             pair.names[0], only[1], pair.names[1], both, none));
     if (untold > 0)
-        explanation.answer += fmt::format(", {} not told", untold);
+        explanation.answer += said({", {} not told", ", {} sem resposta"}, untold);
     explanation.lacks = what_lacks(trace, {StepKind::primitive, StepKind::pixel, StepKind::depth});
     return explanation;
 }

@@ -11,8 +11,6 @@
 #include <rastertrace/trace/tell/working.h>
 #include <rastertrace/trace/text/text.h>
 
-#include <fmt/core.h>
-
 #include <algorithm>
 #include <map>
 #include <optional>
@@ -165,8 +163,8 @@ private:
             std::vector<std::string> corners = vertices_of(primitive);
             std::sort(corners.begin(), corners.end());
             const auto test = trace_.step(face).as<FaceStep>();
-            const std::string text =
-                fmt::format("{} (normal . view = {})", test.name.text(), test.dot.text());
+            const std::string text = said({"{} (normal . view = {})", "{} (normal . visão = {})"},
+                                          test.name.text(), test.dot.text());
             for (std::size_t from = 0; from < corners.size(); ++from)
                 for (std::size_t to = from + 1; to < corners.size(); ++to) {
                     std::string& faces = faces_of_side_[{corners[from], corners[to]}];
@@ -176,7 +174,9 @@ private:
         std::sort(ends.begin(), ends.end());
         const auto found =
             ends.size() == 2 ? faces_of_side_.find({ends[0], ends[1]}) : faces_of_side_.end();
-        return found == faces_of_side_.end() ? "" : "culled with " + found->second;
+        return found == faces_of_side_.end()
+                   ? ""
+                   : said({"culled with {}", "eliminado com {}"}, found->second);
     }
 
     /// The primitive that a clip or skip step is about: that of an outline may come after its first part.
@@ -229,14 +229,17 @@ private:
             return answer_of_drawn();
         const auto& why_not = explanation_.why_not;
         if (!explanation_.lacks.empty())
-            return "no step of the trace draws it, but not all steps are there";
+            return said({"no step of the trace draws it, but not all steps are there",
+                         "nenhum passo do rastro o desenha, mas faltam passos"});
         if (why_not.empty())
-            return "not drawn: there is no primitive";
+            return said({"not drawn: there is no primitive", "não desenhado: não há primitiva"});
         if (!covering_.empty())
             return answer_of_covered();
         return why_not.size() == 1
-                   ? fmt::format("not drawn: {}", in_words(why_not.front()))
-                   : fmt::format("not drawn by any of {} primitives", why_not.size());
+                   ? said({"not drawn: {}", "não desenhado: {}"}, in_words(why_not.front()))
+                   : said({"not drawn by any of {} primitives",
+                           "não desenhado por nenhuma de {} primitivas"},
+                          why_not.size());
     }
 
     /// Of a pixel that primitives cover, none of which has drawn it.
@@ -244,36 +247,39 @@ private:
         const bool all_fail = std::all_of(covering_.begin(), covering_.end(),
                                           [](const WhyNot& why) { return why.reason == "hidden"; });
         if (all_fail)
-            return "not drawn: every primitive that covers it fails the depth test";
+            return said({"not drawn: every primitive that covers it fails the depth test",
+                         "não desenhado: toda primitiva que o cobre falha no teste de "
+                         "profundidade"});
         constexpr std::size_t most_named = 3;
         std::vector<std::string> named;
         for (const WhyNot& why : covering_)
             if (named.size() < most_named)
                 named.push_back(in_words(why));
         const std::size_t rest = covering_.size() - named.size();
-        return fmt::format("not drawn: {}{}", joined(named, ", "),
-                           rest > 0 ? fmt::format(", and {} more", rest) : "");
+        return said({"not drawn: {}{}", "não desenhado: {}{}"}, joined(named, ", "),
+                    rest > 0 ? said({", and {} more", ", e mais {}"}, rest) : "");
     }
 
     std::string answer_of_drawn() const {
         if (painters_.empty())
-            return fmt::format("drawn at step {}", last_drawn_);
-        std::string text =
-            fmt::format("drawn by {} at step {}", printable(painters_.back()), last_drawn_);
+            return said({"drawn at step {}", "desenhado no passo {}"}, last_drawn_);
+        std::string text = said({"drawn by {} at step {}", "desenhado por {} no passo {}"},
+                                printable(painters_.back()), last_drawn_);
         std::vector<std::string> before(painters_.begin(), painters_.end() - 1);
         std::reverse(before.begin(), before.end());
         if (!before.empty())
-            text += fmt::format(", over {}", printable(joined(before, ", ")));
+            text += said({", over {}", ", sobre {}"}, printable(joined(before, ", ")));
         return text;
     }
 
     static std::string in_words(const WhyNot& why) {
-        return fmt::format("{} {}", printable(why.primitive),
-                           why.reason == "elsewhere"   ? std::string("is elsewhere")
-                           : why.reason == "outside"   ? std::string("does not cover it")
-                           : why.reason == "unknown"   ? std::string("does not draw it")
-                           : why.reason == "unpainted" ? std::string("is not painted")
-                                                       : "is " + why.reason);
+        const std::string name = printable(why.primitive);
+        return why.reason == "elsewhere" ? said({"{} is elsewhere", "{} está em outro lugar"}, name)
+               : why.reason == "outside" ? said({"{} does not cover it", "{} não o cobre"}, name)
+               : why.reason == "unknown" ? said({"{} does not draw it", "{} não o desenha"}, name)
+               : why.reason == "unpainted"
+                   ? said({"{} is not painted", "{} não é pintado"}, name)
+                   : said({"{} is {}", "{} é {}"}, name, in_language_of_steps(why.reason));
     }
 
     const Trace& trace_;

@@ -3,9 +3,8 @@
 
 #include "explanation.h"
 
+#include <rastertrace/trace/tell/step_text.h>
 #include <rastertrace/trace/text/text.h>
-
-#include <fmt/core.h>
 
 namespace rastertrace {
 
@@ -13,7 +12,9 @@ namespace {
 
 std::string region_text(const Trace& trace) {
     const auto& [x0, y0, x1, y1] = *trace.left_out.region;
-    return fmt::format("the trace has only what is about x {} to {}, y {} to {}", x0, x1, y0, y1);
+    return said({"the trace has only what is about x {} to {}, y {} to {}",
+                 "o rastro só tem o que trata de x {} a {}, y {} a {}"},
+                x0, x1, y0, y1);
 }
 
 bool is_in_region(const Trace& trace, const Pixel& pixel) {
@@ -29,14 +30,20 @@ std::vector<std::string> what_lacks(const Trace& trace, std::initializer_list<St
     const bool has_depths = !trace.method_value("depth").empty();
     for (const StepKind kind : kinds)
         if (trace.lacks(kind) && (kind != StepKind::depth || has_depths))
-            lacks.push_back(fmt::format("{} steps were left out of the trace", name_of(kind)));
+            lacks.push_back(
+                said({"{} steps were left out of the trace", "os passos {} ficaram fora do rastro"},
+                     name_of(kind)));
     if (trace.left_out.region && !(pixel && is_in_region(trace, *pixel)))
-        lacks.push_back(region_text(trace) + (pixel ? ": the pixel lies outside" : ""));
+        lacks.push_back(
+            region_text(trace) +
+            (pixel ? said({": the pixel lies outside", ": o pixel está fora disso"}) : ""));
     if (!trace.left_out.primitive.empty())
         lacks.push_back(
-            fmt::format("the trace has only the steps of {}", printable(trace.left_out.primitive)));
+            said({"the trace has only the steps of {}", "o rastro só tem os passos de {}"},
+                 printable(trace.left_out.primitive)));
     if (!trace.end)
-        lacks.emplace_back("the trace is truncated: what came later is not known");
+        lacks.push_back(said({"the trace is truncated: what came later is not known",
+                              "o rastro está truncado: não se sabe o que veio depois"}));
     return lacks;
 }
 
@@ -44,8 +51,10 @@ std::string why_steps_may_lack(const Trace& trace, bool is_last) {
     if (trace.left_out.region)
         return region_text(trace);
     if (!trace.end)
-        return is_last ? "the trace is truncated" : "";
-    return trace.damage.empty() ? "" : "the trace is damaged, and steps of it may be missing";
+        return is_last ? said({"the trace is truncated", "o rastro está truncado"}) : "";
+    return trace.damage.empty() ? ""
+                                : said({"the trace is damaged, and steps of it may be missing",
+                                        "o rastro está danificado, e podem faltar passos"});
 }
 
 } // namespace rastertrace

@@ -56,7 +56,7 @@ std::vector<LineSteps> lines_of(const Trace& trace, const PrimitiveSteps& steps)
         const auto ends = primitive.positions.size() == 2
                               ? ends_at({primitive.positions[0], primitive.positions[1], {0, 1}})
                               : std::nullopt;
-        return {{"the line", steps.first, steps.last, ends,
+        return {{said({"the line", "o segmento"}), steps.first, steps.last, ends,
                  is_x_major_line(step.as<PrimitiveStep>().octant, ends)}};
     }
     for (std::size_t n = steps.first; n <= steps.last; ++n) {
@@ -82,31 +82,37 @@ Pixel pixel_at(const Vec2& point, const SampleOffset<Rational>& offset) {
 /// The line has no pixel in the column, or the row: it ends before, or there its last pixel is left out.
 PlaceOnLine beyond_ends(const Trace& trace, const LineSteps& line, Pixel pixel) {
     if (!line.ends)
-        return {.text = fmt::format("no step says where {} is", line.name), .is_known = false};
+        return {.text =
+                    said({"no step says where {} is", "nenhum passo diz onde {} está"}, line.name),
+                .is_known = false};
     const auto& [from, to] = *line.ends;
     const auto offset = told_samples(trace).lines;
     const Rational at = line.is_x_major ? offset.x_of(pixel.x) : offset.y_of(pixel.y);
     const auto [low, high] =
         std::minmax(line.is_x_major ? from.x : from.y, line.is_x_major ? to.x : to.y);
     const std::string_view axis = line.is_x_major ? "x" : "y";
-    const std::string goes =
-        fmt::format("{} goes from {} = {} to {}", line.name, axis, text(low), text(high));
+    const std::string goes = said({"{} goes from {} = {} to {}", "{} vai de {} = {} a {}"},
+                                  line.name, axis, text(low), text(high));
     const Rational gap = at < low ? Rational(low - at) : Rational(at - high);
     if (sgn(gap) > 0)
-        return {fmt::format("{}: {} = {} lies beyond it, by {}", goes, axis, text(at), text(gap)),
+        return {said({"{}: {} = {} lies beyond it, by {}", "{}: {} = {} fica além, por {}"}, goes,
+                     axis, text(at), text(gap)),
                 gap};
     if (trace.method_value("line") == "diamond-exit")
-        return {fmt::format("{}, and does not leave the diamond of a pixel at {} = {}{}", goes,
-                            axis, text(at), by_convention(trace)),
+        return {said({"{}, and does not leave the diamond of a pixel at {} = {}{}",
+                      "{}, e não sai do losango de nenhum pixel em {} = {}{}"},
+                     goes, axis, text(at), by_convention(trace)),
                 Rational(0)};
     if (trace.method_value("ends") == "first")
         for (const Pixel& end : {pixel_at(to, offset), pixel_at(from, offset)})
             if ((line.is_x_major ? end.x : end.y) == (line.is_x_major ? pixel.x : pixel.y))
-                return {fmt::format("the last pixel of {}, ({}, {}), is left out (ends: first)",
-                                    line.name, end.x, end.y),
+                return {said({"the last pixel of {}, ({}, {}), is left out (ends: first)",
+                              "{}: seu último pixel, ({}, {}), fica de fora (ends: first)"},
+                             line.name, end.x, end.y),
                         Rational(std::abs(line.is_x_major ? end.y - pixel.y : end.x - pixel.x))};
-    return {.text = fmt::format("{}; no step of the trace says where it is at {} = {}", goes, axis,
-                                text(at)),
+    return {.text = said({"{}; no step of the trace says where it is at {} = {}",
+                          "{}; nenhum passo do rastro diz onde está em {} = {}"},
+                         goes, axis, text(at)),
             .is_known = false};
 }
 
@@ -136,21 +142,31 @@ PlaceOnLine place_of(const Trace& trace, const LineSteps& line, Pixel pixel) {
     const Index wanted = line.is_x_major ? pixel.x : pixel.y;
     const Index asked = line.is_x_major ? pixel.y : pixel.x;
     const std::string where =
-        fmt::format("in {} {} = {}", line.is_x_major ? "column" : "row", major, wanted);
+        said({"in {} {} = {}", "na {} {} = {}"},
+             line.is_x_major ? said({"column", "coluna"}) : said({"row", "linha"}), major, wanted);
     for (std::size_t n = line.first; n <= line.last; ++n) {
         const auto kind = trace.kind_of(n);
         const StepView step = trace.step(n);
         const bool is_fragment = kind == StepKind::pixel || kind == StepKind::depth;
         if (is_fragment && major_in(step) == wanted) {
             const Index at = minor_in(step).value_or(0);
-            return {fmt::format("{} {} is at {} = {}, not {}", where, line.name, minor,
-                                place_in(trace, line, n, at), asked),
+            return {said({"{} {} is at {} = {}, not {}", "{} {} está em {} = {}, não em {}"}, where,
+                         line.name, minor, place_in(trace, line, n, at), asked),
                     Rational(std::abs(at - asked))};
         }
         if (kind == StepKind::reject && reaches(step.as<RejectStep>(), line.is_x_major, wanted))
-            return {fmt::format("{} {} is off the canvas", where, line.name)};
+            return {said({"{} {} is off the canvas", "{} {} está fora da tela"}, where, line.name)};
     }
     return beyond_ends(trace, line, pixel);
+}
+
+std::string no_step_says_what_became_of_it() {
+    return said({"no step of the trace says what became of it",
+                 "nenhum passo do rastro diz o que foi feito dele"});
+}
+
+std::string no_step_says_where_it_is() {
+    return said({"no step of the trace says where it is", "nenhum passo do rastro diz onde está"});
 }
 
 WhyNot of_point(const Trace& trace, const PrimitiveSteps& steps, Pixel pixel) {
@@ -159,10 +175,11 @@ WhyNot of_point(const Trace& trace, const PrimitiveSteps& steps, Pixel pixel) {
         primitive.positions.empty() ? std::nullopt : vec2_in(primitive.positions.front());
     const bool is_in_pixel = place && pixel_at(*place, told_samples(trace).others) == pixel;
     if (!place || is_in_pixel)
-        return {.reason = "unknown", .sentence = "no step of the trace says what became of it"};
+        return {.reason = "unknown", .sentence = no_step_says_what_became_of_it()};
     const auto drawn = find_step(trace, steps, StepKind::pixel);
-    const std::string at = fmt::format("it is at ({}, {})", in_sentence(primitive.positions[0][0]),
-                                       in_sentence(primitive.positions[0][1]));
+    const std::string at =
+        said({"it is at ({}, {})", "está em ({}, {})"}, in_sentence(primitive.positions[0][0]),
+             in_sentence(primitive.positions[0][1]));
     if (!drawn)
         return {.reason = "elsewhere", .sentence = at};
     const auto [x, y, color] = drawn->as<PixelStep>();
@@ -175,7 +192,7 @@ WhyNot of_circle(const Trace& trace, const PrimitiveSteps& steps, Pixel pixel) {
     const PrimitiveText primitive = primitive_in(trace.step(steps.first));
     const auto center = center_of(primitive, trace);
     if (!center || !primitive.radius)
-        return {.reason = "unknown", .sentence = "no step of the trace says where it is"};
+        return {.reason = "unknown", .sentence = no_step_says_where_it_is()};
     const auto [a, b] =
         std::minmax({Rational(abs(pixel.x - center->x)), Rational(abs(pixel.y - center->y))});
     const Rational r = *primitive.radius;
@@ -183,12 +200,13 @@ WhyNot of_circle(const Trace& trace, const PrimitiveSteps& steps, Pixel pixel) {
     const bool is_inside = square + b < r * r;
     const bool is_outside = square - b >= r * r && sgn(b) > 0;
     if (!is_inside && !is_outside)
-        return {.reason = "unknown", .sentence = "no step of the trace says what became of it"};
+        return {.reason = "unknown", .sentence = no_step_says_what_became_of_it()};
     return {.reason = "elsewhere",
-            .sentence = fmt::format(
-                "it lies {} from ({}, {}), and the square of the pixel's distance is {}: {}",
-                text(r), text(center->x), text(center->y), text(square),
-                is_inside ? "inside" : "outside"),
+            .sentence =
+                said({"it lies {} from ({}, {}), and the square of the pixel's distance is {}: {}",
+                      "fica a {} de ({}, {}), e o quadrado da distância do pixel é {}: {}"},
+                     text(r), text(center->x), text(center->y), text(square),
+                     is_inside ? said({"inside", "dentro"}) : said({"outside", "fora"})),
             .distance = std::abs(std::sqrt(nearest_double(square)) - nearest_double(r))};
 }
 
@@ -202,7 +220,8 @@ WhyNot why_elsewhere(const Trace& trace, const PrimitiveSteps& steps, Pixel pixe
         return of_circle(trace, steps, pixel);
     if (trace.lacks(StepKind::pixel))
         return {.reason = "unknown",
-                .sentence = "the trace has no pixel steps, which would say where it is"};
+                .sentence = said({"the trace has no pixel steps, which would say where it is",
+                                  "o rastro não tem passos pixel, que diriam onde está"})};
     WhyNot why{.reason = "elsewhere"};
     bool is_known = true;
     std::vector<std::string> places;
@@ -214,7 +233,7 @@ WhyNot why_elsewhere(const Trace& trace, const PrimitiveSteps& steps, Pixel pixe
             why.distance = std::min(why.distance.value_or(nearest_double(*place.distance)),
                                     nearest_double(*place.distance));
     }
-    why.sentence = places.empty() ? "no step of the trace says where it is" : joined(places, "; ");
+    why.sentence = places.empty() ? no_step_says_where_it_is() : joined(places, "; ");
     // Of an outline, sides that the trace does not have may be in the pixel.
     const bool may_lack_sides = !steps.may_lack.empty() && kind != PrimitiveKind::line;
     if (is_known && !places.empty() && !may_lack_sides)

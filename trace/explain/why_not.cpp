@@ -38,27 +38,35 @@ std::string corners_text(const PrimitiveText& primitive) {
 WhyNot why_skipped(const Trace& trace, const PrimitiveSteps& steps) {
     if (steps.skip == "culled")
         return {.reason = "culled",
-                .sentence = steps.face.empty()
-                                ? "culled; the trace has no face step, which would say why"
-                                : steps.face};
+                .sentence =
+                    steps.face.empty()
+                        ? said({"culled; the trace has no face step, which would say why",
+                                "eliminado; o rastro não tem o passo face, que diria por quê"})
+                        : steps.face};
     if (is_clipped_away(steps.skip))
         return {.reason = "clipped",
-                .sentence =
-                    fmt::format("{}: {}", in_language_of_steps(steps.skip),
-                                steps.clips.empty() ? "all of it lies outside one plane of the view"
-                                                    : joined(steps.clips, "; "))};
+                .sentence = fmt::format("{}: {}", in_language_of_steps(steps.skip),
+                                        steps.clips.empty()
+                                            ? said({"all of it lies outside one plane of the view",
+                                                    "tudo está fora de um plano da vista"})
+                                            : joined(steps.clips, "; "))};
+    const std::string why(in_language_of_steps(steps.skip));
     const std::string corners = corners_text(primitive_in(trace.step(steps.first)));
     return {.reason = "skipped",
-            .sentence = corners.empty() ? steps.skip : fmt::format("{}: {}", steps.skip, corners)};
+            .sentence = corners.empty() ? why : fmt::format("{}: {}", why, corners)};
 }
 
 /// A primitive that clipping has cut into parts, none of which has drawn the pixel.
 WhyNot why_clipped(const PrimitiveSteps& steps) {
     const std::string clips =
-        steps.clips.empty() ? std::string("cut by a plane of the view") : joined(steps.clips, "; ");
+        steps.clips.empty() ? said({"cut by a plane of the view", "cortado por um plano da vista"})
+                            : joined(steps.clips, "; ");
     if (!steps.may_lack.empty())
         return not_told(steps, clips);
-    return {.reason = "clipped", .sentence = clips + "; no part that is left has the pixel"};
+    return {.reason = "clipped",
+            .sentence = said({"{}; no part that is left has the pixel",
+                              "{}; nenhuma parte que resta tem o pixel"},
+                             clips)};
 }
 
 } // namespace

@@ -10,8 +10,6 @@
 #include <rastertrace/trace/tell/step_text.h>
 #include <rastertrace/trace/text/text.h>
 
-#include <fmt/core.h>
-
 #include <algorithm>
 #include <cmath>
 #include <optional>
@@ -57,10 +55,10 @@ double distance_from_line(const Rational& area, const Vec2& from, const Vec2& to
 }
 
 /// An edge that clipping has made has both ends on its plane, named after the primitive: wing:1, wing:2.
-std::string_view made_by_clipping(const std::string& edge) {
+std::string made_by_clipping(const std::string& edge) {
     const std::size_t colon = edge.find(':');
     return colon != std::string::npos && edge.find(':', colon + 1) != std::string::npos
-               ? ", which clipping has made,"
+               ? said({", which clipping has made,", ", feita pelo recorte,"})
                : "";
 }
 
@@ -82,13 +80,16 @@ std::optional<WhyNot> by_edge_function(const Case& c) {
         farthest =
             WhyNot{.reason = "outside",
                    .sentence = sgn(value) == 0
-                                   ? fmt::format("E of {} at {} = {}: it is no {} or left edge{}",
-                                                 edge, text(c.sample), function->at(c.sample),
-                                                 has_bottom_rule(c.trace) ? "bottom" : "top",
-                                                 by_convention(c.trace))
-                                   : fmt::format("E of {}{} at {} = {}, {} px beyond it", edge,
-                                                 made_by_clipping(edge), text(c.sample),
-                                                 function->at(c.sample), six_places(distance)),
+                                   ? said({"E of {} at {} = {}: it is no {} or left edge{}",
+                                           "E de {} em {} = {}: não é aresta {} nem esquerda{}"},
+                                          edge, text(c.sample), function->at(c.sample),
+                                          has_bottom_rule(c.trace) ? said({"bottom", "inferior"})
+                                                                   : said({"top", "superior"}),
+                                          by_convention(c.trace))
+                                   : said({"E of {}{} at {} = {}, {} px beyond it",
+                                           "E de {}{} em {} = {}, {} px além dela"},
+                                          edge, made_by_clipping(edge), text(c.sample),
+                                          function->at(c.sample), six_places(distance)),
                    .distance = distance};
     }
     return farthest;
@@ -101,21 +102,29 @@ WhyNot beyond_end(const Case& c, std::size_t n, bool is_left) {
     const Rational gap = !end      ? Rational(0)
                          : is_left ? Rational(*end - c.sample.x)
                                    : Rational(c.sample.x - *end);
+    const std::string side = is_left ? said({"before", "antes"}) : said({"beyond", "além"});
     const std::string where =
-        !end           ? fmt::format("lies {} that pixel", is_left ? "before" : "beyond")
-        : sgn(gap) > 0 ? fmt::format("lies {} it by {}", is_left ? "before" : "beyond", text(gap))
-        : sgn(gap) == 0
-            ? "lies on it, and the rule leaves it out" + by_convention(c.trace)
-            : fmt::format("lies {} within it, and the rule leaves it out", text(abs(gap)));
+        !end            ? said({"lies {} that pixel", "fica {} desse pixel"}, side)
+        : sgn(gap) > 0  ? said({"lies {} it by {}", "fica {1} {0}"}, side, text(gap))
+        : sgn(gap) == 0 ? said({"lies on it, and the rule leaves it out{}",
+                                "fica sobre ele, e a regra o deixa de fora{}"},
+                               by_convention(c.trace))
+                        : said({"lies {} within it, and the rule leaves it out",
+                                "fica {} para dentro, e a regra o deixa de fora"},
+                               text(abs(gap)));
     const std::string edge = told.edge.text();
-    WhyNot why = outside(fmt::format("{}{} {} row y={} at x = {}{} -> {}; x = {} {}",
-                                     edge.empty() ? is_left ? "left end" : "right end" : edge,
-                                     made_by_clipping(edge), is_left ? "begins" : "ends", told.y,
-                                     in_sentence(told.x.text()),
-                                     rule_of_end(c.trace, told, c.primitive.kind), told.pixel,
-                                     text(c.sample.x), where) +
-                             what_numbers_give(c.trace, n),
-                         gap);
+    const std::string name = !edge.empty() ? edge
+                             : is_left     ? said({"left end", "o extremo esquerdo"})
+                                           : said({"right end", "o extremo direito"});
+    WhyNot why =
+        outside(said({"{}{} {} row y={} at x = {}{} -> {}; x = {} {}",
+                      "{}{} {} a linha y={} em x = {}{} -> {}; x = {} {}"},
+                     name, made_by_clipping(edge),
+                     is_left ? said({"begins", "começa"}) : said({"ends", "termina"}), told.y,
+                     in_sentence(told.x.text()), rule_of_end(c.trace, told, c.primitive.kind),
+                     told.pixel, text(c.sample.x), where) +
+                    what_numbers_give(c.trace, n),
+                gap);
     for (const std::string& line : c.steps.working)
         if (line.starts_with(told.name() + " "))
             why.working.push_back(line);
@@ -136,7 +145,7 @@ std::string winding_there(const Case& c) {
         for (std::size_t i = 0; i < std::min(x.size(), winding.size()); ++i)
             if (const auto at = x[i].exact(); at && *at <= c.sample.x)
                 there = winding[i];
-        return fmt::format("; the winding number there is {}", there);
+        return said({"; the winding number there is {}", "; ali o número de voltas é {}"}, there);
     }
     return {};
 }
@@ -155,9 +164,11 @@ std::optional<WhyNot> by_row(const Case& c) {
         const Index gap = std::max(row.from - c.pixel.x, c.pixel.x - row.to);
         if (gap <= 0)
             return WhyNot{.reason = "unknown",
-                          .sentence = fmt::format("row y={} has the pixels {} to {}, but no step "
-                                                  "of the trace says what became of this one",
-                                                  c.pixel.y, row.from, row.to)};
+                          .sentence = said({"row y={} has the pixels {} to {}, but no step of the "
+                                            "trace says what became of this one",
+                                            "a linha y={} tem os pixels {} a {}, mas nenhum passo "
+                                            "do rastro diz o que foi feito deste"},
+                                           c.pixel.y, row.from, row.to)};
         if (nearest != 0 && gap >= least)
             continue;
         nearest = n;
@@ -224,30 +235,39 @@ std::optional<WhyNot> by_rows(const Case& c) {
         if (const auto least = distance_in_doubles(c, is_above);
             least && *least > c.steps.farthest_told)
             return WhyNot{.reason = "outside", .distance = least};
-    const std::string rows = *top == *bottom ? fmt::format("its only row, y={}", *top)
-                                             : fmt::format("its rows, y={} to {}", *top, *bottom);
+    const std::string rows =
+        *top == *bottom ? said({"its only row, y={}", "sua única linha, y={}"}, *top)
+                        : said({"its rows, y={} to {}", "suas linhas, y={} a {}"}, *top, *bottom);
     if (!is_above && !is_below)
         return WhyNot{.reason = "unknown",
-                      .sentence = fmt::format("row y={} is missing among {}", c.pixel.y, rows)};
+                      .sentence =
+                          said({"row y={} is missing among {}", "a linha y={} falta entre {}"},
+                               c.pixel.y, rows)};
     if (!c.steps.may_lack.empty())
-        return not_told(c.steps, fmt::format("the trace does not have row y={} of it", c.pixel.y));
+        return not_told(c.steps, said({"the trace does not have row y={} of it",
+                                       "o rastro não tem a linha y={} dele"},
+                                      c.pixel.y));
+    const std::string lies =
+        said({"row y={} lies {} {}", "a linha y={} fica {} {}"}, c.pixel.y,
+             is_above ? said({"above", "acima de"}) : said({"below", "abaixo de"}), rows);
     const auto& corners = c.corners();
     if (!corners)
-        return WhyNot{.reason = "outside",
-                      .sentence = fmt::format("row y={} lies {} {}", c.pixel.y,
-                                              is_above ? "above" : "below", rows)};
+        return WhyNot{.reason = "outside", .sentence = lies};
     const std::size_t corner = outermost_corner(c, is_above);
     const Rational distance = abs(c.sample.y - (*corners)[corner].y);
     const bool is_left_out =
         is_below && sgn(distance) == 0 && c.trace.method_value("rows") == "half-open";
-    return outside(
-        fmt::format("row y={} lies {} {}: its {} corner, {}, is at y = {}{}", c.pixel.y,
-                    is_above ? "above" : "below", rows, is_above ? "highest" : "lowest",
-                    c.primitive.vertices[corner], in_sentence(c.primitive.positions[corner][1]),
-                    is_left_out
-                        ? ", and half-open rows leave out the lowest" + by_convention(c.trace)
-                        : std::string()),
-        distance);
+    const std::string left_out = is_left_out
+                                     ? said({", and half-open rows leave out the lowest{}",
+                                             ", e linhas half-open deixam de fora a mais baixa{}"},
+                                            by_convention(c.trace))
+                                     : "";
+    return outside(said({"{}: its {} corner, {}, is at y = {}{}",
+                         "{}: seu vértice mais {}, {}, está em y = {}{}"},
+                        lies, is_above ? said({"highest", "alto"}) : said({"lowest", "baixo"}),
+                        c.primitive.vertices[corner], in_sentence(c.primitive.positions[corner][1]),
+                        left_out),
+                   distance);
 }
 
 /// AB, or A1-B1: the side across from a corner.
@@ -273,16 +293,18 @@ std::optional<WhyNot> by_weight(const Case& c) {
         }
         const auto& corners = c.corners();
         if (!worst || !corners)
-            return WhyNot{.reason = "outside", .sentence = "its sample lies outside"};
+            return WhyNot{.reason = "outside",
+                          .sentence = said({"its sample lies outside", "sua amostra está fora"})};
         const auto& from = (*corners)[(*worst + 1) % 3];
         const auto& to = (*corners)[(*worst + 2) % 3];
         const double distance = distance_from_line(doubled_area(from, to, c.sample), from, to);
         return WhyNot{.reason = "outside",
-                      .sentence = fmt::format(
-                          "at {} the weight of {} is {} < {}: beyond {}, by {} px", text(c.sample),
-                          c.primitive.vertices[*worst], in_sentence(weights[*worst].text()),
-                          tolerance.empty() ? "0" : "-" + tolerance,
-                          side_across(c.primitive, *worst), six_places(distance)),
+                      .sentence = said({"at {} the weight of {} is {} < {}: beyond {}, by {} px",
+                                        "em {} o peso de {} é {} < {}: além de {}, por {} px"},
+                                       text(c.sample), c.primitive.vertices[*worst],
+                                       in_sentence(weights[*worst].text()),
+                                       tolerance.empty() ? "0" : "-" + tolerance,
+                                       side_across(c.primitive, *worst), six_places(distance)),
                       .distance = distance,
                       .working = c.steps.working};
     }
@@ -306,9 +328,10 @@ std::optional<WhyNot> by_box(const Case& c) {
     const Rational dy = beyond(c.sample.y, low, high);
     if (sgn(dx) == 0 && sgn(dy) == 0)
         return std::nullopt;
-    return outside(fmt::format("{} lies beyond the box around it, x {} to {}, y {} to {}, by {}",
-                               text(c.sample), text(left), text(right), text(low), text(high),
-                               text(std::max(dx, dy))),
+    return outside(said({"{} lies beyond the box around it, x {} to {}, y {} to {}, by {}",
+                         "{} fica além da caixa em volta, x {} a {}, y {} a {}, por {}"},
+                        text(c.sample), text(left), text(right), text(low), text(high),
+                        text(std::max(dx, dy))),
                    std::max(dx, dy));
 }
 
@@ -324,13 +347,15 @@ WhyNot unknown(const Case& c) {
     for (const StepKind kind : {StepKind::edge, StepKind::scanline, StepKind::sample})
         if (c.trace.lacks(kind))
             lacking.emplace_back(name_of(kind));
+    const std::string none =
+        said({"no step of the trace says why", "nenhum passo do rastro diz por quê"});
     if (lacking.empty() && !c.steps.may_lack.empty())
-        return not_told(c.steps, "no step of the trace says why");
+        return not_told(c.steps, none);
     return {.reason = "unknown",
-            .sentence = lacking.empty()
-                            ? "no step of the trace says why"
-                            : fmt::format("the trace has no {} steps, which would say why",
-                                          joined(lacking, ", "))};
+            .sentence = lacking.empty() ? none
+                                        : said({"the trace has no {} steps, which would say why",
+                                                "o rastro não tem passos {}, que diriam por quê"},
+                                               joined(lacking, ", "))};
 }
 
 } // namespace
@@ -341,12 +366,16 @@ WhyNot why_outside(const Trace& trace, const PrimitiveSteps& steps, Pixel pixel)
     const auto offset = told_samples(trace).of(step.as<PrimitiveStep>().kind);
     const Case c{trace, steps, pixel, primitive, {offset.x_of(pixel.x), offset.y_of(pixel.y)}};
     if (step.as<PrimitiveStep>().painted.is_false())
-        return {.reason = "unpainted", .sentence = "it only hides what lies behind it"};
+        return {.reason = "unpainted",
+                .sentence = said(
+                    {"it only hides what lies behind it", "só esconde o que está atrás dele"})};
     for (const auto rule : {by_edge_function, by_row, by_weight, by_rows, by_box})
         if (auto why = rule(c))
             return *std::move(why);
     if (is_fan(c) && !trace.lacks(StepKind::pixel) && steps.may_lack.empty())
-        return {.reason = "outside", .sentence = "no line of the fan passes through the pixel"};
+        return {.reason = "outside",
+                .sentence = said({"no line of the fan passes through the pixel",
+                                  "nenhum segmento do leque passa pelo pixel"})};
     return unknown(c);
 }
 

@@ -3,10 +3,11 @@
 
 #include "picture_trace.h"
 
-#include <rastertrace/core/draw/plan/stages.h>
 #include <rastertrace/trace/compare/diff_picture.h>
 #include <rastertrace/trace/record/step_lines.h>
+#include <rastertrace/trace/tell/step_text.h>
 #include <rastertrace/trace/text/color_text.h>
+#include <rastertrace/trace/text/language.h>
 #include <rastertrace/trace/text/text.h>
 
 #include <fmt/core.h>
@@ -50,20 +51,21 @@ struct Placement {
     /// `moved 1 pixel to the left and turned upside down`
     std::string text() const {
         std::vector<std::string> parts;
-        const auto add_move = [&parts](int by, std::string_view forward,
-                                       std::string_view backward) {
+        const auto add_move = [&parts](int by, const Words& forward, const Words& backward) {
             if (by != 0)
-                parts.push_back(fmt::format("moved {} {}",
-                                            counted(static_cast<unsigned>(std::abs(by)), "pixel"),
-                                            by > 0 ? forward : backward));
+                parts.push_back(
+                    said({"moved {} {}", "movida {} {}"},
+                         said_count(static_cast<unsigned>(std::abs(by)), {"pixel", "pixel"}),
+                         (by > 0 ? forward : backward).in(language_of_steps())));
         };
-        add_move(right, "to the right", "to the left");
-        add_move(down, "down", "up");
+        add_move(right, {"to the right", "para a direita"}, {"to the left", "para a esquerda"});
+        add_move(down, {"down", "para baixo"}, {"up", "para cima"});
         if (is_upside_down)
-            parts.emplace_back("turned upside down");
+            parts.push_back(said({"turned upside down", "virada de cabeça para baixo"}));
         if (is_mirrored)
-            parts.emplace_back("mirrored left to right");
-        return joined(parts, " and ");
+            parts.push_back(
+                said({"mirrored left to right", "espelhada da esquerda para a direita"}));
+        return joined(parts, said({" and ", " e "}));
     }
 };
 
@@ -107,9 +109,12 @@ public:
         constexpr std::uint64_t explains = 4;
         if (fewest * explains > differing)
             return "";
-        return fmt::format("{} {}: then {}", options_.is_picture_first ? "a is b," : "b is a,",
-                           best.text(),
-                           fewest == 0 ? "nothing differs" : counted_differences(fewest, "pixel"));
+        return said({"{} {}: then {}", "{} {}: então {}"},
+                    options_.is_picture_first ? said({"a is b,", "a é b,"})
+                                              : said({"b is a,", "b é a,"}),
+                    best.text(),
+                    fewest == 0 ? said({"nothing differs", "nada difere"})
+                                : counted_differences(fewest, {"pixel", "pixel"}));
     }
 
     bool has_colors() const { return has_colors_; }
@@ -234,10 +239,12 @@ TraceDiff diff_with_picture(const TraceText& trace, const Picture& picture,
     const std::uint64_t differing = count_pixels(found);
     found.is_same = differing == 0;
     if (!held.has_colors())
-        found.remarks.emplace_back("compared: what is drawn, without colors");
+        found.remarks.push_back(said({"compared: what is drawn, without colors",
+                                      "comparado: o que é desenhado, sem cores"}));
     if (const Color background = held.background(); background != no_color)
         found.remarks.push_back(
-            fmt::format("{}: what is {} is not drawn", is_first ? 'a' : 'b', to_text(background)));
+            said({"{}: what is {} is not drawn", "{}: o que é {} não é desenhado"},
+                 is_first ? 'a' : 'b', to_text(background)));
     if (!found.is_same)
         if (std::string remark = held.placement_remark(differing); !remark.empty())
             found.remarks.push_back(std::move(remark));

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "step_text.h"
 
+#include <rastertrace/core/draw/plan/stages.h>
 #include <rastertrace/core/numbers/number.h>
 #include <rastertrace/core/raster/line.h>
 #include <rastertrace/core/raster/rounding.h>
@@ -19,6 +20,10 @@
 #include <system_error>
 
 namespace rastertrace {
+
+std::string said_count(std::uint64_t count, const Words& noun) {
+    return counted(count, noun.in(language_of_steps()));
+}
 
 std::string in_sentence(const std::string& number) {
     constexpr std::size_t longest = 20;

@@ -19,6 +19,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -47,6 +48,9 @@ template <typename... Values>
 std::string said(const WordsFor<sizeof...(Values)>& pattern, const Values&... values) {
     return fmt::vformat(pattern.words.in(language_of_steps()), fmt::make_format_args(values...));
 }
+
+/// `1 row`, `2 rows`; `1 linha`, `2 linhas`: more than one have an `s` in both languages.
+std::string said_count(std::uint64_t count, const Words& noun);
 
 /// A long fraction as its first digits, and what it is: 49977918.../10141204... = 4.928204, or
 /// 79999999.../40000000... < 2 where it lies a hair beside.

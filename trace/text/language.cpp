@@ -26,7 +26,8 @@ struct TraceWord {
         : word(word_of_traces), told(told_as) {}
 };
 
-/// The words that traces have for kinds of primitives, matrices, spaces, planes, halves and reasons.
+/// The words that traces have for kinds of primitives, matrices, spaces, planes, halves and reasons, and those of
+/// explain.h for what kept a primitive from a pixel.
 constexpr TraceWord words_of_traces[] = {
     {"point", "ponto"},
     {"line", "segmento"},
@@ -71,6 +72,15 @@ constexpr TraceWord words_of_traces[] = {
      "seu único pixel é o último, que não é desenhado"},
     {"between rows", "entre as linhas"},
     {"it leaves no diamond", "não sai de nenhum losango"},
+
+    {"outside", "fora"},
+    {"elsewhere", "em outro lugar"},
+    {"hidden", "escondido"},
+    {"clipped", "recortado"},
+    {"skipped", "omitido"},
+    {"unpainted", "não pintado"},
+    {"rejected", "descartado"},
+    {"unknown", "desconhecido"},
 };
 
 } // namespace

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The languages in which steps are told: their sentences (describe.h) and workings (working.h). Messages, help
-// and the words of the file formats are English in all of them.
+// The languages in which steps are told: their sentences (describe.h) and workings (working.h), what explain.h answers
+// about them and how two traces differ (diff.h). Messages, help and the words of the file formats are English in all of
+// them.
 //
 //     tell_steps_in(Language::portuguese);
 //     describe_step(replay);  // "aresta BC: horizontal, não tem dx/dy"
@@ -44,8 +45,8 @@ std::optional<Language> language_with_code(std::string_view code);
 Language language_of_steps();
 void tell_steps_in(Language language);
 
-/// A word that a trace holds, like `camera`, `culled` or `near`, in the language of steps; any other text stays as it
-/// is.
+/// A word that a trace holds, like `camera`, `culled` or `near`, or a reason of explain.h, in the language of steps; any
+/// other text stays as it is.
 std::string_view in_language_of_steps(std::string_view word);
 
 } // namespace rastertrace

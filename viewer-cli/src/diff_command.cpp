@@ -116,8 +116,9 @@ TraceDiff diff_of_picture(const std::string& path, const Picture& picture,
             trace_text(open_trace(path, command.input), path, other), picture, how);
         if (const std::uint64_t left = count_pixels(moved); left * explains <= differing)
             found.remarks.push_back(
-                fmt::format("with --sample {}: then {}", sample,
-                            left == 0 ? "no pixels differ" : counted_differences(left, "pixel")));
+                said({"with --sample {}: then {}", "com --sample {}: então {}"}, sample,
+                     left == 0 ? said({"no pixels differ", "nenhum pixel difere"})
+                               : counted_differences(left, {"pixel", "pixel"})));
     }
     return found;
 }
@@ -161,7 +162,7 @@ TraceDiff diff_of_methods(const DiffCommand& command) {
     // That the method differs is what was asked for.
     other.options.ignored.emplace_back("header");
     TraceDiff found = diff(text_by(command), text_by(other), other.options);
-    found.name_b += " with " + command.against;
+    found.name_b += said({" with {}", " com {}"}, command.against);
     return found;
 }
 
@@ -216,24 +217,26 @@ ExitStatus tell_git(const DiffCommand& command) {
     const std::string new_name = is_renamed ? words[place_of_new_name] : name;
     if (command.format == DiffFormat::text)
         print(fmt::format("rastertrace diff {}{}\n", printable(name),
-                          is_renamed ? ", now " + printable(new_name) : ""));
+                          is_renamed ? said({", now {}", ", agora {}"}, printable(new_name)) : ""));
     if (words.size() == 1) {
-        print("not merged\n");
+        print(said({"not merged\n", "não mesclado\n"}));
         return exit_fine;
     }
     const std::string old_file = path_of_git(words[1]);
     const std::string new_file = path_of_git(words[4]);
     if (old_file == no_file || new_file == no_file) {
-        print(old_file == no_file ? "a new file\n" : "a file that is no longer there\n");
+        print(old_file == no_file
+                  ? said({"a new file\n", "um arquivo novo\n"})
+                  : said({"a file that is no longer there\n", "um arquivo que já não existe\n"}));
         return exit_fine;
     }
     try {
         TraceDiff found = diff_of_files(old_file, new_file, command);
-        found.name_a = name + ", before";
-        found.name_b = new_name + ", now";
+        found.name_a = name + said({", before", ", antes"});
+        found.name_b = new_name + said({", now", ", agora"});
         tell(command, found);
     } catch (const Problem& problem) {
-        print(fmt::format("cannot be compared: {}\n", to_text(problem)));
+        print(said({"cannot be compared: {}\n", "não pode ser comparado: {}\n"}, to_text(problem)));
     }
     return exit_fine;
 }
@@ -266,7 +269,7 @@ ExitStatus print_lines(const DiffCommand& command) {
     try {
         print_lines_of(load_trace(path_of_git(command.files.front()), options_of(command)));
     } catch (const Problem& problem) {
-        print(fmt::format("cannot be read: {}\n", to_text(problem)));
+        print(said({"cannot be read: {}\n", "não pode ser lido: {}\n"}, to_text(problem)));
     }
     return exit_fine;
 }
@@ -292,8 +295,9 @@ int run(const DiffCommand& command) {
         for (const std::string& other : other_goldens(asked.files[0]))
             if (TraceDiff accepted = diff_of_inputs(other, asked.files[1], asked);
                 accepted.is_same && accepted.damage.empty()) {
-                accepted.remarks.push_back(fmt::format(
-                    "{} is accepted besides {}", printable(other), printable(asked.files[0])));
+                accepted.remarks.push_back(
+                    said({"{} is accepted besides {}", "{} é aceito além de {}"}, printable(other),
+                         printable(asked.files[0])));
                 found = std::move(accepted);
                 break;
             }

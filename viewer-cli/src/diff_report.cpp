@@ -9,6 +9,7 @@
 #include <rastertrace/figures/svg.h>
 #include <rastertrace/trace/explain/explain.h>
 #include <rastertrace/trace/picture/picture_diff.h>
+#include <rastertrace/trace/tell/step_text.h>
 #include <rastertrace/trace/text/output.h>
 #include <rastertrace/trace/text/text.h>
 
@@ -44,14 +45,15 @@ constexpr std::array mark_rows{MarkRow{'#', {drawn_gray, drawn_gray, Color(150, 
 /// `8 steps differ, 4 pixels differ`
 std::string summary(const TraceDiff& found) {
     if (found.is_same)
-        return found.damage.empty() ? "the same" : "the same, as far as they go";
+        return found.damage.empty() ? said({"the same", "iguais"})
+                                    : said({"the same, as far as they go", "iguais, até onde vão"});
     std::vector<std::string> parts;
     if (const std::uint64_t steps = count_steps(found); steps > 0)
-        parts.push_back(counted_differences(steps, "step"));
+        parts.push_back(counted_differences(steps, {"step", "passo"}));
     if (const std::uint64_t pixels = count_pixels(found); pixels > 0)
-        parts.push_back(counted_differences(pixels, "pixel"));
+        parts.push_back(counted_differences(pixels, {"pixel", "pixel"}));
     if (!found.header.empty() || !found.end.empty())
-        parts.emplace_back("the header differs");
+        parts.push_back(said({"the header differs", "o cabeçalho difere"}));
     return joined(parts, ", ");
 }
 
@@ -83,11 +85,15 @@ std::string pictures_markdown(const PictureDifference& picture,
         write_file((folder / names[i]).string(),
                    value_or_throw(png_of(bitmap_of_part(picture, i))));
     const std::string path = folder.generic_string();
+    const std::string difference = said({"difference", "diferença"});
     return fmt::format(
-        "\n| a | b | difference |\n|---|---|---|\n"
-        "| ![a]({0}/a.png) | ![b]({0}/b.png) | ![difference]({0}/difference.png) |\n\n"
-        "Gray: in both; red: only in a; green: only in b; orange: in both, but otherwise.\n",
-        path);
+        "\n| a | b | {1} |\n|---|---|---|\n"
+        "| ![a]({0}/a.png) | ![b]({0}/b.png) | ![{1}]({0}/difference.png) |\n\n"
+        "{2}\n",
+        path, difference,
+        said({"Gray: in both; red: only in a; green: only in b; orange: in both, but otherwise.",
+              "Cinza: em ambas; vermelho: só em a; verde: só em b; laranja: em ambas, mas de outro "
+              "modo."}));
 }
 
 } // namespace
@@ -99,25 +105,27 @@ std::string explanation_of_first_pixel(const TraceDiff& found, const Trace& trac
 }
 
 std::string sentence_of(const std::optional<DiffStep>& step) {
-    return step ? step->sentence : "no such step";
+    return step ? step->sentence : said({"no such step", "não há esse passo"});
 }
 
 std::string diff_markdown(const TraceDiff& found, const std::string& picture_folder) {
-    std::string text =
-        fmt::format("### {}\n\na: `{}`, b: `{}`\n",
-                    found.is_same ? "No difference" : "Decisions differ: " + summary(found),
-                    printable(found.name_a), printable(found.name_b));
+    std::string text = fmt::format(
+        "### {}\n\na: `{}`, b: `{}`\n",
+        found.is_same ? said({"No difference", "Nenhuma diferença"})
+                      : said({"Decisions differ: {}", "As decisões diferem: {}"}, summary(found)),
+        printable(found.name_a), printable(found.name_b));
     if (found.first) {
-        text += fmt::format(
-            "\nThe first{}:\n\n",
-            found.first->primitive.empty() ? "" : ", in " + printable(found.first->primitive));
+        text += said({"\nThe first{}:\n\n", "\nA primeira{}:\n\n"},
+                     found.first->primitive.empty()
+                         ? ""
+                         : said({", in {}", ", em {}"}, printable(found.first->primitive)));
         text += fenced(
             fmt::format("a {}\nb {}\n", sentence_of(found.first->a), sentence_of(found.first->b)));
     }
     if (!found.is_same && found.picture && !found.picture->rows.empty() && !picture_folder.empty())
         text += pictures_markdown(*found.picture, picture_folder);
-    return text + "\n<details><summary>All of it</summary>\n\n" + fenced(diff_text(found)) +
-           "\n</details>\n";
+    return text + fmt::format("\n<details><summary>{}</summary>\n\n{}\n</details>\n",
+                              said({"All of it", "Tudo"}), fenced(diff_text(found)));
 }
 
 std::string diff_junit(const TraceDiff& found) {
@@ -145,7 +153,7 @@ std::string diff_in_color(const std::string& text, ColorDepth colors) {
     bool is_picture = false;
     for (const std::string& line : split_at(text, '\n')) {
         is_picture = is_picture ? !line.starts_with('#') && !line.empty()
-                                : line.starts_with("the pictures: ");
+                                : line.starts_with(heading_of_pictures());
         if (line.starts_with("a ") || line.starts_with("b ")) {
             colored += styled(line, {.foreground = line.front() == 'a' ? of_a : of_b}, colors);
         } else if (is_picture && line.find("x = ") == std::string::npos) {

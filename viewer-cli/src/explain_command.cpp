@@ -10,6 +10,7 @@
 
 #include <rastertrace/trace/explain/explain.h>
 #include <rastertrace/trace/explain/steps_of_pixel.h>
+#include <rastertrace/trace/tell/step_text.h>
 #include <rastertrace/trace/text/text.h>
 
 #include <fmt/core.h>
@@ -58,10 +59,11 @@ Trace steps_of_pixel(StepStream& stream, const ExplainCommand& command) {
 Explanation answer_there(const Trace& against, const Trace& trace, const Question& question) {
     const auto same = question_for(against, trace, question);
     if (!same)
-        return {.answer = "there is no such step"};
+        return {.answer = said({"there is no such step", "não há esse passo"})};
     auto answer = explain(against, *same);
     return answer ? std::move(answer.value())
-                  : Explanation{.answer = "no answer: " + answer.problem().message};
+                  : Explanation{.answer = said({"no answer: {}", "sem resposta: {}"},
+                                               answer.problem().message)};
 }
 
 /// Answers the question, and once more with the trace drawn by another method, if there is one.
