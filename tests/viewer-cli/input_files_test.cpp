@@ -387,7 +387,7 @@ TEST_F(ProgramTest, CaretsAndTitlesCountColumns) {
                                 "\":[1,1]},\"points\":[[\"" + name +
                                 "\"]],"
                                 "\"canvas\":{\"width\":5,\"height\":5}}");
-        std::string out = shell("$rastertrace show scene.json").out;
+        std::string out = shell("$rastertrace show scene.json --last").out;
         EXPECT_THAT(out, HasSubstr("\n\n* " + name + " (1, 1)\n"));
         return out.substr(0, out.find("* ")).replace(0, title.size(), "TITLE");
     };

@@ -73,7 +73,7 @@ TEST_F(ProgramTest, ShowLooksAtAFrameInManyWays) {
                          "c....\n"
                          "....d\n");
     const Outcome colored =
-        shell("TERM=xterm COLORTERM= $rastertrace show $examples/t2-lines/points.json --view shade "
+        shell("TERM=xterm COLORTERM= $rastertrace show $examples/t2-lines/points.json --last --view shade "
               "--color always | tail -3 | head -1");
     EXPECT_EQ(colored.out, "> 2   . . . . \x1b[97;40;7m-\x1b[0m  D x=4\n");
     const Outcome plain = shell("$rastertrace show $examples/t2-lines/points.json --view shade");
@@ -541,9 +541,12 @@ TEST_F(ProgramTest, AFileWithoutACommandIsShown) {
 TEST_F(ProgramTest, AWindowOfALargerCanvasNamesTheOptionThatShowsAllOfIt) {
     write("large.json", R"({"canvas": {"width": 512, "height": 512, "origin": "top-left"},
 "vertices": {"A": [0, 0], "B": [511, 0], "C": [0, 511]}, "triangles": ["ABC"]})");
-    EXPECT_THAT(shell("COLUMNS=80 LINES=24 $rastertrace show large.json").out,
+    EXPECT_THAT(shell("COLUMNS=80 LINES=24 $rastertrace show large.json --last").out,
                 HasSubstr("\n(x 0 to 73, y 496 to 511 of a canvas of 512 x 512; --overview: all of "
                           "it)\n"));
+    // The summary shows all of it.
+    EXPECT_THAT(shell("COLUMNS=80 LINES=24 $rastertrace show large.json").out,
+                HasSubstr("\n(1 cell = "));
     EXPECT_THAT(shell("COLUMNS=80 LINES=24 $rastertrace show large.json --region 0,0,1,1").out,
                 HasSubstr("\n(x 0 to 1, y 0 to 1 of a canvas of 512 x 512)\n"));
 }

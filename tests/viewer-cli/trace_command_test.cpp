@@ -106,8 +106,8 @@ TEST_F(ProgramTest, AFileNameIsShownAndNotStored) {
     for (const std::string command : {"show", "stats", "plan", "stress"})
         EXPECT_THAT(shell("$rastertrace " + command + " ./one.json").out, StartsWith("one.json"))
             << command;
-    EXPECT_THAT(shell("$rastertrace show kept.trace.json").out, StartsWith("kept.trace.json "));
-    EXPECT_THAT(shell("$rastertrace show - <one.json").out, StartsWith("standard input "));
+    EXPECT_THAT(shell("$rastertrace show kept.trace.json").out, StartsWith("kept.trace.json\n"));
+    EXPECT_THAT(shell("$rastertrace show - <one.json").out, StartsWith("standard input\n"));
 }
 
 TEST_F(ProgramTest, MethodIsOverriddenOnTheCommandLine) {

@@ -260,11 +260,7 @@ std::string part_text(const Canvas& canvas, const FrameText& about, const Window
 std::string title_line(const Trace& trace, const FrameText& about, std::size_t columns) {
     const std::string steps = steps_text(trace, {about.first_step, about.last_step});
     const std::size_t width = std::clamp(columns, steps.size() + 5, page_columns);
-    const std::size_t room = width - steps.size() - 2;
-    const std::string mistake = trace.method_value("mistake");
-    const std::string marked = mistake.empty() ? "" : ", with " + mistake;
-    const std::string title =
-        shortened(printable(trace.title), room - std::min(room, marked.size())) + marked;
+    const std::string title = title_of(trace, width - steps.size() - 2);
     return fmt::format("{}{:>{}}", title, steps, width - columns_in(title));
 }
 
@@ -471,6 +467,12 @@ std::optional<Pixel> pixel_looked_at(const Replay& replay, std::size_t n) {
         }
     }
     return newest_pixel(replay.frame());
+}
+
+std::string title_of(const Trace& trace, std::size_t columns) {
+    const std::string mistake = trace.method_value("mistake");
+    const std::string marked = mistake.empty() ? "" : ", with " + mistake;
+    return shortened(printable(trace.title), columns - std::min(columns, marked.size())) + marked;
 }
 
 std::vector<std::string> frame_heading(const Trace& trace, const FrameText& about,

@@ -88,6 +88,9 @@ struct LaidOutFrame {
 /// window around the pixels that the step is about, and a line says so.
 LaidOutFrame laid_out_frame(const Replay& replay, const FrameText& about, TextSize size);
 
+/// The title in so many columns, with the mistake that it is drawn with.
+std::string title_of(const Trace& trace, std::size_t columns);
+
 /// Title and caption alone, in lines of so many columns.
 std::vector<std::string> frame_heading(const Trace& trace, const FrameText& about,
                                        std::size_t columns);

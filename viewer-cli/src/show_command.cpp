@@ -131,7 +131,7 @@ void check_sequence(const ShowCommand& command, const InputFrames& input) {
 /// What a scene is about, and above `below` all of its picture.
 void print_summary(const Replay& replay, FrameText about, TextSize size) {
     const Trace& trace = replay.trace();
-    std::string text = shortened(printable(trace.title), size.columns - 1) + "\n";
+    std::string text = title_of(trace, size.columns - 1) + "\n";
     for (const std::string& line : digest_of(trace))
         text += line + "\n";
     about.has_heading = false;
@@ -218,7 +218,7 @@ int run(ShowCommand command) {
                                       .frames = command.frames,
                                       .tells_steps = true});
     check_sequence(command, input);
-    if (input.is_sequence() && command.which == ShowCommand::Which::summary)
+    if (input.first() < input.last() && command.which == ShowCommand::Which::summary)
         command.which = ShowCommand::Which::last;
     ExitStatus status = exit_fine;
     FaceGroups faces;
