@@ -71,7 +71,7 @@ TEST(KeyReader, TellsWhereTheMouseWasPressed) {
     EXPECT_EQ(press->key, "Click");
     EXPECT_EQ(press->column, 11U);
     EXPECT_EQ(press->line, 6U);
-    EXPECT_EQ(reader.next()->key, ""); // let go
+    EXPECT_EQ(reader.next()->key, "");      // let go
     EXPECT_EQ(reader.next()->key, "Right"); // the wheel
 }
 

@@ -211,6 +211,18 @@ TEST(RenewedPage, WhatNeedsAShellIsRefused) {
               "hint: a command is one line");
 }
 
+TEST(RenewedPage, APlayerIsBegunByTheReader) {
+    const auto words_of = [](const std::string& line) {
+        const auto commands =
+            commands_on({.name = "page.md", .text = "```\n$ rastertrace " + line + "\n```\n"});
+        return commands.size() == 1 ? commands.front().words : std::vector<std::string>();
+    };
+    EXPECT_THAT(words_of("play scene.json"), ElementsAre());
+    EXPECT_THAT(words_of("play a b --step 3"), ElementsAre());
+    EXPECT_THAT(words_of("play --keys"), ElementsAre("play", "--keys"));
+    EXPECT_THAT(words_of("play x --print 80x24"), ElementsAre("play", "x", "--print", "80x24"));
+}
+
 TEST(RenewedPage, ABlockWithoutAnEndIsRefused) {
     EXPECT_EQ(problem_of_page("Look:\n"
                               "  ```console\n"

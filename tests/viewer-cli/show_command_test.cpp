@@ -72,9 +72,9 @@ TEST_F(ProgramTest, ShowLooksAtAFrameInManyWays) {
     EXPECT_EQ(faces.out, "ab...\n"
                          "c....\n"
                          "....d\n");
-    const Outcome colored =
-        shell("TERM=xterm COLORTERM= $rastertrace show $examples/t2-lines/points.json --last --view shade "
-              "--color always | tail -3 | head -1");
+    const Outcome colored = shell("TERM=xterm COLORTERM= $rastertrace show "
+                                  "$examples/t2-lines/points.json --last --view shade "
+                                  "--color always | tail -3 | head -1");
     EXPECT_EQ(colored.out, "> 2   . . . . \x1b[97;40;7m-\x1b[0m  D x=4\n");
     const Outcome plain = shell("$rastertrace show $examples/t2-lines/points.json --view shade");
     EXPECT_EQ(plain.out.find('\x1b'), std::string::npos);

@@ -59,6 +59,13 @@ std::size_t content_begin(const Fence& fence, std::string_view line) {
     return std::min(begin, fence.indent.size());
 }
 
+/// True of a player, which a reader begins; what it prints or lists without one is an output like any other.
+bool needs_terminal(std::string_view command) {
+    return command.starts_with("$ rastertrace play ") &&
+           command.find(" --print") == std::string_view::npos &&
+           command.find(" --keys") == std::string_view::npos;
+}
+
 /// The exit status that a comment states: `exit 2`. Any other comment states none.
 std::optional<int> exit_status_in(std::string_view comment) {
     constexpr std::string_view exit = "exit ";
@@ -184,7 +191,7 @@ std::vector<PageCommand> commands_on(const Source& page) {
         }
         const std::size_t indent = content_begin(*fence, line);
         const std::string_view content = line.substr(indent);
-        if (content.starts_with(our_prompt)) {
+        if (content.starts_with(our_prompt) && !needs_terminal(content)) {
             PageCommand command{
                 .begin = begin + indent,
                 .line = line_number,

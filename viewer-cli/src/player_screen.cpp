@@ -9,6 +9,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <iterator>
 #include <utility>
@@ -73,11 +74,39 @@ Panel steps_around(const Player& player, std::size_t columns, std::size_t count,
     return panel;
 }
 
+/// The two numbers of a depth test, one below the other, with whose they are.
+TextLines compared_depths(const Replay& replay) {
+    const Trace& trace = replay.trace();
+    const std::size_t n = replay.step();
+    if (n == 0 || trace.kind_of(n) != StepKind::depth)
+        return {};
+    const auto test = trace.step(n).as<DepthStep>();
+    const auto name_of_primitive = [&](std::size_t primitive) {
+        return primitive == 0 ? std::string() : printable(name_in(trace.step(primitive)).text());
+    };
+    const std::size_t stored_by = replay.stored_before();
+    const std::array<std::string, 2> names{
+        name_of_primitive(replay.primitive()),
+        stored_by == 0 ? "clear" : name_of_primitive(replay.primitive_of(stored_by))};
+    const std::array<std::string, 2> numbers{short_number(test.depth.text()),
+                                             short_number(test.stored.text())};
+    const std::size_t width = std::max(columns_in(names[0]), columns_in(names[1]));
+    const std::size_t of_numbers = std::max(numbers[0].size(), numbers[1].size());
+    const bool passes = test.pass.is_true();
+    TextLines lines;
+    for (std::size_t i = 0; i < 2; ++i)
+        lines.push_back(fmt::format("{}  {:>{}}{}", padded(names[i], width), numbers[i], of_numbers,
+                                    (i == 0) == passes ? "  <- is kept" : ""));
+    return lines;
+}
+
 /// How the numbers of the step come of one another, a part of it where there is no room for all.
 TextLines working_panel(const Player& player, std::size_t columns, std::size_t count) {
     if (!player.has_working() || count == 0)
         return {};
     TextLines lines;
+    for (const std::string& line : compared_depths(player.playback().replay()))
+        lines.push_back(shortened(line, columns));
     for (const std::string& line : working_of(player.playback().replay()))
         append(lines, wrapped(line, columns));
     if (lines.size() <= count)
