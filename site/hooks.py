@@ -224,5 +224,6 @@ def on_page_content(content, page, config, files):
     content = re.sub(r"<table>.*?</table>", table, content, flags=re.DOTALL)
     content = re.sub(r"<img [^>]*>", lambda found: image(found, page, config), content)
     content = re.sub("<code>([^<]*)</code>(?!</pre>)", inline_code, content)
+    content = re.sub("<p>(<summary>.*?</summary>)</p>", r"\1", content)  # of a fold, which Markdown takes for text
     # Images by themselves are a figure.
     return re.sub(r"<p>((?:<img [^>]*>\s*)+)</p>", figure, content)
