@@ -111,6 +111,8 @@ TextLines working_panel(const Player& player, std::size_t columns, std::size_t c
         append(lines, wrapped(line, columns));
     if (lines.size() <= count)
         return lines;
+    if (count == 1)
+        return {shortened(fmt::format("... {} lines of working: Ctrl+d", lines.size()), columns)};
     const std::size_t room = count - 1; // the last line tells the part
     const std::size_t first = std::min(player.working_from(), lines.size() - room);
     const std::string part =
@@ -323,9 +325,9 @@ std::vector<std::string> player_help(std::size_t columns) {
             front.assign(front.size(), ' ');
         }
     }
-    append(lines,
-           {"", "A number in front of a key that goes somewhere: so many times.",
-            "A click sets the cursor, or goes to a step of the list; the wheel goes on and back."});
+    append(lines, {"", "A number in front of a key that goes somewhere: so many times.",
+                   "A click sets the cursor, or goes to a step of the list.",
+                   "The wheel goes on and back."});
     return lines;
 }
 
@@ -372,8 +374,10 @@ TextLines panels_of(const Player& player, std::size_t columns, std::size_t lines
     std::size_t left = lines - pixel.size();
     const std::size_t gaps = lines >= 10 ? 1 : 0; // a blank line between two panels
     left -= std::min(left, gaps * 2);
-    const TextLines working =
-        working_panel(player, columns, left > few_steps ? left - few_steps : 0);
+    // The steps give way to a working that is scrolled.
+    const std::size_t for_steps = player.working_from() > 0 ? 1 : few_steps;
+    const TextLines working = working_panel(
+        player, columns, left > for_steps ? left - for_steps : std::min<std::size_t>(left, 1));
     left -= working.size();
     const Panel steps = steps_around(player, columns, std::min(left, more_steps), colors);
     TextLines panels;
