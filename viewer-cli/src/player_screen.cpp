@@ -114,7 +114,9 @@ TextLines working_panel(const Player& player, std::size_t columns, std::size_t c
     if (count == 1)
         return {shortened(fmt::format("... {} lines of working: Ctrl+d", lines.size()), columns)};
     const std::size_t room = count - 1; // the last line tells the part
-    const std::size_t first = std::min(player.working_from(), lines.size() - room);
+    const std::size_t from =
+        player.working_from() - std::min<std::size_t>(player.working_from(), 1);
+    const std::size_t first = std::min(from, lines.size() - room); // the first key only makes room
     const std::string part =
         fmt::format("... lines {} to {} of {}: Ctrl+d, Ctrl+u", std::min(first + 1, lines.size()),
                     first + room, lines.size());
