@@ -10,8 +10,6 @@ cmake --build build/release --target rastertrace_program
 
 rastertrace=build/release/viewer-cli/rastertrace
 scene=examples/t0-fill/first-triangle.json
-$rastertrace show $scene --every scanline --format table
-echo
 $rastertrace show $scene
 echo
 echo "The program is $PWD/$rastertrace. To go through this step by step, and back:"

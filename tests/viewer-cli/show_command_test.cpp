@@ -298,7 +298,7 @@ TEST_F(ProgramTest, OneGrammarSaysWhichStep) {
     EXPECT_THAT(row, HasSubstr("step 14 of 62\nscanline y=2 "));
     EXPECT_EQ(shell(show + "--step 'scanline y=2'").out, row);
     EXPECT_EQ(shell(show + "--step 'scanline right=3.125'").out, row);
-    EXPECT_EQ(shell(show + "--step last").out, shell(show).out);
+    EXPECT_EQ(shell(show + "--step last").out, shell(show + "--last").out);
     EXPECT_EQ(shell(show + "--step first").out, shell(show + "--step 1").out);
     EXPECT_EQ(shell(show + "--step 0 --bare").status, 0);
     EXPECT_THAT(shell(show + "--every 'scanline y=2'").out, HasSubstr("steps 14 to 19 of 62\n"));
