@@ -196,6 +196,7 @@ end 0
 
 # Answer first: a table of the answers.
 begin 80 24 "TERM=tmux-256color" "$scene --step 13 --answers $folder/answers.csv"
+wait_for "step 13 of 62"
 keys Right
 wait_for "row y=2: which pixels does it have?"
 keys -- - 1 Space 3 Enter
