@@ -46,6 +46,10 @@ TEST(Digest, TheSlopeAndTheDecisionsOfALine) {
                 ElementsAre("line AB   A (0, 0)   B (5, 2)   octant 1   m = 2/5   "
                             "d = -1, then + 4 or - 6"));
     EXPECT_THAT(digest_of(trace_of_example("t2-lines/naive")).front(), EndsWith("m = 1/2"));
+    // With a mistake, what it decides by: d = 0 in the place of 2 (5) - 7.
+    const std::string file = RASTERTRACE_EXAMPLES "/tutorial/mistakes/d-from-zero.jsonl";
+    EXPECT_THAT(digest_of(readable_trace(read_source(file).value().text)).front(),
+                EndsWith("d = 0, then + 10 or - 4"));
     // Where y is the longer direction, x is a function of it: (0, 0) to (2, 5).
     EXPECT_THAT(digest_of(trace_of_example("t2-lines/octants"))[1], HasSubstr("1/m = 2/5"));
 }

@@ -87,6 +87,36 @@ struct Face {
     }
 };
 
+/// How a line decides, by the d that its steps tell: where it begins, and what is added after a step straight on and
+/// after a diagonal one.
+struct Decisions {
+    std::optional<Rational> begin = {}, straight = {}, diagonal = {}, last = {};
+    bool was_diagonal = false;
+
+    void add(const DecideStep& step) {
+        const auto d = step.d.exact();
+        if (!begin)
+            begin = d;
+        if (auto& added = was_diagonal ? diagonal : straight; d && last && !added)
+            added = Rational(*d - *last);
+        last = d;
+        was_diagonal = step.move.text().size() > 1; // NE, not E
+    }
+
+    std::string text() const {
+        if (!begin)
+            return {};
+        std::string line = "d = " + rastertrace::text(*begin);
+        if (straight && diagonal)
+            line += said({", then {} or {}", ", depois {} ou {}"},
+                         plus(rastertrace::text(*straight)), plus(rastertrace::text(*diagonal)));
+        else if (straight || diagonal)
+            line += said({", then {}", ", depois {}"},
+                         plus(rastertrace::text(straight ? *straight : *diagonal)));
+        return line;
+    }
+};
+
 /// Reads a trace once, and tells what it is about.
 class Digest {
 public:
@@ -131,6 +161,10 @@ private:
             break;
         case StepKind::scanline:
             rows_.push_back({primitives_.empty() ? 0 : primitives_.back(), n});
+            break;
+        case StepKind::decide:
+            if (!primitives_.empty() && primitives_.size() <= most_)
+                decisions_[primitives_.back()].add(step.as<DecideStep>());
             break;
         case StepKind::depth:
             if (face_ != nullptr)
@@ -269,13 +303,8 @@ private:
         if (!form)
             return {};
         const std::string slope = (is_x_major ? "m = " : "1/m = ") + text(form->m);
-        const auto decisions = trace_.method_value("line") == "bresenham"
-                                   ? decisions_between(trace_, *ends)
-                                   : std::nullopt;
-        return !decisions ? slope
-                          : said({"{}   d = {}, then {} or {}", "{}   d = {}, depois {} ou {}"},
-                                 slope, text(decisions->start()), plus(text(decisions->straight())),
-                                 plus(text(decisions->diagonal())));
+        const auto decisions = decisions_.find(replay_.step());
+        return decisions == decisions_.end() ? slope : slope + "   " + decisions->second.text();
     }
 
     /// A scanline, and the primitive that it is of.
@@ -289,7 +318,8 @@ private:
     Replay replay_;
     std::vector<std::size_t> vertices_, primitives_; ///< their steps
     std::vector<Row> rows_;
-    std::deque<Face> faces_; ///< deque: face_ stays where it is
+    std::map<std::size_t, Decisions> decisions_; ///< of lines, by their steps
+    std::deque<Face> faces_;                     ///< deque: face_ stays where it is
     std::map<std::string, std::size_t> place_of_face_;
     Face* face_ = nullptr; ///< the one that is drawn
     bool is_in_space_ = false;
