@@ -41,6 +41,23 @@ TEST(Describe, EveryStepOfTheFirstTriangle) {
     EXPECT_EQ(description(scene, 15), "pixel (-1, 2)   row y=2: -1 to 3");
 }
 
+TEST(Describe, TheNextDIsTheOneThatFollows) {
+    const auto first_decision = [](const std::string& mistake) {
+        const auto scene = read_scene(
+            {"scene.json", R"({"canvas":{"width":9,"height":9},"vertices":{"A":[0,0],"B":[5,2]},)"
+                           R"("lines":["AB"],"method":{"line":"bresenham")" +
+                               mistake + "}}"});
+        const Trace trace = readable_trace(trace_text(scene.value(), {}));
+        Replay replay(trace);
+        replay.go_to(3);
+        return describe_step(replay);
+    };
+    EXPECT_EQ(first_decision(""), "at (0, 0): d = -1 <= 0, straight on to E; d + 4 = 3");
+    // dy = 2 is added in the place of 2 dy.
+    EXPECT_EQ(first_decision(R"(,"mistake":"factor-2-dropped")"),
+              "at (0, 0): d = -1 <= 0, straight on to E; the next d is 1");
+}
+
 TEST(Describe, ASentenceIsItsPatternAndWhatStandsForThePlaceholders) {
     const Trace trace = trace_of(first_triangle());
     Replay replay(trace);

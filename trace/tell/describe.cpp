@@ -451,9 +451,13 @@ std::string next_d(const Context& context) {
         return fmt::format("; d {} = {}", plus(text(circle->increment)),
                            text(*d + circle->increment));
     const auto line = ends ? decisions_between(context.replay.trace(), *ends) : std::nullopt;
-    return line && d
-               ? fmt::format("; d {} = {}", plus(text(line->next(*d) - *d)), text(line->next(*d)))
-               : std::string();
+    if (!line || !d)
+        return {};
+    const Rational next = line->next(*d);
+    if (const auto told = next_d_told(context.replay);
+        told && !agrees(next, *told, context.replay.trace()))
+        return said({"; the next d is {}", "; o próximo d é {}"}, text(*told));
+    return fmt::format("; d {} = {}", plus(text(next - *d)), text(next));
 }
 
 /// How much of the light that is a level of 255 is on an sRGB screen (IEC 61966-2-1), in percent.

@@ -20,17 +20,17 @@ namespace rastertrace {
 namespace {
 
 using Cells = std::vector<std::string>;
-using Lines = std::vector<std::string>;
+using TextLines = std::vector<std::string>;
 
 /// Rows of cells below one another. A column without any text has no width.
-Lines aligned(const std::vector<Cells>& rows) {
+TextLines aligned(const std::vector<Cells>& rows) {
     std::vector<std::size_t> widths;
     for (const Cells& row : rows) {
         widths.resize(std::max(widths.size(), row.size()));
         for (std::size_t i = 0; i < row.size(); ++i)
             widths[i] = std::max(widths[i], columns_in(row[i]));
     }
-    Lines lines;
+    TextLines lines;
     for (const Cells& row : rows) {
         std::string line;
         for (std::size_t i = 0; i < row.size(); ++i)
@@ -83,7 +83,7 @@ struct Face {
                 ? pixels(drawn)
                 : said({"{} of {} depth tests pass", "passam {} de {} testes de profundidade"},
                        passed, tests);
-        return {printable(name), normal, verdict, depths, tests + drawn > 0 ? result : ""};
+        return {printable(name), normal, verdict, depths, tests > 0 || drawn > 0 ? result : ""};
     }
 };
 
@@ -127,7 +127,7 @@ public:
                 read(n, *kind);
     }
 
-    Lines lines() {
+    TextLines lines() {
         if (is_in_space_ && faces_.size() > 1)
             return of_faces();
         if (is_in_space_ && faces_.empty())
@@ -212,7 +212,7 @@ private:
     // --- what is told
 
     /// So many of the lines that it may have, and how many of the things that they tell are left out.
-    Lines limited(Lines lines, std::size_t things, std::string_view kind) const {
+    TextLines limited(TextLines lines, std::size_t things, std::string_view kind) const {
         if (things > most_) {
             lines.resize(most_ - 1);
             lines.push_back(said({"... and {} more: --every {}", "... e mais {}: --every {}"},
@@ -226,7 +226,7 @@ private:
         return describe_step(replay_);
     }
 
-    Lines of_faces() const {
+    TextLines of_faces() const {
         std::vector<Cells> rows;
         for (std::size_t i = 0; i < std::min(faces_.size(), most_); ++i)
             rows.push_back(faces_[i].cells());
@@ -234,9 +234,9 @@ private:
     }
 
     /// In each of its spaces.
-    Lines of_first_vertex() {
+    TextLines of_first_vertex() {
         const auto name_of = [this](std::size_t n) { return name_in(trace_.step(n)).text(); };
-        Lines lines;
+        TextLines lines;
         for (const std::size_t n : vertices_)
             if (lines.size() < most_ - 1 && name_of(n) == name_of(vertices_.front()))
                 lines.push_back(sentence_of(n));
@@ -247,8 +247,8 @@ private:
     }
 
     /// Below the corners of their triangle.
-    Lines of_rows() {
-        Lines lines;
+    TextLines of_rows() {
+        TextLines lines;
         std::vector<Cells> rows;
         std::size_t told = 0;
         const auto add_rows = [&] {
@@ -284,7 +284,7 @@ private:
         return lines;
     }
 
-    Lines of_primitives() {
+    TextLines of_primitives() {
         std::vector<Cells> rows;
         for (std::size_t i = 0; i < std::min(primitives_.size(), most_); ++i)
             rows.push_back({sentence_of(primitives_[i]), slope_of_line()});
@@ -327,7 +327,7 @@ private:
 
 } // namespace
 
-Lines digest_of(const Trace& trace, std::size_t most_lines) {
+std::vector<std::string> digest_of(const Trace& trace, std::size_t most_lines) {
     return Digest(trace, most_lines).lines();
 }
 

@@ -494,6 +494,21 @@ bool steps_at_ties(const Trace& trace, bool is_x_major) {
     return ties_of_lines(trace, is_x_major) == "step";
 }
 
+std::optional<Rational> next_d_told(const Replay& replay) {
+    constexpr std::size_t between = 4; // a depth test and a pixel, and what a later program may add
+    const Trace& trace = replay.trace();
+    const std::size_t n = replay.step();
+    for (std::size_t next = n + 1; next <= std::min(trace.size(), n + between); ++next) {
+        const auto kind = trace.kind_of(next);
+        const bool is_at_hand = trace.number_of(next) - trace.number_of(n) == next - n;
+        if (!is_at_hand || kind == StepKind::primitive || kind == StepKind::edge)
+            return std::nullopt;
+        if (kind == StepKind::decide)
+            return trace.step(next).as<DecideStep>().d.exact();
+    }
+    return std::nullopt;
+}
+
 std::optional<BresenhamDecisions> decisions_between(const Trace& trace, const LineEnds& ends) {
     const Rational dx = abs(ends.to.x - ends.from.x);
     const Rational dy = abs(ends.to.y - ends.from.y);

@@ -192,6 +192,10 @@ std::optional<SlopeForm> slope_form_of(const LineEnds& ends, bool is_x_major);
 /// The decisions of Bresenham's line, if the ends are pixels.
 std::optional<BresenhamDecisions> decisions_between(const Trace& trace, const LineEnds& ends);
 
+/// The d of the next decision of the same line or circle, if the trace tells it a few steps later. A mistake, or another
+/// rasterizer, may add something else than the decision says.
+std::optional<Rational> next_d_told(const Replay& replay);
+
 /// Where a line goes that is halfway between two pixels, as the header says; "" if it does not.
 std::string ties_of_lines(const Trace& trace, bool is_x_major);
 

@@ -429,6 +429,8 @@ void decide(Sheet& sheet) {
     sheet.put(said({"dx = {}, dy = {}: d begins at 2 {} - {} = {}",
                     "dx = {}, dy = {}: d começa em 2 {} - {} = {}"},
                    text(dx), text(dy), minor, major, text(line->start())));
+    if (const auto told = next_d_told(sheet.replay); told && !sheet.agrees(line->next(*d), *told))
+        return;
     sheet.put(said({"straight on adds 2 {} = {}, diagonally 2 ({} - {}) = {}",
                     "em frente soma 2 {} = {}, na diagonal 2 ({} - {}) = {}"},
                    minor, text(line->straight()), minor, major, text(line->diagonal())));

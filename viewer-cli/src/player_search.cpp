@@ -265,9 +265,9 @@ void Player::start_search(const std::string& text) {
     if (search_ || message_.empty() || !searched_for_ || trace().size() > most_steps_for_hints)
         return;
     if (!searched_for_->selector) {
-        const std::string nowhere = message_;
+        const std::string missing = message_;
         selector_of(searched_for_->text); // what is wrong with it
-        message_ = nowhere + "; " + message_;
+        message_ = missing + "; " + message_;
         return;
     }
     // Perhaps it is behind us, or there is none at all.
