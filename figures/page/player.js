@@ -651,7 +651,11 @@ const canAsk = () => program && options.scene && trace.count <= options.steps_wi
 function workingOf(n) {
   const {working} = trace.data;
   if (working) return working[n - 1].map(word => trace.words[word]);
-  if (canAsk()) return program.step(drawnScene, options.language, n).working;
+  if (canAsk() && !isMoving) {
+    try {
+      return program.step(drawnScene, options.language, n).working;
+    } catch { /* then only the command tells it */ }
+  }
   return fileOf() ? [`rastertrace explain ${fileOf()} --step ${n}`] : [];
 }
 
@@ -850,7 +854,7 @@ function questionAbout(n) {
     const ends = [data.canvas.left + from, data.canvas.left + to];
     return from > to ? null : {words: `${who}, row y=${y}: which pixels does it have?`, inputs: ["from x", "to x"], right: ends.join(" "), told: ends.join(" to ")};
   }
-  const told = sentenceOf(trace, n), numbers = told.slice(0, told.lastIndexOf(": ")); // without the verdict
+  const told = sentenceOf(trace, n).split("   [!]")[0], numbers = told.slice(0, told.lastIndexOf(": ")); // without the verdict
   if (kind === "face") return between(data.faces[own[n]] === 1, `${numbers}: is it culled?`, "culled", "not culled");
   if (at[n] < 0) return null;
   if (kind === "pixel") return {words: `${who}: which pixel is drawn next? Point at it.`, isPixel: true, right: inWords(at[n])};
@@ -972,7 +976,7 @@ function hover(pixel) {
 const whyFixed = "Vertices stay where they are: the rastertrace that wrote this page found no module that draws. " +
   "It was built without one (cmake -D RASTERTRACE_WASM=ON builds it), RASTERTRACE_MODULE did not name its file, and there was no " +
   "share/rastertrace/rastertrace.js beside the program, where a package has it.";
-let drawnScene = options.scene, scene, hasMoved = false, hasTurned = false, wanted = "", isDrawing = false;
+let drawnScene = options.scene, scene, hasMoved = false, hasTurned = false, wanted = "", isDrawing = false, isMoving = false;
 const grain = 4; // vertices go to quarters of a pixel
 
 function prepareMoving() {
@@ -1065,6 +1069,7 @@ async function drawAgain(detail) {
       hasMoved = text !== JSON.stringify(JSON.parse(options.scene));
       const data = hasMoved ? await program.draw(text, options.language, detail) : frames[frame].data;
       if (gone.signal.aborted) return;
+      isMoving = detail !== "all";
       by("back").hidden = !hasMoved;
       by("problem").hidden = true;
       drawnScene = text;
@@ -1085,6 +1090,7 @@ async function drawAgain(detail) {
 // picture is drawn, and all of its steps once it rests.
 const numbers = []; // {slider, told, first, unmoved, put}: `put` puts the slider's number into a scene
 const mostNumbers = 24;
+let turning = []; // those of numbers that turn the scene
 
 /** Meshes and vertices turned about their own centers, before all that the scene does with them. */
 function turned(scene, axis, degrees) {
@@ -1107,7 +1113,7 @@ function prepareNumbers() {
     numbers.push({slider, told, first, put, unmoved: slider.value});
     return numbers.at(-1);
   };
-  const turning = ["x", "y"].map(axis => add(`turn about ${axis}`, 0, -180, 180, 1, (scene, degrees) => turned(scene, axis, degrees)));
+  turning = ["x", "y"].map(axis => add(`turn about ${axis}`, 0, -180, 180, 1, (scene, degrees) => turned(scene, axis, degrees)));
   const addNumbersOf = (label, value, holderIn, key) => { // all that the value has
     if (typeof value === "object")
       for (const [name, one] of Object.entries(value ?? {}))
@@ -1144,7 +1150,8 @@ function prepareNumbers() {
 
 function changeNumbers(detail) {
   scene = JSON.parse(options.scene);
-  for (const {slider, put, unmoved} of numbers) if (slider.value !== unmoved) put(scene, Number(slider.value));
+  const inOrder = [...numbers.filter(one => !turning.includes(one)), ...turning]; // a turn adds to the model
+  for (const {slider, put, unmoved} of inOrder) if (slider.value !== unmoved) put(scene, Number(slider.value));
   drawAgain(detail);
 }
 

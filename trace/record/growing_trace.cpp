@@ -168,10 +168,11 @@ std::optional<std::string> GrowingTrace::change() const {
     if (::stat(state_->path.c_str(), &at_path) == 0 &&
         (at_path.st_ino != before.st_ino || at_path.st_dev != before.st_dev))
         return state_->path + " is another file now";
+    // Of a file that was cut nothing may be read, so its last step is only measured.
     const Trace& trace = state_->trace;
+    const StepView last = trace.size() == 0 ? StepView("") : trace.step(trace.size());
     const std::size_t needed =
-        trace.size() == 0 ? 0
-                          : trace.offset_of(trace.size()) + trace.step(trace.size()).json().size();
+        trace.size() == 0 ? 0 : trace.offset_of(trace.size()) + last.json().size();
     if (now.st_size < before.st_size || static_cast<std::size_t>(now.st_size) < needed)
         return state_->path + " was cut short";
     const bool is_written = now.st_mtim.tv_sec != before.st_mtim.tv_sec ||

@@ -10,7 +10,9 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <cmath>
 #include <deque>
+#include <limits>
 #include <map>
 #include <optional>
 #include <string_view>
@@ -44,9 +46,11 @@ TextLines aligned(const std::vector<Cells>& rows) {
 
 /// A fraction as a formula has it, a decimal to six places.
 std::string brief(const std::string& number) {
+    constexpr double least = 1e-6, most = 1e9; // others are written with an exponent
     const auto value =
         number.find('.') == std::string::npos ? std::nullopt : nearest_double_in(number);
-    return value ? six_places(*value) : in_formula(number);
+    const bool has_places = value && least <= std::abs(*value) && std::abs(*value) < most;
+    return has_places ? six_places(*value) : in_formula(number);
 }
 
 std::string pixels(Index count) {
@@ -66,9 +70,11 @@ struct Face {
         ++tests;
         passed += test.pass.is_true() ? 1 : 0;
         const auto depth = test.depth.nearest_double();
-        if (depth && depth < least.nearest_double().value_or(*depth + 1))
+        if (depth &&
+            depth < least.nearest_double().value_or(std::numeric_limits<double>::infinity()))
             least = test.depth;
-        if (depth && depth > largest.nearest_double().value_or(*depth - 1))
+        if (depth &&
+            depth > largest.nearest_double().value_or(-std::numeric_limits<double>::infinity()))
             largest = test.depth;
     }
 
@@ -184,7 +190,7 @@ private:
         face.normal = said({"normal {}", "normal {}"}, in_point(test.normal));
         face.verdict = said(
             {". {} = {}: {}", ". {} = {}: {}"},
-            test.by == "light" ? said({"to light", "à luz"}) : said({"to eye", "ao olho"}),
+            test.by == "light" ? said({"to light", "para a luz"}) : said({"to eye", "para o olho"}),
             brief(test.dot.text()),
             test.culled.is_true() ? said({"culled", "eliminada"}) : said({"drawn", "desenhada"}));
     }

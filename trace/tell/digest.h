@@ -16,7 +16,7 @@
 
 namespace rastertrace {
 
-/// At most so many lines, safe to print, the last of which says what more there is; none of a trace without a primitive.
+/// At most so many lines, safe to print, the last of which says what more there is; none of a trace in which nothing is drawn or moved.
 std::vector<std::string> digest_of(const Trace& trace, std::size_t most_lines = 12);
 
 } // namespace rastertrace

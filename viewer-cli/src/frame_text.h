@@ -42,7 +42,7 @@ struct FrameText {
         {}; ///< what a cut canvas is shown around; none: what the step is about
     std::optional<Pixel> cursor = {}; ///< a pixel that is marked
     std::optional<Region> coming =
-        {};                ///< pixels that the next steps draw, by what the step has found
+        {}; ///< pixels of the row that the step has found, which the next ones may draw
     std::size_t scale = 1; ///< lines of a cell; if it is more than one, twice as many columns
     bool has_half_blocks = false; ///< two pixels above each other to a character, in their colors
     const FaceGroups* faces = nullptr; ///< that have letters, see FrameCells

@@ -6,6 +6,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <optional>
 #include <utility>
@@ -59,11 +60,13 @@ std::size_t content_begin(const Fence& fence, std::string_view line) {
     return std::min(begin, fence.indent.size());
 }
 
-/// True of a player, which a reader begins; what it prints or lists without one is an output like any other.
+/// True of a player, which a reader begins; what it prints or lists without one, or refuses, is an output like any other.
 bool needs_terminal(std::string_view command) {
+    constexpr std::array outputs{" --print", " --keys", " --help", " -h", "# exit"};
     return command.starts_with("$ rastertrace play ") &&
-           command.find(" --print") == std::string_view::npos &&
-           command.find(" --keys") == std::string_view::npos;
+           std::none_of(outputs.begin(), outputs.end(), [command](std::string_view output) {
+               return command.find(output) != std::string_view::npos;
+           });
 }
 
 /// The exit status that a comment states: `exit 2`. Any other comment states none.

@@ -113,8 +113,9 @@ int show_instead(const PlayCommand& command) {
     show.frames = command.frames;
     show.has_working = true;
     const int status = run(show);
-    print_error("rastertrace: there is no terminal that can be played on: this is what "
-                "`show` prints\n");
+    print_error(fmt::format("rastertrace: there is no terminal that can be played on: this is what "
+                            "`show` prints{}\n",
+                            command.other.empty() ? "" : " of the first trace"));
     return status;
 }
 
@@ -135,6 +136,8 @@ public:
     bool pass(double seconds) { return player_.pass(seconds); }
     void look_for_change() { player_.look_for_change(); }
     const Player& first() const { return player_; }
+    int pipe() const { return player_.playback().growing().pipe(); }
+    ExitStatus report() const { return report_damage(player_.playback().trace()); }
     PlayerScreen screen(TextSize size, const ScreenAbility& ability) const {
         return player_screen(player_, size, ability);
     }
@@ -153,7 +156,7 @@ template <typename Players> int print_screen(Players players, const PlayCommand&
     }
     for (const std::string& line : players.screen(*command.screen, ability_of(command)).lines)
         print(line.substr(0, line.find_last_not_of(' ') + 1) + "\n");
-    return report_damage(players.first().playback().trace());
+    return players.report();
 }
 
 /// How long to wait for a key, in milliseconds; for ever if that is negative.
@@ -164,7 +167,9 @@ int time_to_wait(const Player& player, bool has_worked, bool is_shown) {
 }
 
 /// Keys, time and screens, until somebody leaves.
-template <typename Players> void play(Players& players, const ScreenAbility& ability) {
+template <typename Players> void play(Players& players, const PlayCommand& command) {
+    const ScreenAbility ability = ability_of(command);
+    std::size_t written = 0; // answers
     TerminalSession terminal;
     PlayerScreen screen;
     bool is_shown = false; // as things are now
@@ -183,12 +188,14 @@ template <typename Players> void play(Players& players, const ScreenAbility& abi
         }
         const bool has_worked = players.work();
         is_shown = is_shown && !has_worked;
-        terminal.wait(time_to_wait(players.first(), has_worked, is_shown),
-                      players.first().playback().growing().pipe());
+        terminal.wait(time_to_wait(players.first(), has_worked, is_shown), players.pipe());
         while (const auto key = terminal.key()) {
             players.press(*key, screen.places);
             is_urgent = true;
         }
+        const auto& answers = players.first().answers();
+        if (!command.answers.empty() && answers.size() != std::exchange(written, answers.size()))
+            write_file(command.answers, csv_of(answers), opened_files());
         const auto now = Clock::now();
         if (players.pass(std::chrono::duration<double>(now - before).count()))
             is_shown = false;
@@ -201,10 +208,8 @@ template <typename Players> int run(Players players, const PlayCommand& command)
         return print_screen(std::move(players), command);
     if (!command.answers.empty()) // nobody answers what cannot be kept
         write_file(command.answers, csv_of({}), opened_files());
-    play(players, ability_of(command));
-    if (!command.answers.empty())
-        write_file(command.answers, csv_of(players.first().answers()), opened_files());
-    return report_damage(players.first().playback().trace());
+    play(players, command);
+    return players.report();
 }
 
 } // namespace
@@ -219,6 +224,7 @@ int run(const PlayCommand& command) {
         return run(OnePlayer(std::move(player)), command);
     PlayCommand other = command;
     other.trace = command.other;
+    other.step.clear(); // it follows the first one
     return run(TwoPlayers(std::move(player), Player(open_input_of(other), player_options(other))),
                command);
 }

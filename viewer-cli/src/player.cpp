@@ -59,9 +59,11 @@ void Player::open(std::size_t frame) {
     opened->read_on();
     search_.reset();
     question_.reset();
+    end_question();
     playback_ = std::move(opened);
     lost_.reset();
-    frame_ = frame;
+    if (frame != std::exchange(frame_, frame))
+        bookmarks_.clear();
     if (!has_own_view_)
         view_ = default_view(trace());
     if (cursor_ && !trace().canvas.contains(cursor_->x, cursor_->y))
@@ -75,7 +77,7 @@ void Player::open(std::size_t frame) {
 bool Player::go_to_wanted() {
     if (!wanted_ || (trace().size() < *wanted_ && !playback_->growing().is_whole()))
         return false;
-    playback_->go_to(std::min(*std::exchange(wanted_, std::nullopt), trace().size()));
+    show_step(std::min(*std::exchange(wanted_, std::nullopt), trace().size()));
     return true;
 }
 
@@ -117,6 +119,7 @@ void Player::press(const KeyPress& key, const ScreenPlaces& places) {
     if (key.key.empty())
         return; // none that we know, or a button of the mouse let go
     message_.clear();
+    working_from_ = std::min(working_from_, places.last_working);
     if (look_for_change()) {
         const auto action = player_action_of(key.key);
         if (action == PlayerAction::read_again || action == PlayerAction::quit)
@@ -346,14 +349,19 @@ void Player::ask(std::size_t step) {
     if (!asked_step_)
         return move_to(step);
     asked_ = Asked::answer;
+    has_pointed_ = false;
     typed_.clear();
-    message_ = asked_step_->words;
+}
+
+void Player::end_question() {
+    asked_ = Asked::nothing;
+    asked_step_.reset();
 }
 
 /// Marks an answer, and shows the step; without an answer it is only shown.
 void Player::answer(const std::string& given) {
-    asked_ = Asked::nothing;
-    const StepQuestion question = *std::exchange(asked_step_, std::nullopt);
+    const StepQuestion question = *asked_step_;
+    end_question();
     move_to(question.step);
     if (given.empty())
         return;
@@ -388,38 +396,56 @@ void Player::go_to_bookmark() {
         return;
     }
     const auto next = bookmarks_.upper_bound(step());
-    move_to(next == bookmarks_.end() ? *bookmarks_.begin() : *next);
+    move_to(next == bookmarks_.end() || *next > trace().size() ? *bookmarks_.begin() : *next);
 }
 
 void Player::stop_at(std::size_t step, const std::string& message) {
     is_playing_ = false;
-    if (step != this->step()) {
-        working_from_ = 0;
-        playback_->go_to(step);
-    }
+    show_step(step);
     if (!message.empty())
         message_ = message;
 }
 
+void Player::show_step(std::size_t step) {
+    if (step != this->step())
+        working_from_ = 0;
+    playback_->go_to(step);
+}
+
+void Player::look_as(const Player& other) {
+    if (other.view_ != View::depth || playback_->has_depths())
+        view_ = other.view_;
+    has_own_view_ = true;
+    is_overview_ = other.is_overview_;
+    scale_ = other.scale_;
+    has_working_ = other.has_working_;
+    working_from_ = other.working_from_;
+    answers_first_ = other.answers_first_;
+    help_page_ = other.help_page_;
+    looks_at_cursor_ = other.looks_at_cursor_;
+    const bool has_place =
+        other.cursor_ && trace().canvas.contains(other.cursor_->x, other.cursor_->y);
+    if (const auto cursor = has_place ? other.cursor_ : std::nullopt; cursor != cursor_)
+        set_cursor(cursor);
+}
+
 void Player::move_to(std::size_t step) {
     looks_at_cursor_ = false;
-    working_from_ = 0;
     const std::size_t last = trace().size();
     if (step > last)
         message_ = fmt::format("expected a step up to {}, found {}", last, step);
-    playback_->go_to(std::min(step, last));
+    show_step(std::min(step, last));
 }
 
 void Player::move_by(std::size_t count, Direction direction) {
     looks_at_cursor_ = false;
-    working_from_ = 0;
     const std::size_t last = trace().size();
     if (direction == Direction::forward && step() == last)
         message_ = playback_->growing().is_whole() ? "this is the last step" : "more is being read";
     if (direction == Direction::back && step() == 0)
         message_ = "nothing is before the first step";
-    playback_->go_to(direction == Direction::forward ? std::min(last - step(), count) + step()
-                                                     : step() - std::min(step(), count));
+    show_step(direction == Direction::forward ? std::min(last - step(), count) + step()
+                                              : step() - std::min(step(), count));
 }
 
 bool Player::work() {
@@ -446,7 +472,7 @@ bool Player::pass(double seconds) {
             due_ = 0;
             break;
         }
-        playback_->go_to(step() + 1);
+        show_step(step() + 1);
         if (is_at_breakpoint()) {
             is_playing_ = false;
             message_ = "breakpoint";

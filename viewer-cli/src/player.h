@@ -42,6 +42,8 @@ struct ScreenPlaces {
         std::size_t count = 0;
     };
     List list = {};
+    std::size_t last_working =
+        static_cast<std::size_t>(-1); ///< the farthest that the working is scrolled to
     std::size_t second_from =
         0; ///< the column from which on the same stands once more, of another trace; 0: it does not
 };
@@ -77,6 +79,17 @@ public:
 
     /// Goes to a step, and plays no more.
     void stop_at(std::size_t step, const std::string& message);
+
+    /// Shows what another one shows, in the same way: view, size of cells, working, cursor.
+    void look_as(const Player& other);
+
+    std::size_t frame() const { return frame_; }
+
+    /// True while what is typed is a text: no key does anything else.
+    bool is_typing() const { return asked_ != Asked::nothing; }
+
+    /// The question that waits for an answer; nullptr if there is none.
+    const StepQuestion* asked() const { return asked_step_ ? &*asked_step_ : nullptr; }
 
     bool is_playing() const { return is_playing_; }
     bool wants_to_leave() const { return wants_to_leave_; }
@@ -179,6 +192,8 @@ private:
     void click(const KeyPress& key, const ScreenPlaces& places);
     void ask(std::size_t step);
     void answer(const std::string& given);
+    void end_question();
+    void show_step(std::size_t step);
     void scroll_working(int lines);
     void toggle_bookmark();
     void go_to_bookmark();
@@ -204,6 +219,7 @@ private:
     std::set<std::size_t> bookmarks_;
     bool answers_first_ = false;
     std::optional<StepQuestion> asked_step_; ///< the one that waits for an answer
+    bool has_pointed_ = false;               ///< with the cursor, since it was asked
     std::vector<GivenAnswer> answers_;
     std::size_t help_page_ = 0;
 

@@ -92,16 +92,19 @@ TextLines compared_depths(const Replay& replay) {
                                              short_number(test.stored.text())};
     const std::size_t width = std::max(columns_in(names[0]), columns_in(names[1]));
     const std::size_t of_numbers = std::max(numbers[0].size(), numbers[1].size());
-    const bool passes = test.pass.is_true();
+    const bool is_stored = stores_depth(test);
     TextLines lines;
     for (std::size_t i = 0; i < 2; ++i)
         lines.push_back(fmt::format("{}  {:>{}}{}", padded(names[i], width), numbers[i], of_numbers,
-                                    (i == 0) == passes ? "  <- is kept" : ""));
+                                    (i == 0) == is_stored ? "  <- is kept" : ""));
     return lines;
 }
 
 /// How the numbers of the step come of one another, a part of it where there is no room for all.
-TextLines working_panel(const Player& player, std::size_t columns, std::size_t count) {
+/// `last` becomes the farthest that it can be scrolled to.
+TextLines working_panel(const Player& player, std::size_t columns, std::size_t count,
+                        std::size_t& last) {
+    last = 0;
     if (!player.has_working() || count == 0)
         return {};
     TextLines lines;
@@ -111,6 +114,7 @@ TextLines working_panel(const Player& player, std::size_t columns, std::size_t c
         append(lines, wrapped(line, columns));
     if (lines.size() <= count)
         return lines;
+    last = lines.size() - std::min(lines.size(), count - 1) + 1;
     if (count == 1)
         return {shortened(fmt::format("... {} lines of working: Ctrl+d", lines.size()), columns)};
     const std::size_t room = count - 1; // the last line tells the part
@@ -218,8 +222,10 @@ TextLines last_lines(const Player& player, TextSize size) {
     const std::size_t most_lines = std::min<std::size_t>(3, size.lines / 6 + 1);
     TextLines lines;
     if (const auto prompt = player.prompt()) {
-        lines = wrapped(printable(player.message()), size.columns); // the question, if one is asked
-        lines.resize(std::min(lines.size(), most_lines));
+        if (player.asked() != nullptr)
+            lines = wrapped(player.asked()->words, size.columns);
+        if (lines.size() > most_lines) // what is asked stands at its end
+            lines.erase(lines.begin(), lines.end() - static_cast<std::ptrdiff_t>(most_lines));
         lines.push_back(prompt_line(*prompt, size.columns));
         return lines;
     }
@@ -266,7 +272,9 @@ FrameText frame_options(const Player& player, const ScreenAbility& ability) {
             .has_heading = false,
             .center = player.looks_at_cursor() ? player.cursor() : std::nullopt,
             .cursor = player.cursor(),
-            .coming = pixels_to_come(replay),
+            .coming = player.view() == View::plotted || player.view() == View::faces
+                          ? pixels_to_come(replay)
+                          : std::nullopt, // in a ramp, + is a color
             .scale = std::max<std::size_t>(player.scale(), 1),
             .has_half_blocks = has_half_blocks,
             .faces = player.view() == View::faces ? &player.playback().faces() : nullptr};
@@ -302,13 +310,14 @@ PlayerScreen lost_screen(const Player& player, TextSize size) {
 
 } // namespace
 
-std::string beside(const std::string& left, const std::string& right, std::size_t column) {
+std::string beside(const std::string& left, const std::string& right, std::size_t column,
+                   std::size_t first_column) {
     if (right.empty())
         return left;
     // Who knows how many columns a line with colors takes? The terminal.
     return left.find('\x1b') == std::string::npos
                ? padded(left, column) + right
-               : fmt::format("{}\x1b[{}G{}", left, column + 1, right);
+               : fmt::format("{}\x1b[{}G{}", left, first_column + column + 1, right);
 }
 
 std::vector<std::string> player_help(std::size_t columns) {
@@ -369,7 +378,7 @@ std::size_t side_columns(const Canvas& canvas, const FrameText& about, std::size
 /// The panels, each as long as `lines` allows: the working gives way to the steps, these to the pixel. Of the list of
 /// steps it tells where it stands among them.
 TextLines panels_of(const Player& player, std::size_t columns, std::size_t lines, ColorDepth colors,
-                    ScreenPlaces::List& list) {
+                    ScreenPlaces& places) {
     constexpr std::size_t few_steps = 3;
     constexpr std::size_t more_steps = 7;
     const TextLines pixel = pixel_panel(player, columns, std::min(lines, lines / 3 + 2));
@@ -379,7 +388,8 @@ TextLines panels_of(const Player& player, std::size_t columns, std::size_t lines
     // The steps give way to a working that is scrolled.
     const std::size_t for_steps = player.working_from() > 0 ? 1 : few_steps;
     const TextLines working = working_panel(
-        player, columns, left > for_steps ? left - for_steps : std::min<std::size_t>(left, 1));
+        player, columns, left > for_steps ? left - for_steps : std::min<std::size_t>(left, 1),
+        places.last_working);
     left -= working.size();
     const Panel steps = steps_around(player, columns, std::min(left, more_steps), colors);
     TextLines panels;
@@ -387,10 +397,10 @@ TextLines panels_of(const Player& player, std::size_t columns, std::size_t lines
         if (!panels.empty() && !panel->empty() && gaps > 0)
             panels.emplace_back();
         if (panel == &steps.lines)
-            list = {.first_line = panels.size(),
-                    .first_column = 0,
-                    .first_step = steps.first_step,
-                    .count = steps.lines.size()};
+            places.list = {.first_line = panels.size(),
+                           .first_column = 0,
+                           .first_step = steps.first_step,
+                           .count = steps.lines.size()};
         append(panels, *panel);
     }
     return panels;
@@ -408,7 +418,8 @@ std::size_t lines_below(const Canvas& canvas, const FrameText& about, std::size_
 
 } // namespace
 
-PlayerScreen player_screen(const Player& player, TextSize size, const ScreenAbility& ability) {
+PlayerScreen player_screen(const Player& player, TextSize size, const ScreenAbility& ability,
+                           std::size_t first_column) {
     if (player.lost())
         return lost_screen(player, size);
     if (player.help_page() > 0)
@@ -441,7 +452,7 @@ PlayerScreen player_screen(const Player& player, TextSize size, const ScreenAbil
     const std::size_t below = side > 0 ? 0 : lines_below(trace.canvas, about, body);
     ScreenPlaces places;
     const TextLines panels = panels_of(player, side > 0 ? side : size.columns,
-                                       side > 0 ? body - 1 : below, ability.colors, places.list);
+                                       side > 0 ? body - 1 : below, ability.colors, places);
     const std::size_t frame_lines = side > 0 ? body : body - panels.size();
     const std::size_t frame_columns =
         side > 0 ? std::min(size.columns - side - 2, columns_of_picture(trace.canvas, about))
@@ -460,7 +471,7 @@ PlayerScreen player_screen(const Player& player, TextSize size, const ScreenAbil
             line = shortened(line, frame_columns);
     if (side > 0)
         for (std::size_t i = 0; i < panels.size(); ++i)
-            grid[i + 1] = beside(grid[i + 1], panels[i], frame_columns + 2);
+            grid[i + 1] = beside(grid[i + 1], panels[i], frame_columns + 2, first_column);
     append(lines, std::move(grid));
     if (side == 0)
         append(lines, panels);

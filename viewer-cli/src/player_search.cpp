@@ -88,7 +88,7 @@ bool Player::search_on() {
         if (is_behind) {
             message_ = search.missing;
             if (search.found != 0)
-                playback_->go_to(search.found);
+                show_step(search.found);
             search_.reset();
             return true;
         }
@@ -97,7 +97,7 @@ bool Player::search_on() {
             continue;
         search.found = search.place;
         if (--search.remaining == 0) {
-            playback_->go_to(search.found);
+            show_step(search.found);
             search_.reset();
             return true;
         }
@@ -196,7 +196,8 @@ void Player::find_match(Direction direction) {
 
 /// Sentences take longer to make than steps to look at.
 void Player::find_words(Direction direction, const std::string& words) {
-    constexpr std::size_t sentences_at_once = 500;
+    const std::size_t sentences_at_once =
+        direction == Direction::forward ? 500 : 20; // back, each is far
     find(
         direction,
         [this, wanted = in_lower_case(words)](std::size_t n) {
@@ -208,17 +209,16 @@ void Player::find_words(Direction direction, const std::string& words) {
 void Player::type(const std::string& key) {
     if (key == "Enter")
         return finish_typing();
-    if (key == "Escape") {
-        asked_ = Asked::nothing;
-        asked_step_.reset();
-        return;
+    if (key == "Escape")
+        return end_question();
+    const auto action = asked_step_ && key.size() > 1 ? player_action_of(key) : std::nullopt;
+    if (action && *action >= PlayerAction::cursor_left && *action <= PlayerAction::cursor_right) {
+        has_pointed_ = true; // the cursor answers where a pixel is asked for
+        return act(*action);
     }
-    if (const auto action = player_action_of(key); asked_step_ && action && key.size() > 1)
-        if (*action >= PlayerAction::cursor_left && *action <= PlayerAction::cursor_right)
-            return act(*action); // the cursor answers where a pixel is asked for
     if (key == "Backspace") {
         if (typed_.empty())
-            asked_ = Asked::nothing;
+            end_question();
         else
             typed_ = first_characters(typed_, characters_in(typed_) - 1);
         return;
@@ -234,7 +234,7 @@ void Player::type(const std::string& key) {
 void Player::finish_typing() {
     const Asked asked = std::exchange(asked_, Asked::nothing);
     if (asked == Asked::answer) {
-        const bool is_by_cursor = typed_.empty() && asked_step_->is_about_pixel && cursor_;
+        const bool is_by_cursor = typed_.empty() && asked_step_->is_about_pixel && has_pointed_;
         answer(is_by_cursor ? fmt::format("{} {}", cursor_->x, cursor_->y) : typed_);
     } else if (asked == Asked::search)
         start_search(typed_);

@@ -25,9 +25,7 @@ std::vector<std::string> numbers_in(std::string_view text) {
         } else {
             if (!number.empty() && number != "-")
                 numbers.push_back(number);
-            number.clear();
-            if (c == '-')
-                number = c;
+            number = c == '-' && number.empty() ? "-" : ""; // behind a digit it separates
         }
     }
     return numbers;
@@ -35,7 +33,11 @@ std::vector<std::string> numbers_in(std::string_view text) {
 
 /// The sentence of a step without its verdict, which stands behind the last colon.
 std::string numbers_of(const Replay& replay) {
-    const std::string sentence = describe_step(replay);
+    std::string sentence = describe_step(replay);
+    const std::string mistake = "; " + replay.trace().method_value("mistake") + ":";
+    for (const std::string& end :
+         {std::string("   [!]"), mistake}) // what is said behind the verdict
+        sentence.resize(std::min(sentence.find(end), sentence.size()));
     return sentence.substr(0, sentence.rfind(": "));
 }
 
@@ -90,7 +92,11 @@ bool is_right(const StepQuestion& question, std::string_view answer) {
     const auto numbers = numbers_in(question.right);
     if (!numbers.empty())
         return numbers_in(answer) == numbers;
-    return !answer.empty() && question.right.starts_with(answer);
+    std::string word(without_blanks(answer));
+    std::transform(word.begin(), word.end(), word.begin(), [](char c) {
+        return 'A' <= c && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+    });
+    return !word.empty() && question.right.starts_with(word);
 }
 
 std::string csv_of(const std::vector<GivenAnswer>& answers) {

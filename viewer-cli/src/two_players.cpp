@@ -15,19 +15,35 @@ std::size_t half_of(std::size_t columns) {
 
 } // namespace
 
+TwoPlayers::TwoPlayers(Player first, Player second)
+    : first_(std::move(first)), second_(std::move(second)) {
+    follow();
+}
+
 void TwoPlayers::press(KeyPress key, const ScreenPlaces& places) {
     if (key.key == "Click" && places.second_from > 0 && key.column >= places.second_from)
         key.column -= places.second_from;
+    const auto action = first_.is_typing() ? std::nullopt : player_action_of(key.key);
     first_.press(key, places);
-    second_.press(key, places);
+    if (action == PlayerAction::read_again || action == PlayerAction::next_frame ||
+        action == PlayerAction::previous_frame) {
+        std::size_t before = 0;
+        do {
+            before = second_.frame();
+            second_.press(key);
+        } while (second_.frame() != first_.frame() && second_.frame() != before);
+        alike_ = 0;
+    }
+    if (!is_lost())
+        second_.look_as(first_);
     follow();
 }
 
 bool TwoPlayers::work() {
     const bool has_worked = first_.work();
-    if (has_worked)
-        follow();
-    return second_.work() || has_worked;
+    const bool has_second = second_.work();
+    follow();
+    return has_second || has_worked;
 }
 
 void TwoPlayers::look_for_change() {
@@ -36,36 +52,54 @@ void TwoPlayers::look_for_change() {
 }
 
 bool TwoPlayers::pass(double seconds) {
+    look_for_change();
+    if (is_lost())
+        return false;
     const std::size_t before = first_.playback().step();
     if (!first_.pass(seconds))
         return false;
-    if (const auto n = difference(); n && before < *n && *n <= first_.playback().step())
+    if (const auto n = difference(first_.playback().step()); n && before < *n)
         first_.stop_at(*n, "the first step that differs");
     follow();
     return true;
 }
 
-std::optional<std::size_t> TwoPlayers::difference() {
+int TwoPlayers::pipe() const {
+    const int first = first_.playback().growing().pipe();
+    return first >= 0 ? first : second_.playback().growing().pipe();
+}
+
+ExitStatus TwoPlayers::report() const {
+    const ExitStatus first = report_damage(first_.playback().trace());
+    return std::max(first, report_damage(second_.playback().trace()));
+}
+
+/// The first step up to the last one that is asked for that differs, or that only one of them has; nothing if there is none
+/// as far as they are read.
+std::optional<std::size_t> TwoPlayers::difference(std::size_t last) {
     const Trace& one = first_.playback().trace();
     const Trace& other = second_.playback().trace();
-    const std::size_t both = std::min(one.size(), other.size());
-    while (alike_ < both && one.step(alike_ + 1).json() == other.step(alike_ + 1).json())
-        ++alike_;
+    const std::size_t both = std::min({one.size(), other.size(), last});
+    for (; alike_ < both; ++alike_) {
+        const StepView mine = one.step(alike_ + 1), theirs = other.step(alike_ + 1);
+        if (mine.json() != theirs.json())
+            return alike_ + 1;
+    }
     const bool are_read =
         first_.playback().growing().is_whole() && second_.playback().growing().is_whole();
-    const bool is_end = alike_ == both && (!are_read || one.size() == other.size());
-    return is_end ? std::nullopt : std::optional(alike_ + 1);
+    return are_read && both < last ? std::optional(both + 1) : std::nullopt;
 }
 
 /// The second one is where the first one is, or at its own end.
 void TwoPlayers::follow() {
-    second_.stop_at(std::min(first_.playback().step(), second_.playback().trace().size()), "");
+    if (!is_lost())
+        second_.stop_at(std::min(first_.playback().step(), second_.playback().trace().size()), "");
 }
 
 PlayerScreen TwoPlayers::screen(TextSize size, const ScreenAbility& ability) const {
     const std::size_t half = half_of(size.columns);
     PlayerScreen screen = player_screen(first_, {half, size.lines}, ability);
-    const PlayerScreen other = player_screen(second_, {half, size.lines}, ability);
+    const PlayerScreen other = player_screen(second_, {half, size.lines}, ability, half + 2);
     screen.lines.resize(std::max(screen.lines.size(), other.lines.size()));
     for (std::size_t i = 0; i < other.lines.size(); ++i)
         screen.lines[i] = beside(screen.lines[i], other.lines[i], half + 2);

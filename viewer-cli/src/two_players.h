@@ -8,6 +8,7 @@
 //     players.pass(0.5);
 //     players.first().message();  // "the first step that differs"
 
+#include "load.h"
 #include "player.h"
 #include "player_screen.h"
 
@@ -19,10 +20,10 @@ namespace rastertrace {
 
 class TwoPlayers {
 public:
-    TwoPlayers(Player first, Player second)
-        : first_(std::move(first)), second_(std::move(second)) {}
+    TwoPlayers(Player first, Player second);
 
-    /// What a key does to the first, and where that leads the second. A click may be on either picture.
+    /// A key is the first one's; the second one is at the same step, and shows it in the same way. A click may be on either
+    /// picture.
     void press(KeyPress key, const ScreenPlaces& places = {});
 
     /// As Player's.
@@ -33,13 +34,18 @@ public:
     const Player& first() const { return first_; }
     const Player& second() const { return second_; }
 
-    /// The first step that differs, or that only one of them has; nothing if there is none as far as they are read.
-    std::optional<std::size_t> difference();
+    /// Of what is still read from a pipe; -1 if nothing is.
+    int pipe() const;
+
+    /// What is wrong with the traces.
+    ExitStatus report() const;
 
     PlayerScreen screen(TextSize size, const ScreenAbility& ability) const;
 
 private:
     void follow();
+    bool is_lost() const { return first_.lost() || second_.lost(); }
+    std::optional<std::size_t> difference(std::size_t last);
 
     Player first_, second_;
     std::size_t alike_ = 0; ///< steps from the first on that are known to be the same

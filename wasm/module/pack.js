@@ -35,8 +35,12 @@ export default async function rastertrace() {
   const answer = await fetch(new URL('rastertrace.wasm', import.meta.url));
   if (!answer.ok) throw new Error(\`rastertrace.wasm: \${answer.status} \${answer.statusText}\`);
   const isStream = answer.headers.get('content-type') === 'application/wasm'; // compiled while it is loaded
-  const compiled = await (isStream ? WebAssembly.compileStreaming(answer) : WebAssembly.compile(await answer.arrayBuffer()));
-  return rastertrace_of_binary({instantiateWasm: (imports, done) => { WebAssembly.instantiate(compiled, imports).then(done); return {}; }});
+  const compiled = await (isStream && WebAssembly.compileStreaming ? WebAssembly.compileStreaming(answer)
+                                                                   : WebAssembly.compile(await answer.arrayBuffer()));
+  return new Promise((resolve, reject) => {
+    const instantiateWasm = (imports, done) => { WebAssembly.instantiate(compiled, imports).then(done).catch(reject); return {}; };
+    rastertrace_of_binary({instantiateWasm}).then(resolve, reject);
+  });
 }
 `);
 fs.writeFileSync(`${packed}.wasm`, binary);
