@@ -83,6 +83,8 @@ async function checkPlayer() {
   await player.waitForSelector("raster-trace[data-ready]", {timeout: 30000});
   const slider = player.locator("#slider"), sentence = player.locator("#sentence");
   if (!await slider.isVisible()) fail("the player: no slider");
+  await slider.focus();
+  await page.keyboard.press("Home"); // before the first step
   const [step, told] = [Number(await slider.inputValue()), await sentence.textContent()];
   await slider.focus();
   await page.keyboard.press("ArrowRight");
