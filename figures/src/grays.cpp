@@ -22,7 +22,7 @@ void DepthGrays::include(double depth) {
 int DepthGrays::level_of(std::optional<double> depth) const {
     const double range = least_ ? *largest_ - *least_ : 0;
     const double share = depth && range > 0 ? (*depth - *least_) / range : 1;
-    return gray(larger_is_nearer_ ? share : 1 - share).red();
+    return gray(larger_is_nearer_.value_or(false) ? share : 1 - share).red();
 }
 
 double share_of_writes(std::uint32_t writes) {

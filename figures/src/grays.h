@@ -18,14 +18,18 @@ class DepthGrays {
 public:
     void include(double depth);
 
-    /// Said once, if it is known; else, what is nearer is smaller.
-    void say_larger_is_nearer(bool is_larger) { larger_is_nearer_ = is_larger; }
+    /// What is said first counts. If nothing is said, what is nearer is smaller.
+    void say_larger_is_nearer(bool is_larger) {
+        if (!larger_is_nearer_)
+            larger_is_nearer_ = is_larger;
+    }
+    bool knows_which_is_nearer() const { return larger_is_nearer_.has_value(); }
 
     /// The level of a gray, 0 to 255.
     int level_of(std::optional<double> depth) const;
 
 private:
-    bool larger_is_nearer_ = false;
+    std::optional<bool> larger_is_nearer_;
     std::optional<double> least_, largest_;
 };
 

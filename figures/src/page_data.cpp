@@ -121,16 +121,14 @@ Numberless without_numbers(const std::string& sentence) {
 /// The grays of all depths of a trace; nothing if it has no depth test.
 std::optional<DepthGrays> depth_grays(const Trace& trace) {
     std::optional<DepthGrays> grays;
-    bool is_known = false; // whether larger is nearer
     for (std::size_t n = 1; n <= trace.size(); ++n) {
         if (trace.kind_of(n) != StepKind::depth)
             continue;
         if (!grays)
             grays.emplace();
-        if (const auto larger = is_known ? std::nullopt : larger_depth_passes(trace, n)) {
-            grays->say_larger_is_nearer(*larger);
-            is_known = true;
-        }
+        if (!grays->knows_which_is_nearer())
+            if (const auto larger = larger_depth_passes(trace, n))
+                grays->say_larger_is_nearer(*larger);
         if (const auto depth = trace.step(n).as<DepthStep>().depth.nearest_double())
             grays->include(*depth);
     }

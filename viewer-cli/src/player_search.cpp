@@ -3,6 +3,7 @@
 // done in pieces.
 
 #include "player.h"
+#include "terminal_text.h"
 
 #include <rastertrace/trace/record/traced_steps.h>
 #include <rastertrace/trace/text/text.h>
@@ -15,13 +16,6 @@
 namespace rastertrace {
 
 namespace {
-
-std::string in_lower_case(std::string text) {
-    std::transform(text.begin(), text.end(), text.begin(), [](char c) {
-        return 'A' <= c && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-    });
-    return text;
-}
 
 /// A trace of more steps is not searched once more for what is near to what was not found.
 constexpr std::size_t most_steps_for_hints = 200'000;

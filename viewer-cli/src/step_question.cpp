@@ -2,6 +2,7 @@
 #include "step_question.h"
 
 #include "csv.h"
+#include "terminal_text.h"
 
 #include <rastertrace/trace/record/traced_steps.h>
 #include <rastertrace/trace/tell/describe.h>
@@ -92,10 +93,7 @@ bool is_right(const StepQuestion& question, std::string_view answer) {
     const auto numbers = numbers_in(question.right);
     if (!numbers.empty())
         return numbers_in(answer) == numbers;
-    std::string word(without_blanks(answer));
-    std::transform(word.begin(), word.end(), word.begin(), [](char c) {
-        return 'A' <= c && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-    });
+    const std::string word = in_lower_case(std::string(without_blanks(answer)));
     return !word.empty() && question.right.starts_with(word);
 }
 

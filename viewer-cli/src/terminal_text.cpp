@@ -109,6 +109,13 @@ bool output_has_unicode() {
     return false;
 }
 
+std::string in_lower_case(std::string text) {
+    for (char& c : text)
+        if ('A' <= c && c <= 'Z')
+            c = static_cast<char>(c - 'A' + 'a');
+    return text;
+}
+
 std::string styled(std::string_view text, const Style& style, ColorDepth colors) {
     if (colors == ColorDepth::none)
         return std::string(text);

@@ -42,6 +42,9 @@ struct Style {
     bool is_quiet = false;                ///< what stands around it
 };
 
+/// ASCII letters in lower case, as what is typed is compared.
+std::string in_lower_case(std::string text);
+
 /// The text with the escape sequences for its style; the text alone if there is none, or no color.
 std::string styled(std::string_view text, const Style& style, ColorDepth colors);
 

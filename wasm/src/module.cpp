@@ -103,11 +103,9 @@ template <typename Ask> const char* answer_of_drawn(const char* scene, Ask&& ask
     if (last_drawn && drawn_scene == scene)
         return answer_to([&] { return ask(*last_drawn); });
     return answer_of(scene, [&](const PlannedScene& planned) {
-        if (!last_drawn || drawn_scene != scene) {
-            last_drawn.reset();
-            last_drawn = std::make_unique<Drawn>(planned);
-            drawn_scene = scene;
-        }
+        last_drawn.reset();
+        last_drawn = std::make_unique<Drawn>(planned);
+        drawn_scene = scene;
         return ask(*last_drawn);
     });
 }
@@ -148,10 +146,8 @@ struct LastFrame {
         grays.include(depth);
         if (step.reason != DepthReason::stored)
             return;
-        if (!is_known && step.stored && step.stored->to_double() != depth) {
+        if (step.stored && step.stored->to_double() != depth)
             grays.say_larger_is_nearer((depth > step.stored->to_double()) == step.passes);
-            is_known = true;
-        }
         if (step.passes)
             depths[canvas.offset_of(step.pixel)] = depth;
     }
@@ -171,7 +167,6 @@ struct LastFrame {
     std::vector<int> owners;        ///< a place in names; -1: nobody
     std::vector<std::optional<double>> depths;
     DepthGrays grays;
-    bool is_known = false; ///< whether larger is nearer
 };
 
 /// The last frame alone: {"names": of the primitives, "owners": of each pixel a place in names or -1, "colors": those that
