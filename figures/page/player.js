@@ -160,7 +160,7 @@ const numberIn = text => { const [above, below = 1] = String(text).split("/").ma
 // --- the player ------------------------------------------------------------------------------------------------------
 
 /**
- * Shows frames in the root of an element, and has them gone through.
+ * Shows frames in the root of an element, and lets a reader go through them.
  *
  * options: keys and strokes (page.cpp), language, title; view, step, scene and whether it is movable, if given. `program`
  * draws a changed scene; none if undefined. What it returns is what the element does: goTo(step), setView(name), repaint() in other colors, end().

@@ -51,7 +51,7 @@ inline constexpr std::size_t most_primitives_to_move = 10;
 /// Why a trace cannot be a page; nullopt if it can.
 std::optional<Problem> too_large_for_page(const Trace& trace);
 
-/// How much a page is told; beyond, it does without, or asks.
+/// How much is written into a page; beyond, it does without, or asks.
 struct PageDetail {
     std::size_t steps_with_working = most_steps_with_working; ///< a longer trace has none
     std::size_t why_not_asked = most_why_not_asked;           ///< pixels times primitives
