@@ -130,13 +130,19 @@ TEST_F(StepStreamTest, ALineThatIsNoStepIsRefusedWithItsNumber) {
     }
 }
 
-/// A pixel asked of a stream and of the whole trace.
+/// A pixel asked of a stream and of the whole trace, also where a mistake makes each d another one than follows.
 TEST_F(StepStreamTest, APixelIsAnsweredAlike) {
     Random random(3);
+    int mistaken = 0;
     for (int i = 0; i < random_cases(300); ++i) {
-        auto scene = read_scene({"scene.json", RandomScene(static_cast<std::uint64_t>(i)).text()});
+        std::string scene_text = RandomScene(static_cast<std::uint64_t>(i)).text();
+        if (i % 3 == 0)
+            scene_text.insert(scene_text.find(R"("scalar")"),
+                              R"("line":"bresenham","mistake":"factor-2-dropped",)");
+        auto scene = read_scene({"scene.json", scene_text});
         if (!scene)
             continue;
+        mistaken += scene.value().scene.method.mistake ? 1 : 0;
         const std::string text = trace_text(scene.value().scene);
         const Trace trace = sound_trace(text);
         const Question question{
@@ -167,6 +173,7 @@ TEST_F(StepStreamTest, APixelIsAnsweredAlike) {
         for (std::size_t k = 0; k < here.value().why_not.size(); ++k)
             EXPECT_EQ(here.value().why_not[k].sentence, there.value().why_not[k].sentence);
     }
+    EXPECT_GT(mistaken, 0);
 }
 
 } // namespace

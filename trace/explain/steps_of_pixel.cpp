@@ -28,11 +28,12 @@ void StepsOfPixel::take(const StepView& step, std::optional<StepKind> kind, std:
         break;
     case StepKind::edge:
         is_x_major_ = is_x_major_octant(step.as<EdgeStep>().octant);
-        ray_ = reason_before_ = reason_ = {};
+        ray_ = {};
+        begin_line();
         break;
     case StepKind::ray:
         ray_ = waiting(step, *kind, number);
-        reason_before_ = reason_ = {};
+        begin_line();
         return;
     case StepKind::scanline:
         return take_scanline(step, number);
@@ -70,7 +71,13 @@ void StepsOfPixel::begin_primitive(const StepView& step) {
     is_point_ = primitive.kind == PrimitiveKind::point;
     is_x_major_ = is_x_major_octant(primitive.octant);
     has_row_ = false;
-    ray_ = reason_before_ = reason_ = {};
+    ray_ = {};
+    begin_line();
+}
+
+void StepsOfPixel::begin_line() {
+    reason_before_ = reason_ = {};
+    is_decided_ = false;
 }
 
 /// The row of the pixel, the one before it, and the first and the last of the primitive.
@@ -85,6 +92,9 @@ void StepsOfPixel::take_scanline(const StepView& step, std::size_t number) {
 void StepsOfPixel::take_reason(const StepView& step, StepKind kind, std::size_t number) {
     reason_before_ = std::move(reason_);
     reason_ = waiting(step, kind, number);
+    if (is_decided_)
+        keep(reason_);
+    is_decided_ = false;
 }
 
 /// Of a line, also where it is in the pixel's column or row, and what of it the canvas does not have.
@@ -97,6 +107,7 @@ void StepsOfPixel::take_fragment(const StepView& step, StepKind kind, std::size_
     keep(row_);
     keep(ray_);
     keep(reason_before_);
+    is_decided_ = is_decided_ || reason_.kind == StepKind::decide;
     keep(reason_);
     keep(step, kind, number);
 }

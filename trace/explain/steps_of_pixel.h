@@ -44,6 +44,7 @@ private:
     Waiting waiting(const StepView& step, StepKind kind, std::size_t number) const;
 
     void begin_primitive(const StepView& step);
+    void begin_line();
     void take_scanline(const StepView& step, std::size_t number);
     void take_fragment(const StepView& step, StepKind kind, std::size_t number);
     void take_reason(const StepView& step, StepKind kind, std::size_t number);
@@ -61,7 +62,8 @@ private:
     Waiting row_;                    ///< the last row, which says where the rows end
     Waiting ray_;                    ///< the last line of a `fan`
     Waiting reason_before_;
-    Waiting reason_; ///< where a line is: a pixel comes of it
+    Waiting reason_;          ///< where a line is: a pixel comes of it
+    bool is_decided_ = false; ///< a decision is kept: the next one of the line tells what d becomes
 };
 
 } // namespace rastertrace

@@ -501,7 +501,8 @@ std::optional<Rational> next_d_told(const Replay& replay) {
     for (std::size_t next = n + 1; next <= std::min(trace.size(), n + between); ++next) {
         const auto kind = trace.kind_of(next);
         const bool is_at_hand = trace.number_of(next) - trace.number_of(n) == next - n;
-        if (!is_at_hand || kind == StepKind::primitive || kind == StepKind::edge)
+        if (!is_at_hand || kind == StepKind::primitive || kind == StepKind::edge ||
+            kind == StepKind::ray)
             return std::nullopt;
         if (kind == StepKind::decide)
             return trace.step(next).as<DecideStep>().d.exact();
