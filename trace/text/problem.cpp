@@ -139,6 +139,11 @@ Problem::Cause cause_of_open_error(int error) {
 
 namespace {
 
+/// What the first line of a text tells.
+LineLayout layout_by_first_line(std::string_view text) {
+    return layout_of(without_blanks(text.substr(0, text.find('\n'))));
+}
+
 /// A trace with a step a line, from its first byte on, whose lines are not too long; null for what is read instead: any
 /// other file, and a small one, which nobody has to look at where it is.
 std::shared_ptr<const MappedFile> mapped_trace(const InputFile& file) {
@@ -149,8 +154,7 @@ std::shared_ptr<const MappedFile> mapped_trace(const InputFile& file) {
     const std::string_view text = mapped->text();
     // A file that is no text may have no end of a line for as long as it goes on.
     const std::string_view beginning = text.substr(0, longest_line);
-    if (text.size() < smallest ||
-        layout_of(without_blanks(beginning.substr(0, beginning.find('\n')))) == LineLayout::other)
+    if (text.size() < smallest || layout_by_first_line(beginning) == LineLayout::other)
         return nullptr;
     for (std::size_t rest = text.size(), begin = 0; rest > longest_line;
          rest = text.size() - begin) {
@@ -179,6 +183,10 @@ Result<Source> read_path(const std::string& path, InputFile::Kind kind, InputChe
     } catch (const Problem& problem) {
         return problem;
     }
+    // Of a trace each whole line is used; who reads it says where it ends.
+    if (file.value().is_cut_off() && layout_by_first_line(source.text) == LineLayout::other)
+        return problem_of(source.name,
+                          "expected the end of what is packed, found the end of the file");
     return source;
 }
 

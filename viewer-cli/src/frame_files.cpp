@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "frame_files.h"
 
+#include <rastertrace/trace/text/packed.h>
 #include <rastertrace/trace/text/process_files.h>
 
 #include <fmt/core.h>
@@ -36,10 +37,12 @@ void allow_open_files(std::size_t frames) {
 } // namespace
 
 std::string path_of_frame(const std::string& path, std::size_t frame, std::size_t digits) {
-    const std::filesystem::path whole(path);
+    const std::string_view unpacked = without_packing(path);
+    const std::filesystem::path whole(unpacked);
     return (whole.parent_path() / fmt::format("{}-{:0{}}{}", whole.stem().string(), frame, digits,
                                               whole.extension().string()))
-        .string();
+               .string() +
+           path.substr(unpacked.size());
 }
 
 FrameFiles::FrameFiles(std::string path, std::size_t count)

@@ -13,6 +13,7 @@
 #include <rastertrace/trace/record/excerpt.h>
 #include <rastertrace/trace/record/trace_text.h>
 #include <rastertrace/trace/text/output.h>
+#include <rastertrace/trace/text/packed.h>
 #include <rastertrace/trace/text/process_files.h>
 #include <rastertrace/trace/text/text.h>
 
@@ -40,7 +41,9 @@ constexpr std::array<Ending<TraceLayout>, 2> trace_endings{
 TraceLayout layout_of(const TraceCommand& command) {
     if (command.layout)
         return *command.layout;
-    return format_by_ending<TraceLayout>(command.output, trace_endings).value_or(TraceLayout::json);
+    return format_by_ending<TraceLayout>(std::string(without_packing(command.output)),
+                                         trace_endings)
+        .value_or(TraceLayout::json);
 }
 
 void check_primitive(const TraceCommand& command, const Scene& scene) {
@@ -62,7 +65,9 @@ void write_frames(const TraceCommand& command, InputFrames& input, const TraceOp
     for (std::size_t frame = input.first(); frame <= input.last(); ++frame) {
         const PlannedScene planned = input.scene(frame);
         check_primitive(command, planned.scene);
-        write_trace(planned.scene, planned.plan, options, files.open(frame));
+        PackedOutput packed(files.open(frame), packing_named(command.output));
+        write_trace(planned.scene, planned.plan, options, packed);
+        packed.finish();
     }
     files.commit();
 }
@@ -104,7 +109,9 @@ int run(const TraceCommand& command) {
             return exit_fine;
         }
         FileOutput output(command.output, opened_files());
-        write_part(*given, command, output);
+        PackedOutput packed(output, packing_named(command.output));
+        write_part(*given, command, packed);
+        packed.finish();
         output.commit();
         return exit_fine;
     }
@@ -127,7 +134,9 @@ int run(const TraceCommand& command) {
         return exit_fine;
     }
     FileOutput output(command.output, opened_files());
-    write_trace(scene, plan, options, output);
+    PackedOutput packed(output, packing_named(command.output));
+    write_trace(scene, plan, options, packed);
+    packed.finish();
     output.commit();
     return exit_fine;
 }
@@ -147,9 +156,10 @@ public:
             .option("scene", command_.scene,
                     "A scene, or a trace to cut down; - for standard input", "SCENE")
             .required();
-        options.option("-o,--output", command_.output,
-                       "Write to this file (.jsonl: JSON Lines) instead of standard output",
-                       "FILE");
+        options.option(
+            "-o,--output", command_.output,
+            "Write to this file (.jsonl: JSON Lines; .gz, .zst: packed) instead of standard output",
+            "FILE");
         options.option("--format", format_, "How to write it, whatever the file's name", "NAME")
             .values({"json", "jsonl"});
         options.option("--only", only_, "Write only these kinds of step", "KIND,...")
