@@ -2,6 +2,7 @@
 // Steps told, and questions answered, in Portuguese: nothing is missing, and only words differ from English.
 
 #include "effort.h"
+#include "languages.h"
 #include "random_scene.h"
 #include "traces.h"
 
@@ -18,7 +19,6 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <cctype>
 #include <fstream>
 #include <iterator>
 #include <map>
@@ -29,15 +29,6 @@
 
 namespace rastertrace {
 namespace {
-
-/// Tells steps in a language as long as it lives.
-class TellingIn {
-public:
-    explicit TellingIn(Language language) { tell_steps_in(language); }
-    ~TellingIn() { tell_steps_in(Language::english); }
-    TellingIn(const TellingIn&) = delete;
-    TellingIn& operator=(const TellingIn&) = delete;
-};
 
 /// The placeholders of a pattern in order; of {inside?in:out} only what is asked.
 std::vector<std::string> placeholders_of(std::string_view pattern) {
@@ -68,32 +59,6 @@ TEST(Language, CodesNameThem) {
         EXPECT_EQ(code_of(*language_with_code(code)), code);
     EXPECT_EQ(language_with_code("pt_BR"), std::nullopt);
     EXPECT_EQ(language_of_steps(), Language::english);
-}
-
-/// The words of a text, and its digits. A word has two letters at least, the first of them small, and nothing but
-/// letters: names of vertices are capitals, and names of faces and colors have digits or dots in them.
-struct Split {
-    std::set<std::string> words;
-    std::string digits;
-};
-Split split(const std::string& text) {
-    Split found;
-    for (std::string word : split_at(text, ' ')) {
-        for (const char byte : word)
-            if (std::isdigit(static_cast<unsigned char>(byte)) != 0)
-                found.digits += byte;
-        while (!word.empty() &&
-               std::string_view("(),:;|").find(word.back()) != std::string_view::npos)
-            word.pop_back();
-        word.erase(0, std::min(word.find_first_not_of('('), word.size()));
-        const auto is_letter = [](char byte) {
-            return std::isalpha(static_cast<unsigned char>(byte)) != 0;
-        };
-        if (word.size() >= 2 && std::all_of(word.begin(), word.end(), is_letter) &&
-            std::islower(static_cast<unsigned char>(word.front())) != 0)
-            found.words.insert(word);
-    }
-    return found;
 }
 
 /// What both languages call the same: signs of formulas, words of scenes (rules, factors of matrices), and words that
@@ -215,15 +180,6 @@ std::vector<std::string> told_of(const Trace& trace, const Question& question) {
         add(one.why);
     return texts;
 }
-
-/// Words of English sentences that are neither Portuguese nor words of traces.
-const std::set<std::string> english_words{
-    "about", "above", "along",   "and",    "any",   "are",  "at",    "below",  "beyond",
-    "both",  "but",   "by",      "corner", "cover", "does", "drawn", "end",    "from",
-    "goes",  "has",   "have",    "hides",  "is",    "it",   "its",   "leaves", "lies",
-    "line",  "more",  "neither", "not",    "of",    "off",  "on",    "row",    "rows",
-    "seen",  "steps", "that",    "the",    "there", "they", "to",    "told",   "trace",
-    "was",   "what",  "where",   "which",  "why",   "with"};
 
 void expect_in_portuguese(const Trace& trace) {
     for (const Question& question : questions_about(trace)) {

@@ -63,8 +63,8 @@ public:
     /// Waits until there is more from it.
     void wait_for_pipe() const;
 
-    /// Why the file is not what was read any more, if somebody has cut it short or written it anew. Its steps must not
-    /// be looked at then.
+    /// Why the file is not what was read any more, if somebody has cut it short or written it anew, in the language of
+    /// steps. Its steps must not be looked at then.
     std::optional<std::string> change() const;
 
 private:
