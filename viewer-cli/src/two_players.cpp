@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "two_players.h"
 
+#include <rastertrace/trace/tell/step_text.h>
+
 #include <algorithm>
 #include <utility>
 
@@ -59,7 +61,7 @@ bool TwoPlayers::pass(double seconds) {
     if (!first_.pass(seconds))
         return false;
     if (const auto n = difference(first_.playback().step()); n && before < *n)
-        first_.stop_at(*n, "the first step that differs");
+        first_.stop_at(*n, said({"the first step that differs", "o primeiro passo que difere"}));
     follow();
     return true;
 }
