@@ -134,7 +134,9 @@ private:
         const Subject& subject = *subjects_.back();
         CheckedClaim checked{.claim = i, .step = subject.step};
         if (subject.is_left_out)
-            checked.remarks.push_back("steps were left out of the trace: it may be one of these");
+            checked.remarks.push_back(
+                said({"steps were left out of the trace: it may be one of these",
+                      "passos foram deixados de fora do rastro: pode ser um deles"}));
         else if (!subject.absence.empty())
             checked.remarks.push_back(subject.absence);
         name_snapped_place(meant, subject);
@@ -169,10 +171,11 @@ private:
         if (decides && exact && decided != exact) {
             // A value that is still open is not given away.
             if (!has_open(field))
-                checked.remark = fmt::format("the scene's `{}` has {}, exact arithmetic {}",
-                                             truth_.decided().trace().method_value("scalar"),
-                                             as_written(field, checked.expected),
-                                             as_written(field, joined(*exact, ", ")));
+                checked.remark = said({"the scene's `{}` has {}, exact arithmetic {}",
+                                       "`{}`, da cena, dá {}; a aritmética exata, {}"},
+                                      truth_.decided().trace().method_value("scalar"),
+                                      as_written(field, checked.expected),
+                                      as_written(field, joined(*exact, ", ")));
             if (!comparison.is_right)
                 comparison = compare(field, *exact, held, is_vertex);
         }
@@ -187,7 +190,7 @@ private:
         else if (!comparison.is_right && !comparison.is_open)
             note_count(field, right, checked);
         if (!comparison.is_right && field.name == "culled" && subject.decided_step == 0)
-            claim.remarks.emplace_back("the scene culls nothing");
+            claim.remarks.push_back(said({"the scene culls nothing", "a cena não elimina nada"}));
         if (comparison.is_open)
             checked.verdict = ClaimVerdict::open;
         else if (!comparison.is_right)
@@ -223,7 +226,9 @@ private:
             return;
         for (const Formula& formula : formulas_of(*other, Numbers(*other->exact), field.name))
             if (is_at_tie(formula)) {
-                checked.remark = "by the sines and roots as doubles; without rounding it is a tie";
+                checked.remark =
+                    said({"by the sines and roots as doubles; without rounding it is a tie",
+                          "pelos senos e raízes como doubles; sem arredondar, é um empate"});
                 return;
             }
     }
@@ -258,12 +263,13 @@ private:
         if (!comparison.is_right)
             return;
         const std::string digits =
-            fmt::format("{} {}", comparison.places, comparison.places == 1 ? "digit" : "digits");
+            said_count(static_cast<std::uint64_t>(comparison.places), {"digit", "casa"});
         if (comparison.fit == Fit::rounded)
-            checked.remark = fmt::format("rounded to {}", digits);
+            checked.remark = said({"rounded to {}", "arredondado para {}"}, digits);
         if (comparison.fit != Fit::truncated)
             return;
-        checked.remark = fmt::format("cut off behind {}, not rounded", digits);
+        checked.remark = said(
+            {"cut off behind {}, not rounded", "cortado depois de {}, não arredondado"}, digits);
         // A root has to be shortened, one way or the other.
         comparison.is_right = claims_.truncates || has_root;
     }
@@ -279,8 +285,8 @@ private:
             ++first_wrong;
         if (first_wrong == count) {
             if (count < right.size())
-                checked.remark =
-                    fmt::format("the first {} of {}", count / width, right.size() / width);
+                checked.remark = said({"the first {} of {}", "só o começo, {} de {}"},
+                                      count / width, right.size() / width);
             return;
         }
         if (first_wrong == right.size()) {
@@ -321,10 +327,13 @@ private:
             const auto before = typed_value(field.values[i - 1]);
             const auto after = typed_value(field.values[i]);
             if (before && after && line->next(before->value) != after->value)
-                return fmt::format("number {} does not follow from the one before it", i + 1);
+                return said({"number {} does not follow from the one before it",
+                             "o número {} não decorre do anterior"},
+                            i + 1);
         }
         return place + 1 < field.values.size() && line != nullptr
-                   ? "what stands behind it follows from it"
+                   ? said(
+                         {"what stands behind it follows from it", "o que vem depois decorre dele"})
                    : "";
     }
 
@@ -338,9 +347,10 @@ private:
         const bool lacks_z =
             field.name == "at" && count == 2 && right.size() == 3 && right[2] == "0";
         if (field.is_list && count != belong && !lacks_z)
-            checked.remark =
-                fmt::format("{} {}, where {} belong{}", count, count == 1 ? "value" : "values",
-                            belong, belong == 1 ? "s" : "");
+            checked.remark = belong == 1 ? said({"{}, where 1 belongs", "{}, onde cabe 1"},
+                                                said_count(count, {"value", "número"}))
+                                         : said({"{}, where {} belong", "{}, onde cabem {}"},
+                                                said_count(count, {"value", "número"}), belong);
     }
 
     /// Remembers what is claimed of a number, and tells if somebody claims two things of one.
@@ -353,12 +363,13 @@ private:
             return;
         const std::size_t line = claims_.claims[order].line;
         const bool is_right = checked.verdict == ClaimVerdict::right;
-        const Said said{values_said(field, values), line, is_right};
-        const auto [place, is_new] = claimed_.try_emplace(name, said);
+        const Said here{values_said(field, values), line, is_right};
+        const auto [place, is_new] = claimed_.try_emplace(name, here);
         const Said& first = place->second;
-        const std::string remark = fmt::format("contradicts line {}", first.line);
+        const std::string remark =
+            said({"contradicts line {}", "contradiz a linha {} do arquivo"}, first.line);
         // Two roundings of one number are no contradiction.
-        if (!is_new && first.contradicts(said) && first.line != line &&
+        if (!is_new && first.contradicts(here) && first.line != line &&
             !(first.is_right && is_right) &&
             std::find(claim.remarks.begin(), claim.remarks.end(), remark) == claim.remarks.end())
             claim.remarks.push_back(remark);
