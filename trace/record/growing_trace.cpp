@@ -98,6 +98,11 @@ void GrowingTrace::let_numbers_give(std::map<std::size_t, std::string> values_of
         std::make_shared<const std::map<std::size_t, std::string>>(std::move(values_of_steps));
 }
 
+void GrowingTrace::forget_text() const {
+    if (state_->trace.source_.mapped)
+        state_->trace.source_.mapped->forget();
+}
+
 bool GrowingTrace::is_whole() const {
     return state_->is_whole;
 }

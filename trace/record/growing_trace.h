@@ -51,6 +51,9 @@ public:
     /// is damage, and the end.
     bool read_on();
 
+    /// Gives back the memory of the steps that have been looked at; they are still there.
+    void forget_text() const;
+
     /// All has been read.
     bool is_whole() const;
 

@@ -253,8 +253,9 @@ public:
         add_view_to(options, view_);
         options.option(
             "--memory", memory_,
-            fmt::format("Megabytes for pictures that are kept for going back, {} if not given",
-                        Snapshots::usual_bytes / 1'000'000),
+            fmt::format(
+                "Megabytes for pictures, also those that are kept for going back, {} if not given",
+                Snapshots::usual_bytes / 1'000'000),
             "N");
         options.option("--color", color_, "Colors", "WHEN").values(color_choices);
         options.option("--answers", command_.answers,

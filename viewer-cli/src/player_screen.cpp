@@ -260,10 +260,26 @@ TextLines last_lines(const Player& player, TextSize size) {
     return lines;
 }
 
-/// The pixels of a row that has been found; nothing at any other step.
+/// The pixel that a line goes to next, past its depth test: what a decision decides.
+std::optional<Region> decided_pixel(const Trace& trace, std::size_t n) {
+    std::size_t next = n + 1;
+    if (next <= trace.size() && trace.kind_of(next) == StepKind::depth)
+        ++next;
+    if (next > trace.size() || trace.kind_of(next) != StepKind::pixel)
+        return std::nullopt;
+    const auto pixel = trace.step(next).as<PixelStep>();
+    const auto x = static_cast<int>(pixel.x);
+    const auto y = static_cast<int>(pixel.y);
+    return Region{.x0 = x, .y0 = y, .x1 = x, .y1 = y};
+}
+
+/// The pixels of a row that has been found, or that a decision leads to; nothing at any other step.
 std::optional<Region> pixels_to_come(const Replay& replay) {
     const Trace& trace = replay.trace();
-    if (replay.step() == 0 || trace.kind_of(replay.step()) != StepKind::scanline)
+    const auto kind = replay.step() == 0 ? std::nullopt : trace.kind_of(replay.step());
+    if (kind == StepKind::decide || kind == StepKind::along)
+        return decided_pixel(trace, replay.step());
+    if (kind != StepKind::scanline)
         return std::nullopt;
     const auto row = trace.step(replay.step()).as<ScanlineStep>();
     return row.from > row.to ? std::nullopt
@@ -287,9 +303,11 @@ FrameText frame_options(const Player& player, const ScreenAbility& ability) {
             .has_heading = false,
             .center = player.looks_at_cursor() ? player.cursor() : std::nullopt,
             .cursor = player.cursor(),
-            .coming = player.view() == View::plotted || player.view() == View::faces
+            // In a ramp, + is a color; where answers come first, it would be the answer.
+            .coming = (player.view() == View::plotted || player.view() == View::faces) &&
+                              !player.answers_first()
                           ? pixels_to_come(replay)
-                          : std::nullopt, // in a ramp, + is a color
+                          : std::nullopt,
             .scale = std::max<std::size_t>(player.scale(), 1),
             .has_half_blocks = has_half_blocks,
             .faces = player.view() == View::faces ? &player.playback().faces() : nullptr};
@@ -404,7 +422,6 @@ std::size_t side_columns(const Canvas& canvas, const FrameText& about, std::size
 TextLines panels_of(const Player& player, std::size_t columns, std::size_t lines, ColorDepth colors,
                     ScreenPlaces& places) {
     constexpr std::size_t few_steps = 3;
-    constexpr std::size_t more_steps = 7;
     const TextLines pixel = pixel_panel(player, columns, std::min(lines, lines / 3 + 2));
     std::size_t left = lines - pixel.size();
     const std::size_t gaps = lines >= 10 ? 1 : 0; // a blank line between two panels
@@ -415,7 +432,7 @@ TextLines panels_of(const Player& player, std::size_t columns, std::size_t lines
         player, columns, left > for_steps ? left - for_steps : std::min<std::size_t>(left, 1),
         places.last_working);
     left -= working.size();
-    const Panel steps = steps_around(player, columns, std::min(left, more_steps), colors);
+    const Panel steps = steps_around(player, columns, left, colors);
     TextLines panels;
     for (const TextLines* panel : {&working, &steps.lines, &pixel}) {
         if (!panels.empty() && !panel->empty() && gaps > 0)
