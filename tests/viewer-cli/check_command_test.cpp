@@ -23,6 +23,7 @@ namespace {
 
 using testing::AllOf;
 using testing::Contains;
+using testing::ContainsRegex;
 using testing::EndsWith;
 using testing::HasSubstr;
 using testing::Not;
@@ -62,6 +63,47 @@ TEST_F(CheckTest, WhatIsRightIsOnlyCounted) {
     const Outcome checked = shell("$rastertrace check right.txt");
     EXPECT_EQ(checked.status, 0);
     EXPECT_EQ(checked.out, "2 right, 0 wrong\n");
+}
+
+/// A(0, 0) B(8, 5) C(9, 5) on whole points: the row y = 2 goes from 3.2 to 3.6, the row y = 4 from 6.4 to 7.2.
+TEST_F(CheckTest, AnEmptyRowIsWrittenWithAnyFirstPixel) {
+    write("sliver.json", R"({"canvas": {"width": 12, "height": 8, "origin": "bottom-left"},
+        "vertices": {"A": [0, 0], "B": [8, 5], "C": [9, 5]}, "triangles": ["ABC"],
+        "method": {"scalar": "exact", "fill": "top-left", "sample": "integer"}})");
+    for (const std::string row : {"2..1", "3..2", "4..3", "9..8"}) { // y = 2: from 3.2 to 3.6
+        write("empty.txt", "scene: sliver.json\ny=2: " + row + "\n");
+        EXPECT_EQ(shell("$rastertrace check empty.txt").out, "1 right, 0 wrong\n") << row;
+    }
+    for (const std::string row : {"3..3", "3..1", "4..4"}) {
+        write("empty.txt", "scene: sliver.json\ny=2: " + row + "\n");
+        EXPECT_EQ(shell("$rastertrace check empty.txt").status, 1) << row;
+    }
+    write("full.txt", "scene: sliver.json\ny=4: 8..7\n"); // it has the pixel 7
+    EXPECT_EQ(shell("$rastertrace check full.txt").status, 1);
+}
+
+/// Who says that a drawn pixel is not is told by which rule it is, with the numbers of the edge.
+TEST_F(CheckTest, AWrongOutsideIsToldWhyItIsInside) {
+    write("corner.json", R"({"canvas": {"width": 9, "height": 8, "origin": "bottom-left"},
+        "vertices": {"P": [0, 0], "Q": [6, 3], "R": [2, 6]}, "triangles": ["PQR"],
+        "method": {"scalar": "exact", "fill": "top-left", "sample": "integer"}})");
+    write("corner.txt", "scene: corner.json\n(1,3): off\n");
+    EXPECT_THAT(
+        shell("$rastertrace check corner.txt").out,
+        AllOf(HasSubstr("        drawn by PQR at step "),
+              HasSubstr("        E of RP at (1, 3) = 6 (-1) + (-2) (-3) = 0: on a top or left "
+                        "edge, inside\n")));
+}
+
+/// Who has taken the color of the nearest where a painter has painted over it is told who painted last.
+TEST_F(CheckTest, AWrongColorIsToldWhoWroteThePixel) {
+    write("painted.txt", "scene: painter.json\n(9,3): blue\n");
+    fs::copy(fs::path(RASTERTRACE_EXAMPLES) / "tutorial/hidden/painter.json",
+             folder_ / "painter.json");
+    EXPECT_THAT(shell("$rastertrace check painted.txt").out,
+                ContainsRegex("        pixel \\(9, 3\\): drawn by ABC at step [0-9]+, over GHI\n"
+                              "        pixel \\(9, 3\\).*\n"
+                              "        pixel \\(9, 3\\).* over step "));
 }
 
 TEST_F(CheckTest, ARoundedDecimalIsRightAndSaysSo) {

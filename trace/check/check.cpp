@@ -18,6 +18,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <array>
 #include <deque>
 #include <map>
 #include <optional>
@@ -142,6 +143,7 @@ private:
         name_snapped_place(meant, subject);
         for (const ClaimedField* field : subject.fields)
             checked.fields.push_back(compare_field(*field, i, checked));
+        accept_empty_row(checked);
         // A claim without values says that there is such a step.
         if (subject.fields.empty() && subject.step == 0)
             checked.fields.push_back({.name = claim.step,
@@ -149,6 +151,26 @@ private:
                                       .expected = "none",
                                       .found = "one"});
         checked_.claims.push_back(std::move(checked));
+    }
+
+    /// A row without pixels has a last pixel one before its first, whichever that is: 3..2 is right where 4..3 is told.
+    void accept_empty_row(CheckedClaim& claim) {
+        std::array<CheckedField*, 2> ends{};
+        for (CheckedField& field : claim.fields)
+            if (field.name == "from" || field.name == "to")
+                ends[field.name == "to"] = &field;
+        if (ends[0] == nullptr || ends[1] == nullptr)
+            return;
+        const auto length = [&](std::string CheckedField::*text) -> std::optional<Rational> {
+            const auto from = typed_value(ends[0]->*text);
+            const auto to = typed_value(ends[1]->*text);
+            return from && to ? std::optional<Rational>(to->value - from->value + 1) : std::nullopt;
+        };
+        const auto expected = length(&CheckedField::expected);
+        if (!expected || *expected > 0 || length(&CheckedField::found) != Rational(0))
+            return;
+        for (CheckedField* const end : ends)
+            end->verdict = ClaimVerdict::right;
     }
 
     CheckedField compare_field(const ClaimedField& field, std::size_t order, CheckedClaim& claim) {
@@ -403,20 +425,43 @@ private:
                                                     : checked_.open);
     }
 
-    /// Why a pixel is drawn or not, as `explain` says it: by the primitive that is named, or those that came nearest.
-    std::vector<std::string> why_pixel(const Subject& subject) const {
-        constexpr std::size_t most_told = 3;
-        const auto told =
+    /// What is told of the tries to write a pixel, and of the primitives that have not.
+    static constexpr std::size_t most_told = 3;
+
+    std::optional<Explanation> told_of_pixel(const Subject& subject) const {
+        auto told =
             explain(truth_.decided().trace(),
                     {.about = Topic::pixel, .pixel = pixel_of(subject), .most_why_not = most_told});
+        return told ? std::optional(std::move(told.value())) : std::nullopt;
+    }
+
+    /// What became of a pixel, and the last tries to write it; nothing of one that there was no more than one for.
+    std::vector<std::string> tries_at_pixel(const Subject& subject) const {
+        const auto told = told_of_pixel(subject);
+        if (!told || told->tries.size() < 2)
+            return {};
+        std::vector<std::string> lines{told->answer};
+        const std::size_t first = told->tries.size() - std::min(told->tries.size(), most_told);
+        for (std::size_t i = first; i < told->tries.size(); ++i)
+            lines.push_back(told->tries[i].sentence);
+        return lines;
+    }
+
+    /// Why a pixel is drawn or not, as `explain` says it: by the last that tried, and by the primitive that is named, or
+    /// those that came nearest.
+    std::vector<std::string> why_pixel(const Subject& subject) const {
+        const auto told = told_of_pixel(subject);
         if (!told)
             return {};
-        std::vector<std::string> lines{told.value().answer};
+        std::vector<std::string> lines{told->answer};
+        if (!told->tries.empty())
+            lines.insert(lines.end(), told->tries.back().working.begin(),
+                         told->tries.back().working.end());
         const auto* const in =
             std::find_if(subject.keys.data(), subject.keys.data() + subject.keys.size(),
                          [](const auto& key) { return key.first == "in"; });
         const bool names_one = in != subject.keys.data() + subject.keys.size();
-        for (const WhyNot& why : told.value().why_not) {
+        for (const WhyNot& why : told->why_not) {
             if (why.sentence.empty() || (names_one && why.primitive != in->second))
                 continue;
             lines.push_back(why.sentence);
@@ -456,6 +501,8 @@ private:
                 claim.working = why_pixel(*subjects_[i]);
                 continue;
             }
+            if (is_of_pixel)
+                claim.working = tries_at_pixel(*subjects_[i]);
             std::size_t step = step_of(*subjects_[i], wrong->name);
             if (const std::size_t at_place = step_of_place(*subjects_[i], *wrong); at_place != 0)
                 step = at_place;
@@ -472,7 +519,7 @@ private:
             for (std::string& line : working_of(*replay))
                 working.push_back(std::move(line));
             for (CheckedClaim* claim : claims)
-                claim->working = working;
+                claim->working.insert(claim->working.end(), working.begin(), working.end());
         }
     }
 

@@ -323,11 +323,10 @@ void sample(Sheet& sheet) {
     const auto& names = sheet.primitive.vertices;
     const Vec3 xs = of_sample->xs();
     const Vec3 ys = of_sample->ys();
-    sheet.put(
-        said({"P = {}: {} = {}, {} = {}, P to {} = {}", "P = {}: {} = {}, {} = {}, P a {} = {}"},
-             text(of_sample->sample), edge_name(sheet.primitive, 0, 1), text(Vec2{xs.x, ys.x}),
-             edge_name(sheet.primitive, 0, 2), text(Vec2{xs.y, ys.y}), names[0],
-             text(Vec2{xs.z, ys.z})));
+    sheet.put(said({"{} = {}, {} = {}, {} to {} = {}", "{} = {}, {} = {}, {} a {} = {}"},
+                   edge_name(sheet.primitive, 0, 1), text(Vec2{xs.x, ys.x}),
+                   edge_name(sheet.primitive, 0, 2), text(Vec2{xs.y, ys.y}),
+                   text(of_sample->sample), names[0], text(Vec2{xs.z, ys.z})));
     sheet.put(of_sample->written_out());
     const auto [of_a, of_b, of_c] = *of_sample->value();
     sheet.put(said({"divided by {}: u = {} of {}, v = {} of {}, 1 - u - v = {} of {}",
