@@ -151,7 +151,14 @@ void edge(Sheet& sheet) {
     const auto function = edge_function_in(sheet.trace(), step, sheet.primitive);
     if (!corners || !function)
         return;
-    const auto is_at = [](const Vec2& a, const Vec2& b) { return a.x == b.x && a.y == b.y; };
+    // E is above 0 inside: that decides the signs.
+    const auto a = step.a.exact();
+    const auto b = step.b.exact();
+    if (a == dy && b == -dx)
+        sheet.put(fmt::format("a = dy = {}, b = -dx = {}", text(dy), text(-dx)));
+    else if (a == -dy && b == dx)
+        sheet.put(fmt::format("a = -dy = {}, b = dx = {}", text(-dy), text(dx)));
+    const auto is_at = [](const Vec2& p, const Vec2& q) { return p.x == q.x && p.y == q.y; };
     for (std::size_t i = 0; i < 3; ++i)
         if (const Vec2& p = (*corners)[i]; !is_at(p, *from) && !is_at(p, *to))
             sheet.put(said({"E at {} = {}", "E em {} = {}"}, sheet.primitive.vertices[i],
