@@ -7,10 +7,10 @@
 #include "languages.h"
 #include "picture.h"
 #include "player_screen.h"
+#include "players.h"
 #include "random_choice.h"
 #include "random_scene.h"
 #include "traces.h"
-#include "two_players.h"
 
 #include <rastertrace/trace/record/step_kind.h>
 #include <rastertrace/trace/record/traced_steps.h>
@@ -758,8 +758,8 @@ TEST_F(PlayerInPortuguese, FramesAndTwoTraces) {
     EXPECT_EQ(frames.message(), "este é o último quadro");
     EXPECT_THAT(screen_text(frames), HasSubstr("  quadro 2 de 2"));
 
-    TwoPlayers players(player_of(first_triangle()),
-                       player_of(first_triangle({.scalar = ScalarKind::double_precision})));
+    Players players(player_of(first_triangle()),
+                    player_of(first_triangle({.scalar = ScalarKind::double_precision})));
     players.press({"Space"});
     for (int i = 0; i < 240 && players.first().is_playing(); ++i)
         players.pass(0.25);
