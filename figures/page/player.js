@@ -1276,7 +1276,7 @@ function tellKeys() {
     .map(([, does, ...keys]) => {
       const row = element("tr"), cell = element("td");
       keys.forEach((key, i) => cell.append(i ? " " : "", element("kbd", "", shown(key))));
-      row.append(cell, element("td", "", does));
+      row.append(cell, Object.assign(element("td", "", does[options.language] ?? does.en), {lang: options.language}));
       return row;
     }));
 }

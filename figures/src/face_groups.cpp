@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <rastertrace/figures/face_groups.h>
 
+#include <rastertrace/trace/text/language.h>
+
 #include <algorithm>
 #include <array>
 #include <limits>
@@ -32,11 +34,12 @@ std::string color_of(const PrimitiveStep& primitive) {
 
 /// What faces are put together by.
 struct Grouping {
-    std::string_view heading; ///< said before the letters; nothing for faces
+    Words heading; ///< said before the letters; nothing for faces
     std::string (*group_of)(const PrimitiveStep& primitive);
 };
-constexpr std::array<Grouping, 3> groupings{
-    {{"", name_of_face}, {"meshes: ", mesh_of}, {"colors: ", color_of}}};
+constexpr std::array<Grouping, 3> groupings{{{{"", ""}, name_of_face},
+                                             {{"meshes: ", "malhas: "}, mesh_of},
+                                             {{"colors: ", "cores: "}, color_of}}};
 
 /// Puts primitives in the scene's order: that in which they are drawn, unless the painter has sorted them.
 void sort_as_listed(std::vector<std::size_t>& primitives, const Trace& trace, std::size_t order) {
@@ -120,7 +123,7 @@ FaceGroups face_groups(const Trace& trace, std::vector<std::size_t> primitives, 
     result.faces = primitives.size();
     for (const Grouping& one : groupings) {
         result.names = groups_of(primitives, one, trace);
-        result.heading = one.heading;
+        result.heading = one.heading.in(language_of_steps());
         result.name_of = one.group_of;
         // One mesh says no more than that something is drawn; one face has a name.
         if (result.names.size() <= most && (result.names.size() > 1 || &one == groupings.data()))

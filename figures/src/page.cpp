@@ -17,6 +17,7 @@
 #include <cstdint>
 #include <new>
 #include <utility>
+#include <vector>
 
 namespace rastertrace {
 
@@ -118,14 +119,18 @@ std::string paper_of(Theme theme) {
                        rule(Theme::dark));
 }
 
-/// The keys that pages have: of each action its name, what it does, and its keys.
+/// The keys that pages have: of each action its name, what it does, in each language, and its keys.
 std::string keys_text() {
     std::string text = "[";
     for (const PlayerKey& row : player_keys()) {
         if (!row.is_on_pages)
             continue;
-        text += fmt::format("{}[{},{}", text.size() > 1 ? "," : "", json_quoted(row.name),
-                            json_quoted(row.does));
+        std::vector<std::string> does;
+        for (const std::string_view code : language_codes())
+            does.push_back(fmt::format("{}:{}", json_quoted(code),
+                                       json_quoted(row.does.in(*language_with_code(code)))));
+        text += fmt::format("{}[{},{{{}}}", text.size() > 1 ? "," : "", json_quoted(row.name),
+                            joined(does, ","));
         for (const std::string_view key : row.keys)
             text += "," + json_quoted(key);
         text += "]";

@@ -6,6 +6,7 @@
 #include <rastertrace/trace/record/traced_steps.h>
 #include <rastertrace/trace/tell/describe.h>
 #include <rastertrace/trace/tell/formula.h>
+#include <rastertrace/trace/tell/step_text.h>
 #include <rastertrace/trace/text/color_text.h>
 #include <rastertrace/trace/text/named_value.h>
 #include <rastertrace/trace/text/text.h>
@@ -150,7 +151,8 @@ FrameCells::FrameCells(View view, const Replay& replay, std::size_t room, const 
         set_up_depths(room);
         break;
     case View::writes:
-        legend_ = {"1..9: so many writes", "+: more"};
+        legend_ = {said({"1..9: so many writes", "1..9: tantas escritas"}),
+                   said({"+: more", "+: mais"})};
         cell_ = [&frame](std::size_t offset, Pixel) {
             const std::uint32_t writes = frame.writes[offset];
             return Cell{writes == 0   ? std::string(empty_cell)
@@ -190,12 +192,13 @@ void FrameCells::set_up_faces(const FaceGroups* faces) {
         for (const std::size_t i : seen)
             legend_.push_back(fmt::format("{} {}", face_letters[i], printable(faces->names[i])));
         if (has_others)
-            legend_.emplace_back("# others");
+            legend_.push_back(said({"# others", "# outras"}));
         if (!legend_.empty())
             legend_.front().insert(0, faces->heading);
     } else {
-        legend_ = {fmt::format("{} faces, {} colors: too many for letters", faces->faces,
-                               faces->names.size())};
+        legend_ = {said(
+            {"{} faces, {} colors: too many for letters", "{} faces, {} cores: demais para letras"},
+            faces->faces, faces->names.size())};
     }
     cell_ = [this, &frame, has_letters, faces](std::size_t offset, Pixel) {
         const std::size_t drawn_by = frame.drawn_by[offset];
@@ -210,7 +213,7 @@ void FrameCells::set_up_faces(const FaceGroups* faces) {
 
 void FrameCells::set_up_shade() {
     const Frame& frame = replay_.frame();
-    legend_ = {fmt::format("dark {} light", ramp)};
+    legend_ = {said({"dark {} light", "escuro {} claro"}, ramp)};
     // As bright as it looks: half the light of white is seen as three quarters.
     const auto shown = [](Color color) {
         return Cell{std::string(1, ramp_at(std::pow(luminance(color), 1 / 2.4))), color};
@@ -218,7 +221,8 @@ void FrameCells::set_up_shade() {
     const std::optional<Color> background = replay_.trace().background;
     const Cell empty = background ? shown(*background) : Cell{std::string(empty_cell)};
     if (background)
-        legend_.push_back(fmt::format("background {} {}", empty.text, to_text(*background)));
+        legend_.push_back(
+            said({"background {} {}", "fundo {} {}"}, empty.text, to_text(*background)));
     cell_ = [&frame, shown, empty](std::size_t offset, Pixel) {
         return frame.drawn_by[offset] == 0 ? empty : shown(frame.image.colors()[offset]);
     };
@@ -232,7 +236,8 @@ void FrameCells::set_up_depths(std::size_t room) {
         if (frame.stored_by[cell] != 0)
             stored.push_back(cell);
     if (stored.empty()) {
-        legend_ = {"the buffer is clear: no depth was tested (a scene is, with --keep depth)"};
+        legend_ = {said({"the buffer is clear: no depth was tested (a scene is, with --keep depth)",
+                         "o buffer está vazio: nada foi testado (uma cena é, com --keep depth)"})};
         width_ = 1;
         cell_ = [](std::size_t, Pixel) { return Cell{std::string(empty_cell)}; };
         return;
@@ -276,10 +281,10 @@ void FrameCells::set_up_depths(std::size_t room) {
     if (is_ramp) {
         width_ = 1;
         if (least <= largest)
-            legend_.push_back(fmt::format("far {:.4g} {} {:.4g} near", larger ? least : largest,
-                                          ramp, larger ? largest : least));
+            legend_.push_back(said({"far {:.4g} {} {:.4g} near", "longe {:.4g} {} {:.4g} perto"},
+                                   larger ? least : largest, ramp, larger ? largest : least));
         if (!all_finite)
-            legend_.emplace_back("? not finite");
+            legend_.push_back(said({"? not finite", "? não é finito"}));
     }
     cell_ = [&frame, depth_in, brightness, values = std::move(values), is_ramp,
              clear](std::size_t offset, Pixel) {
@@ -297,8 +302,10 @@ void FrameCells::set_up_coverage() {
     std::vector<Point> corners;
     if (replay_.primitive() != 0)
         corners = corners_of(trace.step(replay_.primitive()).as<PrimitiveStep>());
-    legend_ = {corners.size() == 3 ? "0..9: tenths of a pixel from the sample to the nearest edge"
-                                   : "coverage is that of a triangle"};
+    legend_ = {corners.size() == 3
+                   ? said({"0..9: tenths of a pixel from the sample to the nearest edge",
+                           "0..9: décimos de pixel da amostra à aresta mais próxima"})
+                   : said({"coverage is that of a triangle", "a cobertura é a de um triângulo"})};
     const auto offset = told_samples(trace).triangles;
     cell_ = [corners, x = offset.x().get_d(), y = offset.y().get_d()](std::size_t, Pixel pixel) {
         const Point sample{pixel.x + x, pixel.y + y};

@@ -1,15 +1,21 @@
 // SPDX-License-Identifier: MIT
-// Steps told, and questions answered, in Portuguese: nothing is missing, and only words differ from English.
+// Steps told, questions answered and claims checked in Portuguese: nothing is missing, and only words differ from
+// English.
 
+#include "claims_support.h"
 #include "effort.h"
+#include "languages.h"
 #include "random_scene.h"
 #include "traces.h"
 
+#include <rastertrace/trace/check/check.h>
+#include <rastertrace/trace/check/slips.h>
 #include <rastertrace/trace/explain/explain.h>
 #include <rastertrace/trace/record/step_kind.h>
 #include <rastertrace/trace/record/traced_steps.h>
 #include <rastertrace/trace/scene/scene_file.h>
 #include <rastertrace/trace/tell/describe.h>
+#include <rastertrace/trace/tell/formula.h>
 #include <rastertrace/trace/tell/working.h>
 #include <rastertrace/trace/text/language.h>
 #include <rastertrace/trace/text/text.h>
@@ -18,26 +24,18 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <cctype>
 #include <fstream>
 #include <iterator>
 #include <map>
 #include <set>
 #include <string>
 #include <string_view>
+#include <utility>
+#include <variant>
 #include <vector>
 
 namespace rastertrace {
 namespace {
-
-/// Tells steps in a language as long as it lives.
-class TellingIn {
-public:
-    explicit TellingIn(Language language) { tell_steps_in(language); }
-    ~TellingIn() { tell_steps_in(Language::english); }
-    TellingIn(const TellingIn&) = delete;
-    TellingIn& operator=(const TellingIn&) = delete;
-};
 
 /// The placeholders of a pattern in order; of {inside?in:out} only what is asked.
 std::vector<std::string> placeholders_of(std::string_view pattern) {
@@ -70,39 +68,14 @@ TEST(Language, CodesNameThem) {
     EXPECT_EQ(language_of_steps(), Language::english);
 }
 
-/// The words of a text, and its digits. A word has two letters at least, the first of them small, and nothing but
-/// letters: names of vertices are capitals, and names of faces and colors have digits or dots in them.
-struct Split {
-    std::set<std::string> words;
-    std::string digits;
-};
-Split split(const std::string& text) {
-    Split found;
-    for (std::string word : split_at(text, ' ')) {
-        for (const char byte : word)
-            if (std::isdigit(static_cast<unsigned char>(byte)) != 0)
-                found.digits += byte;
-        while (!word.empty() &&
-               std::string_view("(),:;|").find(word.back()) != std::string_view::npos)
-            word.pop_back();
-        word.erase(0, std::min(word.find_first_not_of('('), word.size()));
-        const auto is_letter = [](char byte) {
-            return std::isalpha(static_cast<unsigned char>(byte)) != 0;
-        };
-        if (word.size() >= 2 && std::all_of(word.begin(), word.end(), is_letter) &&
-            std::islower(static_cast<unsigned char>(word.front())) != 0)
-            found.words.insert(word);
-    }
-    return found;
-}
-
 /// What both languages call the same: signs of formulas, words of scenes (rules, factors of matrices), and words that
 /// are Portuguese too.
 const std::set<std::string> shared_words{
-    "away",   "buffer",      "byte",  "ceil",      "do",         "doubles", "dx",       "dy",
-    "even",   "face",        "flip",  "floor",     "horizontal", "inside",  "nearest",  "no",
-    "normal", "perspective", "pixel", "pixels",    "rotate",     "scale",   "shear",    "sRGB",
-    "sqrt",   "start",       "step",  "translate", "truncate",   "up",      "viewport", "zero"};
+    "cos",   "diagonal",   "sin",       "away",     "buffer", "byte",     "ceil",
+    "do",    "doubles",    "dx",        "dy",       "even",   "face",     "flip",
+    "floor", "horizontal", "inside",    "nearest",  "no",     "normal",   "perspective",
+    "pixel", "pixels",     "rotate",    "scale",    "shear",  "sRGB",     "sqrt",
+    "start", "step",       "translate", "truncate", "up",     "viewport", "zero"};
 
 TEST(Language, NoEnglishWordIsLeftInPortugueseAndNoNumberDiffers) {
     std::set<StepKind> met;
@@ -216,15 +189,6 @@ std::vector<std::string> told_of(const Trace& trace, const Question& question) {
     return texts;
 }
 
-/// Words of English sentences that are neither Portuguese nor words of traces.
-const std::set<std::string> english_words{
-    "about", "above", "along",   "and",    "any",   "are",  "at",    "below",  "beyond",
-    "both",  "but",   "by",      "corner", "cover", "does", "drawn", "end",    "from",
-    "goes",  "has",   "have",    "hides",  "is",    "it",   "its",   "leaves", "lies",
-    "line",  "more",  "neither", "not",    "of",    "off",  "on",    "row",    "rows",
-    "seen",  "steps", "that",    "the",    "there", "they", "to",    "told",   "trace",
-    "was",   "what",  "where",   "which",  "why",   "with"};
-
 void expect_in_portuguese(const Trace& trace) {
     for (const Question& question : questions_about(trace)) {
         const std::vector<std::string> english = told_of(trace, question);
@@ -269,6 +233,141 @@ TEST(Language, WhyAPixelIsNotDrawnInPortuguese) {
     EXPECT_EQ(told.why_not[0].reason, "outside");
     EXPECT_EQ(explain(trace, {.about = Topic::scanline, .pixel = {0, 2}}).value().answer,
               "1 primitiva com esta linha");
+}
+
+/// Nothing but words of both languages is the same.
+void expect_other_words(const std::vector<std::string>& english,
+                        const std::vector<std::string>& told) {
+    ASSERT_EQ(told.size(), english.size());
+    for (std::size_t i = 0; i < told.size(); ++i) {
+        const Split here = split(english[i]);
+        const Split there = split(told[i]);
+        EXPECT_EQ(there.digits, here.digits) << told[i];
+        for (const std::string& word : there.words)
+            EXPECT_FALSE(here.words.contains(word) && !shared_words.contains(word))
+                << word << " in: " << told[i];
+    }
+}
+
+/// All that is said of claims, except for their workings: these are of working.h and explain.h.
+std::vector<std::string> told_of(const Checked& checked) {
+    std::vector<std::string> texts;
+    for (const CheckedClaim& claim : checked.claims) {
+        for (const auto* const lines : {&claim.remarks, &claim.picture})
+            texts.insert(texts.end(), lines->begin(), lines->end());
+        for (const CheckedField& field : claim.fields) {
+            for (const std::string_view text :
+                 {words_for_field(field.name), word_for_value(field.name, field.expected),
+                  word_for_value(field.name, field.found), std::string_view(field.remark),
+                  field.rule, field.formula})
+                texts.emplace_back(text);
+            for (const LikelySlip& slip : field.slips)
+                texts.push_back(slip.meaning);
+        }
+    }
+    return texts;
+}
+
+/// Claims, one of which has this remark, or this value, in English.
+struct ClaimsWith {
+    std::string told;
+    std::string scene;
+    std::string claims;
+    MethodOverrides method = {};
+};
+
+TEST(Language, NoEnglishWordIsLeftInWhatIsFoundInPortuguese) {
+    const std::string triangle = example_text("t0-fill/first-triangle.json");
+    const std::string lines = example_text("t2-lines/worked-lines.json");
+    const std::string cube = example_text("t0-hidden/cube-culled.json");
+    const std::string in_thirds = R"({"canvas":{"width":17,"height":14},
+        "vertices":{"A":[0,0],"B":[2,3],"C":[4,0]},"triangles":["ABC"],"method":{"scalar":"exact"}})";
+    const std::string edge_on = R"({"canvas":{"width":17,"height":14},
+        "vertices":{"A":[0,0,0],"B":[1,0,0],"C":[0,1,0]},"triangles":["ABC"],
+        "model":[{"rotate":{"axis":"y","degrees":45}},{"rotate":{"axis":"y","degrees":45}}],
+        "method":{"scalar":"exact","cull":"back"}})";
+    const std::vector<ClaimsWith> cases{
+        {"there is no such row: rows are y=-3 to 5", triangle, "y=6: 1, 2\n"},
+        {"the trace has no such step `sample`",
+         triangle,
+         "weights (8,7): 1, 0, 0\n",
+         {{"fill", "barycentric"}}},
+        {"contradicts line 1", triangle, "A screen: 3, 5\nA screen: 2, 5\n"},
+        {"rounded to 2 digits", triangle, "y=4: 1.25, 2.38\n"},
+        {"cut off behind 2 digits, not rounded", in_thirds, "y=1: 0.66, ?\n"},
+        {"the first 3 of 8", lines, "AB: 4 0 12\n"},
+        {"9 values, where 8 belong", lines, "AB: 4 0 12 8 4 0 12 8 4\n"},
+        {"what stands behind it follows from it", lines, "AB: 4 0 13 9 5 1\n"},
+        {"number 3 does not follow from the one before it", lines, "AB: 4 1 12\n"},
+        {"the scene culls nothing", cube, "ABC: culled\n", {{"cull", "none"}}},
+        {"left and right are exchanged", example_text("tutorial/filling/whose-slip.json"),
+         "y=1: 3, -1/3\n"},
+        {"0 too many, 49 missing", triangle,
+         "picture:\n..........\n..........\n..........\n..........\n..........\n..........\n"
+         "..........\n..........\n..........\n"},
+        {"the scene's `double` has 1, exact arithmetic 2",
+         example_text("tutorial/numbers/thirds.json"),
+         "y=6: -> 2..?\n",
+         {{"scalar", "double"}, {"lerp", "incremental"}}},
+        {"by the sines and roots as doubles; without rounding it is a tie", edge_on,
+         "ABC: culled\n"},
+        {"off", triangle, "(1,4): off\n"},
+        {"outside", triangle, "(5,5): inside\n"},
+        {"none", triangle, "edge BC: 1\n"},
+        {"drawn", cube, "ABC: culled\nview ABC: 1/3, 1/3, 3\ndot ABC: -12\ncosine ABC: -1\n"}};
+    for (const ClaimsWith& one : cases) {
+        const auto english = told_of(check_claims(one.scene, one.claims, one.method));
+        EXPECT_THAT(english, testing::Contains(testing::HasSubstr(one.told))) << one.claims;
+        const TellingIn portuguese(Language::portuguese);
+        expect_other_words(english, told_of(check_claims(one.scene, one.claims, one.method)));
+    }
+}
+
+/// A formula of each kind, without numbers.
+template <std::size_t... kinds>
+std::vector<Formula> one_of_each(std::index_sequence<kinds...> /*all*/) {
+    return {Formula{std::variant_alternative_t<kinds, decltype(Formula::of)>{}}...};
+}
+
+TEST(Language, NoEnglishWordIsLeftInRulesAndSlipsInPortuguese) {
+    auto formulas =
+        one_of_each(std::make_index_sequence<std::variant_size_v<decltype(Formula::of)>>());
+    for (const Rounding rounding : {Rounding::floor, Rounding::nearest, Rounding::truncate,
+                                    Rounding::inside, Rounding::half_open})
+        formulas.push_back({RoundedEnd{.x = 0, .rule = {.rounding = rounding}}});
+    for (const bool other : {false, true})
+        for (const Formula& formula : {Formula{IsCulled{0, other}},
+                                       {LineForm{{}, {}, other}},
+                                       {DepthComparison{0, 0, other}}})
+            formulas.push_back(formula);
+    const auto told = [&formulas] {
+        std::vector<std::string> texts;
+        for (const Formula& formula : formulas) {
+            texts.emplace_back(rule_of(formula).rule);
+            texts.emplace_back(rule_of(formula).formula);
+        }
+        for (const Slip& slip : slips())
+            texts.push_back(meaning_of(slip, "x"));
+        return texts;
+    };
+    const auto english = told();
+    const TellingIn portuguese(Language::portuguese);
+    expect_other_words(english, told());
+}
+
+TEST(Language, AWrongRowInPortuguese) {
+    const TellingIn portuguese(Language::portuguese);
+    const Checked checked =
+        check_claims(example_text("t0-fill/first-triangle.json"), "y=2: -1/4, 25/8 -> 0..3\n");
+    const CheckedField& first = checked.claims[0].fields[2];
+    EXPECT_EQ(words_for_field(first.name), "primeiro pixel");
+    EXPECT_EQ(first.rule, "o extremo de uma linha é arredondado para baixo, até seu pixel");
+    EXPECT_EQ(first.slips[0].name, "truncate-for-floor");
+    EXPECT_EQ(first.slips[0].meaning, "arredondar em direção a 0, int(x) em vez de arredondar para "
+                                      "baixo, floor(x)");
+    EXPECT_EQ(checked.claims[0].working[0],
+              "linha y=2   esquerda AB: x = 2 + 3/4 (2 - 5) = -1/4 -> floor -> -1   "
+              "direita AC: x = 2 - 3/8 (2 - 5) = 25/8 -> floor -> 3");
 }
 
 } // namespace

@@ -846,8 +846,10 @@ TEST(Slips, TheTableHasEachNameOnce) {
     for (const Slip& slip : slips()) {
         EXPECT_TRUE(names.insert(slip.name).second) << slip.name;
         EXPECT_EQ(find_slip(slip.name), &slip);
-        EXPECT_FALSE(slip.done.empty() || slip.instead_of.empty() || slip.symptom.empty())
-            << slip.name;
+        for (const Language language : {Language::english, Language::portuguese})
+            EXPECT_FALSE(slip.done.in(language).empty() || slip.instead_of.in(language).empty())
+                << slip.name;
+        EXPECT_FALSE(slip.symptom.empty()) << slip.name;
     }
     EXPECT_EQ(find_slip("no-such-slip"), nullptr);
 }

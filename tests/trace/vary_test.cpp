@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "effort.h"
+#include "languages.h"
 #include "random_choice.h"
 #include "random_scene.h"
 #include "traces.h"
@@ -91,6 +92,10 @@ TEST(Vary, FramesOfAListAndOfACommandLine) {
     EXPECT_EQ(sequence.label(1), "1 of 3: A/0 0, B/0 -3");
     EXPECT_EQ(sequence.label(2), "2 of 3: A/0 1/3, B/0 -2.5");
     EXPECT_EQ(sequence.label(3), "3 of 3: A/0 2.5, B/0 -2");
+    {
+        const TellingIn portuguese(Language::portuguese);
+        EXPECT_EQ(sequence.label(3), "3 de 3: A/0 2.5, B/0 -2");
+    }
     EXPECT_EQ(sequence.frame(3).scene.vertices[0].x.exact().get_str(), "5/2");
     EXPECT_EQ(sequence.frame(2).scene.vertices[0].x.exact().get_str(), "1/3")
         << "frames may be read in any order";

@@ -111,7 +111,7 @@ TEST(Working, SamplesByACrossProduct) {
     const Trace trace =
         trace_of(first_triangle({.scalar = ScalarKind::exact, .fill = Fill::barycentric}));
     EXPECT_THAT(working(trace, StepKind::sample, 0, 0),
-                ElementsAre("P = (0, 0): AB = (-6, -8), AC = (3, -8), P to A = (2, 5)",
+                ElementsAre("AB = (-6, -8), AC = (3, -8), (0, 0) to A = (2, 5)",
                             "(-6, 3, 2) x (-8, -8, 5) = (31, 14, 72)",
                             "divided by 72: u = 31/72 of B, v = 7/36 of C, 1 - u - v = 3/8 of A"));
     const auto cross_at = [&](int x, int y) { return working(trace, StepKind::sample, x, y)[1]; };

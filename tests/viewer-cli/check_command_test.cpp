@@ -23,6 +23,7 @@ namespace {
 
 using testing::AllOf;
 using testing::Contains;
+using testing::ContainsRegex;
 using testing::EndsWith;
 using testing::HasSubstr;
 using testing::Not;
@@ -62,6 +63,47 @@ TEST_F(CheckTest, WhatIsRightIsOnlyCounted) {
     const Outcome checked = shell("$rastertrace check right.txt");
     EXPECT_EQ(checked.status, 0);
     EXPECT_EQ(checked.out, "2 right, 0 wrong\n");
+}
+
+/// A(0, 0) B(8, 5) C(9, 5) on whole points: the row y = 2 goes from 3.2 to 3.6, the row y = 4 from 6.4 to 7.2.
+TEST_F(CheckTest, AnEmptyRowIsWrittenWithAnyFirstPixel) {
+    write("sliver.json", R"({"canvas": {"width": 12, "height": 8, "origin": "bottom-left"},
+        "vertices": {"A": [0, 0], "B": [8, 5], "C": [9, 5]}, "triangles": ["ABC"],
+        "method": {"scalar": "exact", "fill": "top-left", "sample": "integer"}})");
+    for (const std::string row : {"2..1", "3..2", "4..3", "9..8"}) { // y = 2: from 3.2 to 3.6
+        write("empty.txt", "scene: sliver.json\ny=2: " + row + "\n");
+        EXPECT_EQ(shell("$rastertrace check empty.txt").out, "1 right, 0 wrong\n") << row;
+    }
+    for (const std::string row : {"3..3", "3..1", "4..4"}) {
+        write("empty.txt", "scene: sliver.json\ny=2: " + row + "\n");
+        EXPECT_EQ(shell("$rastertrace check empty.txt").status, 1) << row;
+    }
+    write("full.txt", "scene: sliver.json\ny=4: 8..7\n"); // it has the pixel 7
+    EXPECT_EQ(shell("$rastertrace check full.txt").status, 1);
+}
+
+/// Who says that a drawn pixel is not is told by which rule it is, with the numbers of the edge.
+TEST_F(CheckTest, AWrongOutsideIsToldWhyItIsInside) {
+    write("corner.json", R"({"canvas": {"width": 9, "height": 8, "origin": "bottom-left"},
+        "vertices": {"P": [0, 0], "Q": [6, 3], "R": [2, 6]}, "triangles": ["PQR"],
+        "method": {"scalar": "exact", "fill": "top-left", "sample": "integer"}})");
+    write("corner.txt", "scene: corner.json\n(1,3): off\n");
+    EXPECT_THAT(
+        shell("$rastertrace check corner.txt").out,
+        AllOf(HasSubstr("        drawn by PQR at step "),
+              HasSubstr("        E of RP at (1, 3) = 6 (-1) + (-2) (-3) = 0: on a top or left "
+                        "edge, inside\n")));
+}
+
+/// Who has taken the color of the nearest where a painter has painted over it is told who painted last.
+TEST_F(CheckTest, AWrongColorIsToldWhoWroteThePixel) {
+    write("painted.txt", "scene: painter.json\n(9,3): blue\n");
+    fs::copy(fs::path(RASTERTRACE_EXAMPLES) / "tutorial/hidden/painter.json",
+             folder_ / "painter.json");
+    EXPECT_THAT(shell("$rastertrace check painted.txt").out,
+                ContainsRegex("        pixel \\(9, 3\\): drawn by ABC at step [0-9]+, over GHI\n"
+                              "        pixel \\(9, 3\\).*\n"
+                              "        pixel \\(9, 3\\).* over step "));
 }
 
 TEST_F(CheckTest, ARoundedDecimalIsRightAndSaysSo) {
@@ -424,6 +466,143 @@ TEST_F(CheckTest, NamesFromFilesAreSafeToPrint) {
     }
 }
 
+/// Words of two small letters or more. Names of slips are the same in all languages.
+std::set<std::string> words_in(std::string text) {
+    for (const Slip& slip : slips())
+        for (std::size_t at; (at = text.find(slip.name)) != std::string::npos;)
+            text.erase(at, slip.name.size());
+    std::set<std::string> words;
+    std::string word;
+    for (const char byte : text + "\n") {
+        if (('a' <= byte && byte <= 'z') || static_cast<unsigned char>(byte) >= 0x80) {
+            word += byte;
+            continue;
+        }
+        if (word.size() >= 2)
+            words.insert(word);
+        word.clear();
+    }
+    return words;
+}
+
+TEST_F(CheckTest, NothingOfTheAnswerIsEnglishInPortuguese) {
+    write("carl.txt", "y=2: -1/4, x\n");
+    write("rounded.txt", "edge AC: -0.38\ny=-3: -4, 5.04\ny=6: 1, 2\n");
+    write("picture.txt", "picture:\n..........\n..........\n..........\n..........\n..........\n..."
+                         ".......\n..........\n..........\n..........\n");
+    write("comma.txt", "y=2: -0,25; 3,12\ny=2: -0,25; 3,5\n");
+    write("table.txt", "(1,4): off\n(5,5): inside\nABC: culled\nABC: 8 rows\n");
+    write("claims.json", R"({"claims":[{"step":"pixel","x":1,"y":4,"color":"#ffffff"},
+        {"step":"pixel","x":5,"y":5,"color":"#ffffff"},{"step":"scanline","y":2,"from":0}]})");
+    // Files, what is quoted of them, signs of formulas, marks of Markdown, and what is Portuguese as well.
+    const std::set<std::string> shared{
+        "anna",       "as",     "ben",    "byte",    "carl",    "ceil",     "claims", "cleo",
+        "color",      "comma",  "csv",    "culled",  "details", "do",       "dora",   "doubles",
+        "dx",         "dy",     "edge",   "emil",    "face",    "ffffff",   "floor",  "from",
+        "horizontal", "inside", "int",    "json",    "no",      "normal",   "off",    "on",
+        "picture",    "pixel",  "pixels", "rounded", "rows",    "scanline", "sheet",  "step",
+        "summary",    "table",  "txt"};
+    for (const std::string arguments :
+         {"scene.json anna.txt", "scene.json anna.txt --hint 2", "ben.txt --hint 1",
+          "ben.txt --no-answers", "scene.json anna.txt carl.txt ben.txt", "scene.json rounded.txt",
+          "scene.json picture.txt", "scene.json comma.txt", "scene.json table.txt",
+          "scene.json table.txt --hint 2", "scene.json claims.json",
+          "scene.json anna.txt --format markdown", "--class $examples/class"}) {
+        const Outcome english = shell("$rastertrace check " + arguments);
+        const Outcome told = shell("$rastertrace check --language pt " + arguments);
+        EXPECT_EQ(told.status, english.status) << arguments;
+        EXPECT_EQ(told.err, english.err)
+            << arguments; // what is wrong with a file is told in English
+        const std::set<std::string> words = words_in(english.out);
+        EXPECT_GT(words.size(), 4U) << english.out;
+        for (const std::string& word : words_in(told.out))
+            EXPECT_FALSE(words.contains(word) && !shared.contains(word))
+                << arguments << ": " << word << " in\n"
+                << told.out;
+    }
+}
+
+TEST_F(CheckTest, AnswersInPortuguese) {
+    const auto told = [this](const std::string& arguments) {
+        return shell("$rastertrace check --language pt " + arguments).out;
+    };
+    EXPECT_THAT(told("scene.json anna.txt"),
+                AllOf(StartsWith("anna.txt:2: y=2: -1/4, 25/8 -> 0..3\n"
+                                 "    primeiro pixel: esperado -1, encontrado 0\n"
+                                 "    deslize provável truncate-for-floor: arredondar em direção a "
+                                 "0, int(x) em vez de arredondar para baixo, floor(x)\n"),
+                      HasSubstr("\n        linha y=2   esquerda AB: x = 2 + 3/4 (2 - 5) = -1/4"),
+                      EndsWith("\n\n3 certos, 1 errado, 1 em aberto\n")));
+    write("cut.txt", "y=2: 1/4, 25/8 -> 0..3\n");
+    EXPECT_THAT(told("scene.json cut.txt"),
+                HasSubstr("    primeiro pixel: esperado -1, encontrado 0; decorre de extremo "
+                          "esquerdo, na mesma linha do arquivo\n"));
+    write("rounded.txt", "edge AC: -0.38\ny=-3: -4, 5.04\n");
+    EXPECT_THAT(
+        told("scene.json rounded.txt"),
+        AllOf(HasSubstr("    dx/dy: certo, arredondado para 2 casas\n"),
+              HasSubstr("    extremo direito: esperado 5, encontrado 5.04; decorre da linha "
+                        "1 do arquivo, de um número arredondado\n")));
+    EXPECT_THAT(
+        told("$examples/claims/t0-figs-22-24.claims"),
+        AllOf(HasSubstr("    produto escalar: esperado 12, encontrado 16; decorre da linha "),
+              HasSubstr("\n        a conta é a da linha "),
+              EndsWith("\n1 certo, 2 errados, 2 que decorrem\n")));
+    write("table.txt", "(1,4): off\n(5,5): inside\nedge BC: 1\n");
+    EXPECT_THAT(told("scene.json table.txt"),
+                AllOf(HasSubstr("    pixel: esperado desenhado, encontrado não desenhado\n"),
+                      HasSubstr("    pixel: esperado fora, encontrado dentro\n"),
+                      HasSubstr("    dx/dy: esperado nenhum, encontrado 1\n")));
+    EXPECT_THAT(told("ben.txt --hint 2"),
+                StartsWith("ben.txt:2: edge AB: 4/3: errado\n    dx/dy\n"
+                           "        quanto uma aresta anda em x por linha\n"
+                           "        dx/dy = (x2 - x1) / (y2 - y1)\nben.txt:3"));
+    EXPECT_EQ(told("ben.txt --no-answers"), "ben.txt:2: edge AB: 4/3: errado\n"
+                                            "ben.txt:3: y=4: 1.4, 2.38: errado\n"
+                                            "\n"
+                                            "0 certos, 2 errados\n");
+    EXPECT_THAT(told("--class $examples/class"),
+                AllOf(HasSubstr("\n5 folhas, 1 com tudo certo\n"),
+                      HasSubstr("\nO deslize mais provável de uma folha, e de quantas folhas:\n"
+                                "truncate-for-floor  ## 2  arredondar em direção a 0, int(x)")));
+    EXPECT_THAT(told("scene.json anna.txt --format markdown"),
+                AllOf(HasSubstr("| linha | afirmação | |\n"), HasSubstr("| certo |\n"),
+                      HasSubstr("<summary>O que está errado</summary>")));
+}
+
+TEST_F(CheckTest, WordsOfFormatsAreTheSameInPortuguese) {
+    const auto told = [this](const std::string& arguments) {
+        return shell("$rastertrace check --language pt " + arguments).out;
+    };
+    const std::string pile = "scene.json anna.txt ben.txt --format csv";
+    EXPECT_EQ(told(pile), shell("$rastertrace check " + pile).out);
+    EXPECT_EQ(told("ben.txt --no-answers --json"),
+              shell("$rastertrace check ben.txt --no-answers --json").out);
+
+    const auto report = nlohmann::json::parse(told("ben.txt --json"));
+    const auto english = nlohmann::json::parse(shell("$rastertrace check ben.txt --json").out);
+    const auto& slope = report["claims"][0];
+    EXPECT_EQ(slope["verdict"], "wrong");
+    EXPECT_EQ(slope["expected"], english["claims"][0]["expected"]);
+    EXPECT_EQ(slope["slips"][0]["name"], "dx-dy-inverted");
+    EXPECT_THAT(slope["slips"][0]["meaning"].get<std::string>(), HasSubstr(" em vez de "));
+    EXPECT_THAT(report["claims"][1]["remarks"].dump(),
+                HasSubstr("right: arredondado para 2 casas"));
+
+    const std::string xml = told("scene.json anna.txt --format junit");
+    EXPECT_EQ(xml_fault(xml.substr(xml.find('\n') + 1)), "");
+    EXPECT_THAT(xml, HasSubstr("name=\"linha 2: y=2: -1/4, 25/8 -&gt; 0..3\">\n"
+                               "      <failure message=\"primeiro pixel: esperado -1, "
+                               "encontrado 0\">primeiro pixel: deslize provável "));
+    const auto grades =
+        nlohmann::json::parse(told("scene.json anna.txt --format prairielearn"))["tests"];
+    EXPECT_EQ(grades[1]["name"], "linha 2: y=2: -1/4, 25/8 -> 0..3");
+    EXPECT_EQ(grades[1]["message"], "errado");
+    const auto scores = nlohmann::json::parse(told("scene.json anna.txt --format gradescope"));
+    EXPECT_EQ(scores["tests"][1]["status"], "failed");
+    EXPECT_EQ(scores["output"], "3 certos, 1 errado, 1 em aberto\n");
+}
+
 /// The slips that a claims file of the examples says it has, in comments; "none" if it is wrong and none fits.
 std::vector<std::string> slips_said_in(const fs::path& file) {
     std::vector<std::string> slips;
@@ -461,8 +640,9 @@ TEST(CheckPage, HasTheTableOfSlips) {
     std::string table =
         "\n| slip | what is done | instead of | how it shows |\n|---|---|---|---|\n";
     for (const Slip& slip : slips())
-        table += fmt::format("| `{}` | {} | {} | {} |\n", slip.name, slip.done, slip.instead_of,
-                             slip.symptom);
+        table +=
+            fmt::format("| `{}` | {} | {} | {} |\n", slip.name, slip.done.in(Language::english),
+                        slip.instead_of.in(Language::english), slip.symptom);
     std::ostringstream page;
     page << std::ifstream(fs::path(RASTERTRACE_EXAMPLES) / "../docs/check.md").rdbuf();
     EXPECT_THAT(page.str(), HasSubstr(table + "\n"));

@@ -4,12 +4,15 @@
 #include "player.h"
 
 #include "effort.h"
+#include "languages.h"
 #include "picture.h"
 #include "player_screen.h"
+#include "players.h"
 #include "random_choice.h"
 #include "random_scene.h"
 #include "traces.h"
 
+#include <rastertrace/trace/record/step_kind.h>
 #include <rastertrace/trace/record/traced_steps.h>
 #include <rastertrace/trace/tell/describe.h>
 #include <rastertrace/trace/text/text.h>
@@ -18,8 +21,14 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cstddef>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
 #include <set>
 #include <string>
+#include <utility>
+#include <variant>
 #include <vector>
 
 namespace rastertrace {
@@ -569,7 +578,6 @@ step 14 of 62 [=========>                              ] 22 %  plotted
 
 TEST(PlayerKeys, EachDoesOneThingAndIsInTheHelp) {
     std::set<std::string_view> seen;
-    const std::vector<std::string> help = player_help(80);
     for (const PlayerKey& row : player_keys()) {
         EXPECT_EQ(key_of(row.action).name, row.name);
         ASSERT_FALSE(row.keys.empty());
@@ -577,10 +585,218 @@ TEST(PlayerKeys, EachDoesOneThingAndIsInTheHelp) {
             EXPECT_TRUE(seen.insert(key).second) << key;
             EXPECT_EQ(player_action_of(key), row.action);
         }
-        EXPECT_THAT(joined(help, "\n"), HasSubstr(std::string(row.does.substr(0, 30))));
     }
-    for (const std::string& line : help)
-        EXPECT_LE(line.size(), 80U);
+    for (const Language language : {Language::english, Language::portuguese}) {
+        const TellingIn telling(language);
+        const std::vector<std::string> help = player_help(80);
+        for (const PlayerKey& row : player_keys())
+            EXPECT_THAT(joined(help, "\n"),
+                        HasSubstr(std::string(row.does.in(language).substr(0, 30))));
+        for (const std::string& line : help)
+            EXPECT_LE(columns_in(line), 80U);
+    }
+}
+
+TEST(PlayerKeys, AreCalledAsOnAKeyboardOfTheLanguage) {
+    EXPECT_EQ(told_key("Shift+Right"), "Shift+Right");
+    const TellingIn portuguese(Language::portuguese);
+    EXPECT_EQ(told_key("Shift+Right"), "Shift+Direita");
+    EXPECT_EQ(told_key("Space"), "Espaço");
+    for (const char* const same : {"PageDown", "PageUp", "Home", "Ctrl+d", "+", "l"})
+        EXPECT_EQ(told_key(same), same);
+    EXPECT_EQ(player_help(79).front(), "Direita l         o próximo passo");
+}
+
+/// Words that only the player says, in English.
+const std::set<std::string> english_words_of_player{
+    "all",     "answer",  "background", "breakpoint", "breakpoints", "cells",  "clear",
+    "dark",    "far",     "frame",      "keys",       "leave",       "light",  "many",
+    "near",    "next",    "or",         "others",     "outside",     "pass",   "play",
+    "playing", "reading", "right",      "tells",      "removed",     "search", "searching"};
+
+class PlayerInPortuguese : public ::testing::Test {
+protected:
+    /// Looks at all that it says.
+    static void hear(const Player& player) {
+        const auto kinds = step_kind_names();
+        std::set<std::string> words_of_trace(kinds.begin(), kinds.end());
+        for (const auto& [key, value] : player.playback().trace().method)
+            for (const std::string& word : split_at(key + " " + value, ' '))
+                words_of_trace.insert(word);
+        const auto look_at = [&words_of_trace](const std::string& line) {
+            for (const std::string& word : split(line).words)
+                EXPECT_TRUE(
+                    words_of_trace.contains(word) ||
+                    (!english_words.contains(word) && !english_words_of_player.contains(word)))
+                    << word << " in: " << line;
+        };
+        look_at(player.message());
+        for (const TextSize size : {TextSize{200, 60}, {80, 24}, {40, 20}, {20, 8}})
+            for (const std::string& line : player_screen(player, size, {}).lines) {
+                look_at(line);
+                if (player.help_page() == 0) {
+                    EXPECT_LE(columns_in(line), size.columns) << line;
+                }
+            }
+    }
+
+    /// The same after each of some keys.
+    static void hear(Player& player, const std::vector<std::string>& keys) {
+        for (const std::string& key : keys) {
+            press(player, {key});
+            hear(player);
+        }
+    }
+
+private:
+    TellingIn portuguese_{Language::portuguese};
+};
+
+TEST_F(PlayerInPortuguese, NothingIsEnglishWhateverIsPressed) {
+    Player player = player_of(first_triangle());
+    hear(player);
+    // Where there is nothing to go to.
+    hear(player, {"Left", "n", ".", "'", "B", "(", "f", "x", "Space"});
+    EXPECT_THAT(screen_text(player), HasSubstr("  rodando, 4 passos/s"));
+    EXPECT_THAT(screen_text(player), HasSubstr("? teclas  q sai  Direita avança  Esquerda volta  "
+                                               "Espaço roda  / busca  c cursor\n"));
+    hear(player, {"Escape", "9", "9", "G", "Right", "g", "Left", "9", "9", "j", "{", "{", "]"});
+    EXPECT_EQ(player.message(), "não há outro passo primitive nessa direção");
+    hear(player, {"9", "9", ")", "1", "4", "G", "m", "'", "m", "'", "+", "-", "Ctrl+d", "Ctrl+u"});
+    // A pixel, drawn and not drawn.
+    hear(player, {"Right", "c", ".", "9", "9", ".", "H", ".", "End", "c", "c"});
+    // Searching, and breakpoints.
+    hear(player, {"/"});
+    type(player, "scanline y=5");
+    EXPECT_EQ(player.message(), "dos passos assim (1), nenhum está adiante; N vai ao anterior");
+    hear(player, {"N", "n"});
+    type(player, "/25/8");
+    hear(player, {"n"});
+    EXPECT_EQ(player.message(), "nenhum outro passo nessa direção diz \"25/8\"");
+    hear(player, {"b"});
+    EXPECT_EQ(player.prompt(), "parar em: ");
+    type(player, "scanline y=3");
+    hear(player, {"g", "b"});
+    type(player, "scanline y=4");
+    hear(player);
+    press(player, {"Space"});
+    play_on(player);
+    EXPECT_EQ(player.message(), "ponto de parada");
+    hear(player, {"B"});
+    // The pages of the help, and views.
+    hear(player, {"?", "Space", "Space", "Space", "Space", "Space", "Space", "q"});
+    hear(player, {"1", "4", "G", "z", "z", "Z", "Z", "o"});
+    for (std::size_t i = 0; i < view_names().size(); ++i)
+        hear(player, {"v"});
+}
+
+TEST_F(PlayerInPortuguese, QuestionsAndVerdicts) {
+    Player player = player_of(first_triangle(), {.step = "13"});
+    hear(player, {"a", "Right"});
+    ASSERT_NE(player.asked(), nullptr);
+    EXPECT_EQ(player.asked()->words, "ABC, linha y=2: quais pixels ela tem? de x, a x");
+    EXPECT_THAT(screen_text(player), HasSubstr("resposta: _"));
+    type(player, "-1 a 3");
+    EXPECT_EQ(player.message(), "certo. acertos: 1 de 1");
+    hear(player, {"Right"});
+    EXPECT_EQ(player.asked()->words, "ABC, qual pixel é desenhado em seguida? x, y, ou o cursor");
+    type(player, "0 2");
+    EXPECT_EQ(player.message(), "não: -1 2. acertos: 1 de 2");
+    hear(player, {"a"});
+    EXPECT_THAT(csv_of(player.answers()),
+                HasSubstr("step,kind,question,answer,right answer,is right\r\n14,scanline,"));
+}
+
+TEST_F(PlayerInPortuguese, WordsAreAnsweredByTheirFirstLetters) {
+    Player player =
+        player_of(scene_in(R"({"canvas":{"width":9,"height":9},"method":{"depth":"linear-z"},
+        "vertices":{"A":[0,3,5],"B":[-3,-2,5],"C":[3,-2,5],"D":[0,3,6],"E":[-3,-2,6],"F":[3,-2,6]},
+        "triangles":["ABC","DEF"]})"),
+                  {.answers_first = true});
+    type(player, "/depth in=DEF");
+    hear(player, {"Left", "Right"});
+    ASSERT_NE(player.asked(), nullptr);
+    EXPECT_THAT(player.asked()->words, testing::EndsWith(": ela passa ou falha"));
+    EXPECT_THAT(player.asked()->words, Not(HasSubstr(": falha")));
+    type(player, " F ");
+    EXPECT_EQ(player.message(), "certo. acertos: 1 de 1");
+    EXPECT_THAT(screen_text(player, {100, 30}), HasSubstr("ABC  5  <- fica"));
+    for (std::size_t i = 0; i < view_names().size(); ++i)
+        hear(player, {"v"});
+    hear(player, {"c"});
+}
+
+TEST_F(PlayerInPortuguese, QuestionsAboutSamplesAndFaces) {
+    std::set<std::string> right;
+    for (const auto& [name, kind] :
+         {std::pair("t3-sweep-and-box/barycentric", "sample"), {"t0-hidden/cube-culled", "face"}}) {
+        std::ifstream file(std::string(RASTERTRACE_EXAMPLES "/") + name + ".json");
+        Scene scene = scene_in({std::istreambuf_iterator<char>(file), {}});
+        scene.title.clear(); // it is English
+        Player player = player_of(scene, {.answers_first = true});
+        type(player, std::string("/") + kind);
+        for (int i = 0; i < 12; ++i) {
+            hear(player, {"Left", "Right"});
+            ASSERT_NE(player.asked(), nullptr);
+            right.insert(player.asked()->right);
+            press(player, {"Enter", "]"});
+        }
+        hear(player, {"a", "End", "c", "v", "v"});
+    }
+    EXPECT_THAT(right, testing::ElementsAre("dentro", "desenhada", "eliminada", "fora"));
+}
+
+TEST_F(PlayerInPortuguese, FramesAndTwoTraces) {
+    Player frames({.first_frame = 1,
+                   .last_frame = 2,
+                   .open = [](std::size_t) { return GrowingTrace(trace_of(first_triangle())); },
+                   .label = [](std::size_t frame) { return std::to_string(frame) + " de 2"; }},
+                  {});
+    hear(frames, {"F"});
+    EXPECT_EQ(frames.message(), "este é o primeiro quadro");
+    hear(frames, {"f", "f"});
+    EXPECT_EQ(frames.message(), "este é o último quadro");
+    EXPECT_THAT(screen_text(frames), HasSubstr("  quadro 2 de 2"));
+
+    Players players(player_of(first_triangle()),
+                    player_of(first_triangle({.scalar = ScalarKind::double_precision})));
+    players.press({"Space"});
+    for (int i = 0; i < 240 && players.first().is_playing(); ++i)
+        players.pass(0.25);
+    EXPECT_EQ(players.first().message(), "o primeiro passo que difere");
+}
+
+TEST_F(PlayerInPortuguese, WhatGoesOnWhileAFileIsReadAndWhatBecameOfIt) {
+    const std::string path = testing::TempDir() + "player-in-portuguese.jsonl";
+    std::string text =
+        "{\"rastertrace\":1,\"title\":\"T\",\"canvas\":{\"width\":3,\"height\":3}}\n";
+    for (int i = 0; i < 60'000; ++i)
+        text += "{\"step\":\"pixel\",\"x\":0,\"y\":0}\n";
+    std::ofstream(path) << text;
+    Player player(
+        {.open =
+             [path](std::size_t) { return std::get<GrowingTrace>(GrowingTrace::open(path, {})); }},
+        {});
+    const auto press_only = [&player](const std::vector<std::string>& keys) {
+        for (const std::string& key : keys)
+            player.press({key}); // and nothing is read
+        hear(player);
+    };
+    EXPECT_THAT(screen_text(player), HasSubstr("  lendo, "));
+    press_only({"c"});
+    EXPECT_THAT(screen_text(player), HasSubstr("pixel (0, 0): vistos "));
+    press_only({"G", "Right"});
+    EXPECT_EQ(player.message(), "a leitura ainda não acabou");
+    press_only({"g", "/", "q", "q", "Enter"});
+    EXPECT_THAT(screen_text(player), HasSubstr("  busca, 2 %, uma tecla encerra"));
+    press_only({"Escape"});
+
+    std::filesystem::resize_file(path, 100);
+    EXPECT_TRUE(player.look_for_change());
+    EXPECT_EQ(player.lost(), path + " foi encurtado");
+    hear(player);
+    EXPECT_THAT(screen_text(player), HasSubstr("r o lê de novo, q sai\n"));
+    std::filesystem::remove(path);
 }
 
 } // namespace

@@ -60,11 +60,7 @@ TEST_F(ProgramTest, StressWritesTheEntriesOfTheDocumentation) {
         "\n"
         "- dda: 2 pixels wrong (float); 8 pixels wrong (double)\n"
         "- naive, away, taken for bresenham: 10 pixels wrong (exact)\n"
-        "\n"
-        "```\n"
-        "rastertrace stress --case L2 --scene > l2.json\n"
-        "rastertrace show l2.json\n"
-        "```\n"
+
         "\n"
         "### L6: control: long, but not stiff\n"
         "\n"
@@ -75,11 +71,7 @@ TEST_F(ProgramTest, StressWritesTheEntriesOfTheDocumentation) {
         "What holds: Every pixel right, with every method.\n"
         "\n"
         "Nothing is wrong.\n"
-        "\n"
-        "```\n"
-        "rastertrace stress --case L6 --scene > l6.json\n"
-        "rastertrace show l6.json\n"
-        "```\n"
+
         "\n"
         "## Pipeline\n"
         "\n"
@@ -92,12 +84,7 @@ TEST_F(ProgramTest, StressWritesTheEntriesOfTheDocumentation) {
         "What holds: Not drawn, and nothing is normalized to decide it. A textbook's N.E/|N.E| is "
         "0/0.\n"
         "\n"
-        "Nothing is wrong.\n"
-        "\n"
-        "```\n"
-        "rastertrace stress --case P7 --scene > p7.json\n"
-        "rastertrace show p7.json\n"
-        "```\n");
+        "Nothing is wrong.\n");
 }
 
 TEST_F(ProgramTest, StressWritesEntriesThatMarkdownReadsAsTheyAre) {

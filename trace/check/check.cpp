@@ -18,6 +18,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <array>
 #include <deque>
 #include <map>
 #include <optional>
@@ -134,12 +135,15 @@ private:
         const Subject& subject = *subjects_.back();
         CheckedClaim checked{.claim = i, .step = subject.step};
         if (subject.is_left_out)
-            checked.remarks.push_back("steps were left out of the trace: it may be one of these");
+            checked.remarks.push_back(
+                said({"steps were left out of the trace: it may be one of these",
+                      "passos foram deixados de fora do rastro: pode ser um deles"}));
         else if (!subject.absence.empty())
             checked.remarks.push_back(subject.absence);
         name_snapped_place(meant, subject);
         for (const ClaimedField* field : subject.fields)
             checked.fields.push_back(compare_field(*field, i, checked));
+        accept_empty_row(checked);
         // A claim without values says that there is such a step.
         if (subject.fields.empty() && subject.step == 0)
             checked.fields.push_back({.name = claim.step,
@@ -147,6 +151,26 @@ private:
                                       .expected = "none",
                                       .found = "one"});
         checked_.claims.push_back(std::move(checked));
+    }
+
+    /// A row without pixels has a last pixel one before its first, whichever that is: 3..2 is right where 4..3 is told.
+    void accept_empty_row(CheckedClaim& claim) {
+        std::array<CheckedField*, 2> ends{};
+        for (CheckedField& field : claim.fields)
+            if (field.name == "from" || field.name == "to")
+                ends[field.name == "to"] = &field;
+        if (ends[0] == nullptr || ends[1] == nullptr)
+            return;
+        const auto length = [&](std::string CheckedField::*text) -> std::optional<Rational> {
+            const auto from = typed_value(ends[0]->*text);
+            const auto to = typed_value(ends[1]->*text);
+            return from && to ? std::optional<Rational>(to->value - from->value + 1) : std::nullopt;
+        };
+        const auto expected = length(&CheckedField::expected);
+        if (!expected || *expected > 0 || length(&CheckedField::found) != Rational(0))
+            return;
+        for (CheckedField* const end : ends)
+            end->verdict = ClaimVerdict::right;
     }
 
     CheckedField compare_field(const ClaimedField& field, std::size_t order, CheckedClaim& claim) {
@@ -169,10 +193,11 @@ private:
         if (decides && exact && decided != exact) {
             // A value that is still open is not given away.
             if (!has_open(field))
-                checked.remark = fmt::format("the scene's `{}` has {}, exact arithmetic {}",
-                                             truth_.decided().trace().method_value("scalar"),
-                                             as_written(field, checked.expected),
-                                             as_written(field, joined(*exact, ", ")));
+                checked.remark = said({"the scene's `{}` has {}, exact arithmetic {}",
+                                       "`{}`, da cena, dá {}; a aritmética exata, {}"},
+                                      truth_.decided().trace().method_value("scalar"),
+                                      as_written(field, checked.expected),
+                                      as_written(field, joined(*exact, ", ")));
             if (!comparison.is_right)
                 comparison = compare(field, *exact, held, is_vertex);
         }
@@ -187,7 +212,7 @@ private:
         else if (!comparison.is_right && !comparison.is_open)
             note_count(field, right, checked);
         if (!comparison.is_right && field.name == "culled" && subject.decided_step == 0)
-            claim.remarks.emplace_back("the scene culls nothing");
+            claim.remarks.push_back(said({"the scene culls nothing", "a cena não elimina nada"}));
         if (comparison.is_open)
             checked.verdict = ClaimVerdict::open;
         else if (!comparison.is_right)
@@ -223,7 +248,9 @@ private:
             return;
         for (const Formula& formula : formulas_of(*other, Numbers(*other->exact), field.name))
             if (is_at_tie(formula)) {
-                checked.remark = "by the sines and roots as doubles; without rounding it is a tie";
+                checked.remark =
+                    said({"by the sines and roots as doubles; without rounding it is a tie",
+                          "pelos senos e raízes como doubles; sem arredondar, é um empate"});
                 return;
             }
     }
@@ -258,12 +285,13 @@ private:
         if (!comparison.is_right)
             return;
         const std::string digits =
-            fmt::format("{} {}", comparison.places, comparison.places == 1 ? "digit" : "digits");
+            said_count(static_cast<std::uint64_t>(comparison.places), {"digit", "casa"});
         if (comparison.fit == Fit::rounded)
-            checked.remark = fmt::format("rounded to {}", digits);
+            checked.remark = said({"rounded to {}", "arredondado para {}"}, digits);
         if (comparison.fit != Fit::truncated)
             return;
-        checked.remark = fmt::format("cut off behind {}, not rounded", digits);
+        checked.remark = said(
+            {"cut off behind {}, not rounded", "cortado depois de {}, não arredondado"}, digits);
         // A root has to be shortened, one way or the other.
         comparison.is_right = claims_.truncates || has_root;
     }
@@ -279,8 +307,8 @@ private:
             ++first_wrong;
         if (first_wrong == count) {
             if (count < right.size())
-                checked.remark =
-                    fmt::format("the first {} of {}", count / width, right.size() / width);
+                checked.remark = said({"the first {} of {}", "só o começo, {} de {}"},
+                                      count / width, right.size() / width);
             return;
         }
         if (first_wrong == right.size()) {
@@ -321,10 +349,13 @@ private:
             const auto before = typed_value(field.values[i - 1]);
             const auto after = typed_value(field.values[i]);
             if (before && after && line->next(before->value) != after->value)
-                return fmt::format("number {} does not follow from the one before it", i + 1);
+                return said({"number {} does not follow from the one before it",
+                             "o número {} não decorre do anterior"},
+                            i + 1);
         }
         return place + 1 < field.values.size() && line != nullptr
-                   ? "what stands behind it follows from it"
+                   ? said(
+                         {"what stands behind it follows from it", "o que vem depois decorre dele"})
                    : "";
     }
 
@@ -338,9 +369,10 @@ private:
         const bool lacks_z =
             field.name == "at" && count == 2 && right.size() == 3 && right[2] == "0";
         if (field.is_list && count != belong && !lacks_z)
-            checked.remark =
-                fmt::format("{} {}, where {} belong{}", count, count == 1 ? "value" : "values",
-                            belong, belong == 1 ? "s" : "");
+            checked.remark = belong == 1 ? said({"{}, where 1 belongs", "{}, onde cabe 1"},
+                                                said_count(count, {"value", "número"}))
+                                         : said({"{}, where {} belong", "{}, onde cabem {}"},
+                                                said_count(count, {"value", "número"}), belong);
     }
 
     /// Remembers what is claimed of a number, and tells if somebody claims two things of one.
@@ -353,12 +385,13 @@ private:
             return;
         const std::size_t line = claims_.claims[order].line;
         const bool is_right = checked.verdict == ClaimVerdict::right;
-        const Said said{values_said(field, values), line, is_right};
-        const auto [place, is_new] = claimed_.try_emplace(name, said);
+        const Said here{values_said(field, values), line, is_right};
+        const auto [place, is_new] = claimed_.try_emplace(name, here);
         const Said& first = place->second;
-        const std::string remark = fmt::format("contradicts line {}", first.line);
+        const std::string remark =
+            said({"contradicts line {}", "contradiz a linha {} do arquivo"}, first.line);
         // Two roundings of one number are no contradiction.
-        if (!is_new && first.contradicts(said) && first.line != line &&
+        if (!is_new && first.contradicts(here) && first.line != line &&
             !(first.is_right && is_right) &&
             std::find(claim.remarks.begin(), claim.remarks.end(), remark) == claim.remarks.end())
             claim.remarks.push_back(remark);
@@ -392,20 +425,43 @@ private:
                                                     : checked_.open);
     }
 
-    /// Why a pixel is drawn or not, as `explain` says it: by the primitive that is named, or those that came nearest.
-    std::vector<std::string> why_pixel(const Subject& subject) const {
-        constexpr std::size_t most_told = 3;
-        const auto told =
+    /// What is told of the tries to write a pixel, and of the primitives that have not.
+    static constexpr std::size_t most_told = 3;
+
+    std::optional<Explanation> told_of_pixel(const Subject& subject) const {
+        auto told =
             explain(truth_.decided().trace(),
                     {.about = Topic::pixel, .pixel = pixel_of(subject), .most_why_not = most_told});
+        return told ? std::optional(std::move(told.value())) : std::nullopt;
+    }
+
+    /// What became of a pixel, and the last tries to write it; nothing of one that there was no more than one for.
+    std::vector<std::string> tries_at_pixel(const Subject& subject) const {
+        const auto told = told_of_pixel(subject);
+        if (!told || told->tries.size() < 2)
+            return {};
+        std::vector<std::string> lines{told->answer};
+        const std::size_t first = told->tries.size() - std::min(told->tries.size(), most_told);
+        for (std::size_t i = first; i < told->tries.size(); ++i)
+            lines.push_back(told->tries[i].sentence);
+        return lines;
+    }
+
+    /// Why a pixel is drawn or not, as `explain` says it: by the last that tried, and by the primitive that is named, or
+    /// those that came nearest.
+    std::vector<std::string> why_pixel(const Subject& subject) const {
+        const auto told = told_of_pixel(subject);
         if (!told)
             return {};
-        std::vector<std::string> lines{told.value().answer};
+        std::vector<std::string> lines{told->answer};
+        if (!told->tries.empty())
+            lines.insert(lines.end(), told->tries.back().working.begin(),
+                         told->tries.back().working.end());
         const auto* const in =
             std::find_if(subject.keys.data(), subject.keys.data() + subject.keys.size(),
                          [](const auto& key) { return key.first == "in"; });
         const bool names_one = in != subject.keys.data() + subject.keys.size();
-        for (const WhyNot& why : told.value().why_not) {
+        for (const WhyNot& why : told->why_not) {
             if (why.sentence.empty() || (names_one && why.primitive != in->second))
                 continue;
             lines.push_back(why.sentence);
@@ -445,6 +501,8 @@ private:
                 claim.working = why_pixel(*subjects_[i]);
                 continue;
             }
+            if (is_of_pixel)
+                claim.working = tries_at_pixel(*subjects_[i]);
             std::size_t step = step_of(*subjects_[i], wrong->name);
             if (const std::size_t at_place = step_of_place(*subjects_[i], *wrong); at_place != 0)
                 step = at_place;
@@ -461,7 +519,7 @@ private:
             for (std::string& line : working_of(*replay))
                 working.push_back(std::move(line));
             for (CheckedClaim* claim : claims)
-                claim->working = working;
+                claim->working.insert(claim->working.end(), working.begin(), working.end());
         }
     }
 

@@ -2,7 +2,7 @@
 #pragma once
 
 // Claims held against a scene, or against a trace: which are right, and of the wrong ones the right
-// value, how it is worked out, and the likely slip.
+// value, how it is worked out, and the likely slip. What is said of it is in the language of steps.
 //
 //     Truth truth(std::move(scene_source), {});
 //     const Checked checked = check(truth, claims);

@@ -15,22 +15,27 @@ namespace rastertrace {
 namespace {
 
 /// The words for true and false that only a table of claims has; of those that mean the same, the first is said.
-constexpr auto words_of_table = std::to_array<VerdictWord>({{"on", "plotted", "true"},
-                                                            {"drawn", "plotted", "true"},
-                                                            {"plotted", "plotted", "true"},
-                                                            {"filled", "plotted", "true"},
-                                                            {"black", "plotted", "true"},
-                                                            {"yes", "plotted", "true"},
-                                                            {"off", "plotted", "false"},
-                                                            {"empty", "plotted", "false"},
-                                                            {"blank", "plotted", "false"},
-                                                            {"white", "plotted", "false"},
-                                                            {"no", "plotted", "false"},
-                                                            {"visible", "visible", "true"},
-                                                            {"seen", "visible", "true"},
-                                                            {"hidden", "visible", "false"},
-                                                            {"passes", "pass", "true"},
-                                                            {"fails", "pass", "false"}});
+constexpr auto words_of_table =
+    std::to_array<VerdictWord>({{"on", "plotted", "true", {"on", "desenhado"}},
+                                {"drawn", "plotted", "true"},
+                                {"plotted", "plotted", "true"},
+                                {"filled", "plotted", "true"},
+                                {"black", "plotted", "true"},
+                                {"yes", "plotted", "true"},
+                                {"off", "plotted", "false", {"off", "não desenhado"}},
+                                {"empty", "plotted", "false"},
+                                {"blank", "plotted", "false"},
+                                {"white", "plotted", "false"},
+                                {"no", "plotted", "false"},
+                                {"visible", "visible", "true", {"visible", "visível"}},
+                                {"seen", "visible", "true"},
+                                {"hidden", "visible", "false", {"hidden", "escondido"}},
+                                {"passes", "pass", "true", {"passes", "passa"}},
+                                {"fails", "pass", "false", {"fails", "falha"}}});
+
+/// What stands where there is no value: none where one is claimed; a pixel that is neither visible nor hidden.
+constexpr std::array words_for_no_value{Words("none", "nenhum"), Words("one", "um"),
+                                        Words("outside", "fora")};
 
 /// The first word for which that holds, those of tables first; or nullptr.
 template <typename Holds> const VerdictWord* find_verdict_word(const Holds& holds) {
@@ -119,7 +124,12 @@ std::array<ClaimWord, 2> ClaimBuilder::point() {
 std::string_view word_for_value(std::string_view field, std::string_view value) {
     const VerdictWord* const known = find_verdict_word(
         [&](const VerdictWord& word) { return word.field == field && word.value == value; });
-    return known == nullptr ? value : known->word;
+    if (known != nullptr)
+        return known->told.in(language_of_steps());
+    for (const Words& word : words_for_no_value)
+        if (word.in(Language::english) == value)
+            return word.in(language_of_steps());
+    return value;
 }
 
 } // namespace rastertrace

@@ -70,28 +70,55 @@ bool is_one_of(const ClaimWord& word, std::span<const std::string_view> known) {
 /// What fields are called by who has not seen their names, because in a table they have none.
 struct FieldWords {
     std::string_view field;
-    std::string_view words;
+    Words words;
 };
-constexpr auto field_words = std::to_array<FieldWords>({{"left", "left end"},
-                                                        {"x", "ends of the row"},
-                                                        {"right", "right end"},
-                                                        {"from", "first pixel"},
-                                                        {"to", "last pixel"},
-                                                        {"left_depth", "depth at the left end"},
-                                                        {"right_depth", "depth at the right end"},
-                                                        {"dx_dy", "dx/dy"},
-                                                        {"plotted", "pixel"},
-                                                        {"inside", "pixel"},
-                                                        {"inverse_z", "1/z"},
-                                                        {"pass", "depth test"},
-                                                        {"culled", "face"},
-                                                        {"visible", "seen"},
-                                                        {"row_count", "number of rows"},
-                                                        {"pixel_count", "number of pixels"},
-                                                        {"share", "share of the color"},
-                                                        {"y_form", "m, b of y = m x + b"},
-                                                        {"x_form", "m, b of x = m y + b"},
-                                                        {"names", "order"}});
+constexpr auto field_words = std::to_array<FieldWords>(
+    {{"left", {"left end", "extremo esquerdo"}},
+     {"x", {"ends of the row", "extremos da linha"}},
+     {"right", {"right end", "extremo direito"}},
+     {"from", {"first pixel", "primeiro pixel"}},
+     {"to", {"last pixel", "último pixel"}},
+     {"left_depth", {"depth at the left end", "profundidade no extremo esquerdo"}},
+     {"right_depth", {"depth at the right end", "profundidade no extremo direito"}},
+     {"dx_dy", {"dx/dy", "dx/dy"}},
+     {"plotted", {"pixel", "pixel"}},
+     {"inside", {"pixel", "pixel"}},
+     {"inverse_z", {"1/z", "1/z"}},
+     {"pass", {"depth test", "teste de profundidade"}},
+     {"culled", {"face", "face"}},
+     {"visible", {"seen", "visibilidade"}},
+     {"row_count", {"number of rows", "número de linhas"}},
+     {"pixel_count", {"number of pixels", "número de pixels"}},
+     {"share", {"share of the color", "fração da cor"}},
+     {"y_form", {"m, b of y = m x + b", "m, b de y = m x + b"}},
+     {"x_form", {"m, b of x = m y + b", "m, b de x = m y + b"}},
+     {"names", {"order", "ordem"}},
+     // Called by their names in English.
+     {"angle", {"angle", "ângulo"}},
+     {"at", {"at", "posição"}},
+     {"centroid", {"centroid", "baricentro"}},
+     {"color", {"color", "cor"}},
+     {"cosine", {"cosine", "cosseno"}},
+     {"depth", {"depth", "profundidade"}},
+     {"distances", {"distances", "distâncias"}},
+     {"dot", {"dot", "produto escalar"}},
+     {"intensity", {"intensity", "intensidade"}},
+     {"left_edge", {"left_edge", "aresta esquerda"}},
+     {"light", {"light", "luz"}},
+     {"move", {"move", "direção"}},
+     {"octant", {"octant", "octante"}},
+     {"out", {"out", "vértices que restam"}},
+     {"picture", {"picture", "imagem"}},
+     {"plane", {"plane", "plano"}},
+     {"radius", {"radius", "raio"}},
+     {"right_edge", {"right_edge", "aresta direita"}},
+     {"rows", {"rows", "linhas"}},
+     {"snapped", {"snapped", "posição arredondada"}},
+     {"stored", {"stored", "profundidade guardada"}},
+     {"value", {"value", "valor"}},
+     {"vertices", {"vertices", "vértices"}},
+     {"view", {"view", "visão"}},
+     {"weights", {"weights", "pesos"}}});
 
 /// Reads the claim of one line. What is wrong is thrown as a Problem.
 class ClaimReader : ClaimBuilder {
@@ -751,11 +778,11 @@ std::size_t coordinates_in_space(std::string_view name) {
     return known == space_names.end() ? 0 : known->coordinates;
 }
 
-std::string_view words_for_field(std::string_view field) {
+std::string_view words_for_field(std::string_view field, Language language) {
     const auto known =
         std::find_if(field_words.begin(), field_words.end(),
                      [field](const FieldWords& words) { return words.field == field; });
-    return known == field_words.end() ? field : known->words;
+    return known == field_words.end() ? field : known->words.in(language);
 }
 
 } // namespace rastertrace

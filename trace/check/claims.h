@@ -12,6 +12,7 @@
 
 #include "typed_number.h"
 
+#include <rastertrace/trace/text/language.h>
 #include <rastertrace/trace/text/problem.h>
 
 #include <cstddef>
@@ -62,9 +63,9 @@ Result<Claims> read_claims(Source source);
 
 /// What a field is called where somebody reads it who has written a table, and no names of fields: "first pixel" for
 /// the `from` of a row.
-std::string_view words_for_field(std::string_view field);
+std::string_view words_for_field(std::string_view field, Language language = language_of_steps());
 
-/// A value of a field as such a table has it: "on" where `plotted` is true.
+/// A value of a field as such a table has it: "on" where `plotted` is true. In the language of steps.
 std::string_view word_for_value(std::string_view field, std::string_view value);
 
 /// True if a source holds claims rather than a scene or a trace: an object with the key "claims", or

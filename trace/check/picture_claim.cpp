@@ -2,6 +2,7 @@
 #include "picture_claim.h"
 
 #include <rastertrace/trace/record/traced_steps.h>
+#include <rastertrace/trace/tell/step_text.h>
 #include <rastertrace/trace/text/text.h>
 
 #include <fmt/core.h>
@@ -101,8 +102,8 @@ CheckedClaim check_picture(const Claim& claim, const Claims& claims, const StepI
     CheckedField field{.name = "picture"};
     if (extra + missing > 0) {
         field.verdict = checked.verdict = ClaimVerdict::wrong;
-        field.expected = "the picture";
-        field.found = fmt::format("{} too many, {} missing", extra, missing);
+        field.expected = said({"the picture", "a imagem"});
+        field.found = said({"{} too many, {} missing", "{} a mais, {} a menos"}, extra, missing);
     } else {
         field.verdict = is_open ? ClaimVerdict::open : ClaimVerdict::right;
         checked.picture.clear();

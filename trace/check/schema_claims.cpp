@@ -52,9 +52,9 @@ Json schema_of_field(const ClaimField& field) {
     const std::string form = form_of(field);
     if (field.is_key)
         return reference_to(form, "Says which step is meant");
-    return reference_to(
-        fmt::format("{}-{}", field.is_list ? "list-of" : "claimed", form),
-        fmt::format("Claimed: {}; null or \"?\" if it is left open", words_for_field(field.name)));
+    return reference_to(fmt::format("{}-{}", field.is_list ? "list-of" : "claimed", form),
+                        fmt::format("Claimed: {}; null or \"?\" if it is left open",
+                                    words_for_field(field.name, Language::english)));
 }
 
 /// Two fields of one name take what either does.

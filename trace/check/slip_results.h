@@ -44,6 +44,12 @@ private:
 /// Words of a slip that is a known mistake of programs, too (mistakes.h): they are that one's.
 inline constexpr std::string_view as_mistake = {};
 
+/// The same of what is done, and instead of what. Mistakes are told in English: words, other than formulas, are said in
+/// the other languages here.
+constexpr Words of_mistake(std::string_view portuguese = as_mistake) {
+    return {as_mistake, portuguese};
+}
+
 /// The formula, if it is of this form.
 template <typename Form> const Form* as_form(const Formula& formula) {
     return std::get_if<Form>(&formula.of);

@@ -3,8 +3,7 @@
 
 #include <rastertrace/core/draw/model/mistakes.h>
 #include <rastertrace/core/numbers/irrational.h>
-
-#include <fmt/core.h>
+#include <rastertrace/trace/tell/step_text.h>
 
 #include <algorithm>
 #include <array>
@@ -101,9 +100,9 @@ std::vector<SlipResult> slope_rounded_first(const Formula& formula) {
     constexpr unsigned most_digits = 3;
     for (unsigned digits = 0; slope && digits <= most_digits; ++digits) {
         const Rational rounded = rounded_to_digits(*slope, digits);
-        const std::string detail = digits == 0   ? "to a whole number"
-                                   : digits == 1 ? "to 1 digit"
-                                                 : fmt::format("to {} digits", digits);
+        const std::string detail =
+            digits == 0 ? said({"to a whole number", "para um número inteiro"})
+                        : said({"to {}", "para {}"}, said_count(digits, {"digit", "casa"}));
         results.add({lerp->d1 + rounded * (lerp->i - lerp->i1)}, detail);
         results.add({lerp->d2 + rounded * (lerp->i - lerp->i2)}, detail);
     }
@@ -580,69 +579,184 @@ std::vector<SlipResult> edge_the_other_way(const Formula& formula) {
     return results.take();
 }
 
+constexpr std::string_view rounding_down = "arredondar para baixo, floor(x)";
+constexpr std::string_view both_ends_down =
+    "arredondar para baixo nos dois extremos, floor(esquerdo) a floor(direito)";
+constexpr Words scenes_own_rule("the scene's own rule", "a regra da cena");
+
 constexpr Slip other_slips[] = {
-    {"truncate-for-floor", as_mistake, as_mistake, as_mistake, 150,
-     instead_of_floor<Rounding::truncate>},
-    {"nearest-for-floor", as_mistake, as_mistake, as_mistake, 120,
-     instead_of_floor<Rounding::nearest>},
-    {"inside-for-floor", as_mistake, as_mistake, as_mistake, 80,
-     instead_of_floor<Rounding::inside>},
-    {"half-open-for-floor", as_mistake, as_mistake, as_mistake, 80,
-     instead_of_floor<Rounding::half_open>},
-    {"dx-dy-inverted", as_mistake, as_mistake, as_mistake, 70, dx_dy_inverted},
-    {"dy-dx-inverted", "(x2 - x1) / (y2 - y1)", "(y2 - y1) / (x2 - x1)",
-     "steep edges lie flat, flat ones are steep", 70, dy_dx_inverted},
-    {"edge-the-other-way", "a sample on an edge decided the other way", "the scene's own rule",
-     "pixels on edges are missing, or drawn twice", 800, edge_the_other_way},
-    {"byte-cast", "cutting a level off to a whole number, or rounding it", "the scene's own rule",
-     as_mistake, 40, byte_cast},
-    {"color-by-distance", "the color by the distance, or by the steps", "the scene's own rule",
-     as_mistake, 20, color_by_other_share},
-    {"z-for-inverse-z", "z itself, or z in a straight line", "1/z in a straight line", as_mistake,
-     60, z_for_inverse_z},
-    {"start-and-step-exchanged", as_mistake, as_mistake, as_mistake, 20, start_and_step_exchanged},
-    {"y-for-z", "z in the place of y", "y", "what points away points up", 20, y_for_z},
-    {"view-turned-round", as_mistake, as_mistake, as_mistake, 40, view_turned_round},
-    {"cosine-of-dot-only", "the dot product alone", "the dot product divided by both lengths",
-     as_mistake, 30, cosine_of_dot_only},
-    {"normal-for-view", "the normal once more", "the view", "no face is turned away", 10,
+    {"truncate-for-floor", of_mistake("arredondar em direção a 0, int(x)"),
+     of_mistake(rounding_down), as_mistake, 150, instead_of_floor<Rounding::truncate>},
+    {"nearest-for-floor", of_mistake("arredondar para o mais próximo, round(x)"),
+     of_mistake(rounding_down), as_mistake, 120, instead_of_floor<Rounding::nearest>},
+    {"inside-for-floor",
+     of_mistake("só os pixels entre os extremos, ceil(esquerdo) a floor(direito)"),
+     of_mistake(both_ends_down), as_mistake, 80, instead_of_floor<Rounding::inside>},
+    {"half-open-for-floor",
+     of_mistake("deixar de fora o extremo direito, ceil(esquerdo) a ceil(direito) - 1"),
+     of_mistake(both_ends_down), as_mistake, 80, instead_of_floor<Rounding::half_open>},
+    {"dx-dy-inverted", of_mistake(), of_mistake(), as_mistake, 70, dx_dy_inverted},
+    {"dy-dx-inverted",
+     {"(x2 - x1) / (y2 - y1)", "(x2 - x1) / (y2 - y1)"},
+     {"(y2 - y1) / (x2 - x1)", "(y2 - y1) / (x2 - x1)"},
+     "steep edges lie flat, flat ones are steep",
+     70,
+     dy_dx_inverted},
+    {"edge-the-other-way",
+     {"a sample on an edge decided the other way",
+      "uma amostra sobre uma aresta decidida do outro modo"},
+     scenes_own_rule,
+     "pixels on edges are missing, or drawn twice",
+     800,
+     edge_the_other_way},
+    {"byte-cast",
+     {"cutting a level off to a whole number, or rounding it",
+      "cortar um nível até um número inteiro, ou arredondá-lo"},
+     scenes_own_rule,
+     as_mistake,
+     40,
+     byte_cast},
+    {"color-by-distance",
+     {"the color by the distance, or by the steps", "a cor pela distância, ou pelos passos"},
+     scenes_own_rule,
+     as_mistake,
+     20,
+     color_by_other_share},
+    {"z-for-inverse-z",
+     {"z itself, or z in a straight line", "o próprio z, ou z em linha reta"},
+     {"1/z in a straight line", "1/z em linha reta"},
+     as_mistake,
+     60,
+     z_for_inverse_z},
+    {"start-and-step-exchanged", of_mistake(), of_mistake(), as_mistake, 20,
+     start_and_step_exchanged},
+    {"y-for-z",
+     {"z in the place of y", "z no lugar de y"},
+     {"y", "y"},
+     "what points away points up",
+     20,
+     y_for_z},
+    {"view-turned-round", of_mistake("do olho para a face"), of_mistake("da face para o olho"),
+     as_mistake, 40, view_turned_round},
+    {"cosine-of-dot-only",
+     {"the dot product alone", "só o produto escalar"},
+     {"the dot product divided by both lengths",
+      "o produto escalar dividido pelos dois comprimentos"},
+     as_mistake,
+     30,
+     cosine_of_dot_only},
+    {"normal-for-view",
+     {"the normal once more", "a normal outra vez"},
+     {"the view", "a visão"},
+     "no face is turned away",
+     10,
      normal_for_view},
-    {"corner-for-center", as_mistake, as_mistake, as_mistake, 40, corner_for_center},
-    {"corner-for-centroid", "a corner", "the centroid",
-     "faces near the silhouette are culled wrongly", 15, corner_for_centroid},
-    {"not-divided", "leaving out a division", "dividing", "numbers that are too large", 30,
+    {"corner-for-center", of_mistake("a amostra de um pixel é (x, y)"), of_mistake(), as_mistake,
+     40, corner_for_center},
+    {"corner-for-centroid",
+     {"a corner", "um vértice"},
+     {"the centroid", "o baricentro"},
+     "faces near the silhouette are culled wrongly",
+     15,
+     corner_for_centroid},
+    {"not-divided",
+     {"leaving out a division", "deixar de fora uma divisão"},
+     {"dividing", "dividir"},
+     "numbers that are too large",
+     30,
      not_divided},
-    {"only-z-divided", "dividing z alone by w, or x and y alone", "dividing x, y and z by w",
-     "the picture has no perspective, or the depths have none", 15, only_z_divided},
-    {"slope-rounded-first", "rounding the slope before it was used", "rounding at the end",
-     "the further from the start, the further off", 40, slope_rounded_first},
-    {"neighbor-row", "taking the row or column beside", "this one", "the table is moved by one row",
-     20, neighbor_row},
-    {"sign", "losing or adding a minus", "keeping each sign", "mirrored", 60, sign},
-    {"term-dropped", "leaving out a term of the sum", "all terms", "moved by a constant", 20,
+    {"only-z-divided",
+     {"dividing z alone by w, or x and y alone", "dividir só z por w, ou só x e y"},
+     {"dividing x, y and z by w", "dividir x, y e z por w"},
+     "the picture has no perspective, or the depths have none",
+     15,
+     only_z_divided},
+    {"slope-rounded-first",
+     {"rounding the slope before it was used", "arredondar a inclinação antes de usá-la"},
+     {"rounding at the end", "arredondar no fim"},
+     "the further from the start, the further off",
+     40,
+     slope_rounded_first},
+    {"neighbor-row",
+     {"taking the row or column beside", "tomar a linha ou coluna ao lado"},
+     {"this one", "esta"},
+     "the table is moved by one row",
+     20,
+     neighbor_row},
+    {"sign",
+     {"losing or adding a minus", "perder ou acrescentar um sinal de menos"},
+     {"keeping each sign", "manter cada sinal"},
+     "mirrored",
+     60,
+     sign},
+    {"term-dropped",
+     {"leaving out a term of the sum", "deixar de fora um termo da soma"},
+     {"all terms", "todos os termos"},
+     "moved by a constant",
+     20,
      term_dropped},
-    {"slope-of-zero", as_mistake, as_mistake, as_mistake, 25, slope_of_zero},
-    {"three-corners", "three corners of a polygon", "all of its corners",
-     "the normal of a bent face leans", 150, three_corners},
-    {"c-minus-a", "another corner", "the edge's own corner", "the edge of another pair of vertices",
-     15, c_minus_a},
-    {"pixel-for-end", "the pixel", "the exact end of the row",
-     "whole numbers where fractions belong", 10, pixel_for_end},
-    {"integer-division", as_mistake, as_mistake, as_mistake, 20, integer_division},
-    {"coordinates-exchanged", "two coordinates exchanged", "x, y, z in this order",
-     "mirrored at a diagonal", 15, coordinates_exchanged},
-    {"angle-for-cosine", "the angle", "its cosine", "numbers beyond 1", 15, angle_for_cosine},
-    {"complement-of-angle", "the sine, as of 90 degrees less the angle", "the cosine of the angle",
-     "bright where it should be dark", 5, complement_of_angle},
-    {"another-rounding", "another rule for rounding", "the scene's own", "ends one pixel beside",
-     30, another_rounding},
+    {"slope-of-zero", of_mistake(), of_mistake(), as_mistake, 25, slope_of_zero},
+    {"three-corners",
+     {"three corners of a polygon", "três vértices de um polígono"},
+     {"all of its corners", "todos os seus vértices"},
+     "the normal of a bent face leans",
+     150,
+     three_corners},
+    {"c-minus-a",
+     {"another corner", "outro vértice"},
+     {"the edge's own corner", "o vértice da própria aresta"},
+     "the edge of another pair of vertices",
+     15,
+     c_minus_a},
+    {"pixel-for-end",
+     {"the pixel", "o pixel"},
+     {"the exact end of the row", "o extremo exato da linha"},
+     "whole numbers where fractions belong",
+     10,
+     pixel_for_end},
+    {"integer-division", of_mistake(), of_mistake(), as_mistake, 20, integer_division},
+    {"coordinates-exchanged",
+     {"two coordinates exchanged", "duas coordenadas trocadas"},
+     {"x, y, z in this order", "x, y, z nesta ordem"},
+     "mirrored at a diagonal",
+     15,
+     coordinates_exchanged},
+    {"angle-for-cosine",
+     {"the angle", "o ângulo"},
+     {"its cosine", "seu cosseno"},
+     "numbers beyond 1",
+     15,
+     angle_for_cosine},
+    {"complement-of-angle",
+     {"the sine, as of 90 degrees less the angle", "o seno, como de 90 graus menos o ângulo"},
+     {"the cosine of the angle", "o cosseno do ângulo"},
+     "bright where it should be dark",
+     5,
+     complement_of_angle},
+    {"another-rounding",
+     {"another rule for rounding", "outra regra de arredondamento"},
+     {"the scene's own", "a da cena"},
+     "ends one pixel beside",
+     30,
+     another_rounding},
 };
+
+/// Words of a slip, with those of its mistake where it has none.
+Words filled(const Words& words, std::string_view of_its_mistake) {
+    const auto in = [&](Language language) {
+        const std::string_view own = words.in(language);
+        return own.empty() ? of_its_mistake : own;
+    };
+    return {in(Language::english), in(Language::portuguese)};
+}
 
 } // namespace
 
 std::string meaning_of(const Slip& slip, std::string_view detail) {
-    return fmt::format("{}{}{}{} instead of {}", slip.done, detail.empty() ? "" : " (", detail,
-                       detail.empty() ? "" : ")", slip.instead_of);
+    const Language language = language_of_steps();
+    return said({"{}{}{}{} instead of {}", "{}{}{}{} em vez de {}"}, slip.done.in(language),
+                detail.empty() ? "" : " (", detail, detail.empty() ? "" : ")",
+                slip.instead_of.in(language));
 }
 
 std::span<const Slip> slips() {
@@ -652,11 +766,10 @@ std::span<const Slip> slips() {
             rows.insert(rows.end(), more.begin(), more.end());
         for (Slip& row : rows)
             if (const Mistake* const mistake = find_mistake(row.name)) {
-                for (const auto& [words, of_mistake] : {std::pair(&row.done, mistake->says),
-                                                        {&row.instead_of, mistake->should},
-                                                        {&row.symptom, mistake->symptom}})
-                    if (words->empty())
-                        *words = of_mistake;
+                row.done = filled(row.done, mistake->says);
+                row.instead_of = filled(row.instead_of, mistake->should);
+                if (row.symptom.empty())
+                    row.symptom = mistake->symptom;
             }
         return rows;
     }();

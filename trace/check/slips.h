@@ -8,6 +8,7 @@
 //         slip.redo(formula);  // what it would have come to
 
 #include <rastertrace/trace/tell/formula.h>
+#include <rastertrace/trace/text/language.h>
 
 #include <span>
 #include <string>
@@ -24,18 +25,18 @@ struct SlipResult {
 
 /// One mistake.
 struct Slip {
-    std::string_view name;       ///< "truncate-for-floor"
-    std::string_view done;       ///< "z in the place of y"
-    std::string_view instead_of; ///< "y"
-    std::string_view symptom;    ///< what is seen of it in the picture or the numbers
-    double in_thousand; ///< a guess of how many wrong numbers come of it, where it can happen
+    std::string_view name;    ///< "truncate-for-floor"
+    Words done;               ///< "z in the place of y"
+    Words instead_of;         ///< "y"
+    std::string_view symptom; ///< what is seen of it in the picture or the numbers
+    double in_thousand;       ///< a guess of how many wrong numbers come of it, where it can happen
 
     /// What the formula comes to with the mistake in it: one result for each way to make it, none of
     /// which is the right one. None if the formula has no place for it.
     std::vector<SlipResult> (*redo)(const Formula& formula);
 };
 
-/// "rounding toward 0 instead of rounding down"
+/// "rounding toward 0 instead of rounding down", in the language of steps.
 std::string meaning_of(const Slip& slip, std::string_view detail = {});
 
 /// All of them.

@@ -4,8 +4,7 @@
 #include "slip_results.h"
 
 #include <rastertrace/core/numbers/irrational.h>
-
-#include <fmt/core.h>
+#include <rastertrace/trace/tell/step_text.h>
 
 #include <array>
 #include <cmath>
@@ -105,7 +104,7 @@ std::vector<SlipResult> factors_exchanged(const Formula& formula) {
         std::vector<Factor> factors = times->factors;
         std::swap(factors[i - 1], factors[i]);
         results.add(product_of(factors, *times),
-                    fmt::format("{} before {}", factors[i].name, factors[i - 1].name));
+                    said({"{} before {}", "{} antes de {}"}, factors[i].name, factors[i - 1].name));
     }
     return results.take();
 }
@@ -127,13 +126,24 @@ std::vector<SlipResult> size_for_last_pixel(const Formula& formula) {
 }
 
 constexpr Slip matrix_slips[] = {
-    {"turned-the-other-way", as_mistake, as_mistake, as_mistake, 30, turned_the_other_way},
-    {"degrees-for-radians", "the number of degrees taken for radians", "degrees",
-     "the angle seems to be any", 30, degrees_for_radians},
-    {"factors-exchanged", as_mistake, as_mistake, as_mistake, 30, factors_exchanged},
-    {"size-for-last-pixel", as_mistake, as_mistake, as_mistake, 30, size_for_last_pixel},
-    {"rows-for-columns", "the columns of the matrix taken for rows", "its rows",
-     "turned the other way, and moved nowhere", 20, rows_for_columns},
+    {"turned-the-other-way", of_mistake("sin no lugar de -sin"), of_mistake(), as_mistake, 30,
+     turned_the_other_way},
+    {"degrees-for-radians",
+     {"the number of degrees taken for radians", "o número de graus tomado por radianos"},
+     {"degrees", "graus"},
+     "the angle seems to be any",
+     30,
+     degrees_for_radians},
+    {"factors-exchanged", of_mistake("as matrizes na outra ordem"),
+     of_mistake("o último passo primeiro: sua matriz fica à esquerda"), as_mistake, 30,
+     factors_exchanged},
+    {"size-for-last-pixel", of_mistake(), of_mistake(), as_mistake, 30, size_for_last_pixel},
+    {"rows-for-columns",
+     {"the columns of the matrix taken for rows", "as colunas da matriz tomadas por linhas"},
+     {"its rows", "suas linhas"},
+     "turned the other way, and moved nowhere",
+     20,
+     rows_for_columns},
 };
 
 } // namespace

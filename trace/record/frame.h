@@ -38,6 +38,12 @@ struct Frame {
           writes(parts.writes ? drawn_by.size() : 0),
           stored_by(parts.depths ? drawn_by.size() : 0) {}
 
+    /// The memory that it takes.
+    std::size_t bytes() const {
+        return image.colors().size() * sizeof(Color) + drawn_by.size() * sizeof(std::size_t) +
+               writes.size() * sizeof(std::uint32_t) + stored_by.size() * sizeof(std::size_t);
+    }
+
     Image image;
     BlankVector<std::size_t> drawn_by; ///< the last step that plotted the pixel; 0 for none
     BlankVector<std::uint32_t> writes; ///< how often the pixel was plotted

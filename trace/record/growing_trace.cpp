@@ -6,6 +6,7 @@
 
 #include <rastertrace/trace/text/first_line.h>
 #include <rastertrace/trace/text/input_file.h>
+#include <rastertrace/trace/text/language.h>
 #include <rastertrace/trace/text/mapped_file.h>
 #include <rastertrace/trace/text/nameless_file.h>
 #include <rastertrace/trace/text/output.h>
@@ -97,6 +98,11 @@ void GrowingTrace::let_numbers_give(std::map<std::size_t, std::string> values_of
         std::make_shared<const std::map<std::size_t, std::string>>(std::move(values_of_steps));
 }
 
+void GrowingTrace::forget_text() const {
+    if (state_->trace.source_.mapped)
+        state_->trace.source_.mapped->forget();
+}
+
 bool GrowingTrace::is_whole() const {
     return state_->is_whole;
 }
@@ -162,23 +168,26 @@ bool GrowingTrace::State::read_on() {
 std::optional<std::string> GrowingTrace::change() const {
     if (!state_->steps || state_->path.empty())
         return std::nullopt;
+    const auto changed = [this](const Words& what) {
+        return state_->path + std::string(what.in(language_of_steps()));
+    };
     const struct stat& before = state_->status;
     const struct stat now = status_of(state_->descriptor, state_->name);
     struct stat at_path {};
     if (::stat(state_->path.c_str(), &at_path) == 0 &&
         (at_path.st_ino != before.st_ino || at_path.st_dev != before.st_dev))
-        return state_->path + " is another file now";
+        return changed({" is another file now", " agora é outro arquivo"});
     // Of a file that was cut nothing may be read, so its last step is only measured.
     const Trace& trace = state_->trace;
     const StepView last = trace.size() == 0 ? StepView("") : trace.step(trace.size());
     const std::size_t needed =
         trace.size() == 0 ? 0 : trace.offset_of(trace.size()) + last.json().size();
     if (now.st_size < before.st_size || static_cast<std::size_t>(now.st_size) < needed)
-        return state_->path + " was cut short";
+        return changed({" was cut short", " foi encurtado"});
     const bool is_written = now.st_mtim.tv_sec != before.st_mtim.tv_sec ||
                             now.st_mtim.tv_nsec != before.st_mtim.tv_nsec;
     if (is_written)
-        return state_->path + " was changed";
+        return changed({" was changed", " foi alterado"});
     return std::nullopt;
 }
 

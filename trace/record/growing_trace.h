@@ -51,6 +51,9 @@ public:
     /// is damage, and the end.
     bool read_on();
 
+    /// Gives back the memory of the steps that have been looked at; they are still there.
+    void forget_text() const;
+
     /// All has been read.
     bool is_whole() const;
 
@@ -63,8 +66,8 @@ public:
     /// Waits until there is more from it.
     void wait_for_pipe() const;
 
-    /// Why the file is not what was read any more, if somebody has cut it short or written it anew. Its steps must not
-    /// be looked at then.
+    /// Why the file is not what was read any more, if somebody has cut it short or written it anew, in the language of
+    /// steps. Its steps must not be looked at then.
     std::optional<std::string> change() const;
 
 private:

@@ -3,6 +3,8 @@
 
 // What people say for the values of a boolean field: selectors and claims share the words.
 
+#include <rastertrace/trace/text/language.h>
+
 #include <array>
 #include <string_view>
 
@@ -12,13 +14,15 @@ struct VerdictWord {
     std::string_view word;
     std::string_view field;
     std::string_view value;
+    Words told{word, word}; ///< how an answer says it; most are only read
 };
 
-inline constexpr std::array<VerdictWord, 6> verdict_words{{{"pass", "pass", "true"},
-                                                           {"fail", "pass", "false"},
-                                                           {"culled", "culled", "true"},
-                                                           {"drawn", "culled", "false"},
-                                                           {"inside", "inside", "true"},
-                                                           {"outside", "inside", "false"}}};
+inline constexpr std::array<VerdictWord, 6> verdict_words{
+    {{"pass", "pass", "true"},
+     {"fail", "pass", "false"},
+     {"culled", "culled", "true", {"culled", "eliminada"}},
+     {"drawn", "culled", "false", {"drawn", "desenhada"}},
+     {"inside", "inside", "true", {"inside", "dentro"}},
+     {"outside", "inside", "false", {"outside", "fora"}}}};
 
 } // namespace rastertrace

@@ -22,6 +22,7 @@
 #include <rastertrace/trace/text/json_document.h>
 #include <rastertrace/trace/text/json_reader.h>
 #include <rastertrace/trace/text/json_scanner.h>
+#include <rastertrace/trace/text/language.h>
 #include <rastertrace/trace/text/method_file.h>
 #include <rastertrace/trace/text/name_index.h>
 #include <rastertrace/trace/text/primitive_name.h>
@@ -1315,7 +1316,7 @@ std::size_t SceneSequence::count() const {
 }
 
 std::string SceneSequence::label(std::size_t frame) const {
-    return state_->variations.label(frame);
+    return state_->variations.label(frame, language_of_steps());
 }
 
 PlannedScene SceneSequence::frame(std::size_t frame) {

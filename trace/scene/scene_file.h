@@ -74,7 +74,7 @@ public:
     /// How many frames it has.
     std::size_t count() const;
 
-    /// What is said of a frame: `3 of 24: degrees 30`.
+    /// What is said of a frame, in the language of steps: `3 of 24: degrees 30`.
     std::string label(std::size_t frame) const;
 
     /// Reads a frame, from 1 to count(), as read_scene does; throws a Problem.

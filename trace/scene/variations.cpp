@@ -287,7 +287,7 @@ Variations::Variations(const JsonReader& json, const JsonValue& root,
     }
 }
 
-std::string Variations::label(std::size_t frame) const {
+std::string Variations::label(std::size_t frame, Language language) const {
     // Two numbers of one short name are told by their pointers.
     const auto name_of = [this](const Varying& one) {
         const std::string_view name = short_name(one.pointer);
@@ -300,7 +300,8 @@ std::string Variations::label(std::size_t frame) const {
     std::vector<std::string> numbers;
     for (const Varying& one : varying_)
         numbers.push_back(fmt::format("{} {}", name_of(one), short_text(one.values[frame - 1])));
-    return fmt::format("{} of {}: {}", frame, count(), joined(numbers, ", "));
+    return fmt::format("{} {} {}: {}", frame, Words("of", "de").in(language), count(),
+                       joined(numbers, ", "));
 }
 
 void Variations::put_into(JsonDocument& document, std::size_t frame) const {

@@ -12,6 +12,7 @@
 
 #include <rastertrace/trace/text/json_document.h>
 #include <rastertrace/trace/text/json_reader.h>
+#include <rastertrace/trace/text/language.h>
 
 #include <gmpxx.h>
 
@@ -34,7 +35,7 @@ public:
     bool empty() const { return varying_.empty(); }
 
     /// `3 of 24: degrees 30`, for a frame from 1 to count().
-    std::string label(std::size_t frame) const;
+    std::string label(std::size_t frame, Language language = Language::english) const;
 
     /// Puts the numbers of a frame into the document, or into another one of the same source.
     void put_into(JsonDocument& document, std::size_t frame) const;

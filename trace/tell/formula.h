@@ -308,7 +308,7 @@ struct Formula {
 /// (y1 z2 - z1 y2, z1 x2 - x1 z2, x1 y2 - y1 x2), with the numbers put in.
 std::string cross_written_out(const Vec<Rational, 3>& a, const Vec<Rational, 3>& b);
 
-/// What a formula is, for who has to find it: in words, and in letters.
+/// What a formula is, for who has to find it: in words of the language of steps, and in letters.
 struct FormulaRule {
     std::string_view rule;
     std::string_view formula;

@@ -151,7 +151,14 @@ void edge(Sheet& sheet) {
     const auto function = edge_function_in(sheet.trace(), step, sheet.primitive);
     if (!corners || !function)
         return;
-    const auto is_at = [](const Vec2& a, const Vec2& b) { return a.x == b.x && a.y == b.y; };
+    // E is above 0 inside: that decides the signs.
+    const auto a = step.a.exact();
+    const auto b = step.b.exact();
+    if (a == dy && b == -dx)
+        sheet.put(fmt::format("a = dy = {}, b = -dx = {}", text(dy), text(-dx)));
+    else if (a == -dy && b == dx)
+        sheet.put(fmt::format("a = -dy = {}, b = dx = {}", text(-dy), text(dx)));
+    const auto is_at = [](const Vec2& p, const Vec2& q) { return p.x == q.x && p.y == q.y; };
     for (std::size_t i = 0; i < 3; ++i)
         if (const Vec2& p = (*corners)[i]; !is_at(p, *from) && !is_at(p, *to))
             sheet.put(said({"E at {} = {}", "E em {} = {}"}, sheet.primitive.vertices[i],
@@ -323,11 +330,10 @@ void sample(Sheet& sheet) {
     const auto& names = sheet.primitive.vertices;
     const Vec3 xs = of_sample->xs();
     const Vec3 ys = of_sample->ys();
-    sheet.put(
-        said({"P = {}: {} = {}, {} = {}, P to {} = {}", "P = {}: {} = {}, {} = {}, P a {} = {}"},
-             text(of_sample->sample), edge_name(sheet.primitive, 0, 1), text(Vec2{xs.x, ys.x}),
-             edge_name(sheet.primitive, 0, 2), text(Vec2{xs.y, ys.y}), names[0],
-             text(Vec2{xs.z, ys.z})));
+    sheet.put(said({"{} = {}, {} = {}, {} to {} = {}", "{} = {}, {} = {}, {} a {} = {}"},
+                   edge_name(sheet.primitive, 0, 1), text(Vec2{xs.x, ys.x}),
+                   edge_name(sheet.primitive, 0, 2), text(Vec2{xs.y, ys.y}),
+                   text(of_sample->sample), names[0], text(Vec2{xs.z, ys.z})));
     sheet.put(of_sample->written_out());
     const auto [of_a, of_b, of_c] = *of_sample->value();
     sheet.put(said({"divided by {}: u = {} of {}, v = {} of {}, 1 - u - v = {} of {}",

@@ -2,8 +2,8 @@
 #pragma once
 
 // The languages in which steps are told: their sentences (describe.h) and workings (working.h), what explain.h answers
-// about them and how two traces differ (diff.h). Messages, help and the words of the file formats are English in all of
-// them.
+// about them, what is found about claims (check.h), how two traces differ (diff.h), what stands around a frame and all
+// that the player says. Messages, help and the words of the file formats are English in all of them.
 //
 //     tell_steps_in(Language::portuguese);
 //     describe_step(replay);  // "aresta BC: horizontal, não tem dx/dy"

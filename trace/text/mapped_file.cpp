@@ -33,6 +33,10 @@ std::shared_ptr<const MappedFile> MappedFile::of(int descriptor, const std::stri
     }
 }
 
+void MappedFile::forget() const {
+    ::madvise(const_cast<char*>(begin_), room_, MADV_DONTNEED); // of a file, it changes no byte
+}
+
 MappedFile::~MappedFile() {
     ::munmap(const_cast<char*>(begin_), room_); // it only lets go of the bytes
 }

@@ -27,6 +27,9 @@ public:
     /// What was there when it was mapped.
     std::string_view text() const { return {begin_, size_}; }
 
+    /// Gives back the memory of the bytes that have been looked at. Looked at again, they come from the file.
+    void forget() const;
+
     /// The first of its bytes, with what has been added since.
     std::string_view first(std::size_t size) const { return {begin_, size}; }
 

@@ -6,7 +6,9 @@
 
 #include <rastertrace/trace/check/claims.h>
 #include <rastertrace/trace/check/slips.h>
+#include <rastertrace/trace/tell/step_text.h>
 #include <rastertrace/trace/text/in_threads.h>
+#include <rastertrace/trace/text/language.h>
 #include <rastertrace/trace/text/text.h>
 
 #include <fmt/core.h>
@@ -94,8 +96,9 @@ std::string left_out_in_words(const std::vector<std::string>& names) {
         ++by_ending[fs::path(name).extension().string()];
     std::vector<std::string> told;
     for (const auto& [ending, count] : by_ending)
-        told.push_back(
-            fmt::format("{} {}", count, ending.empty() ? "without an ending" : printable(ending)));
+        told.push_back(fmt::format("{} {}", count,
+                                   ending.empty() ? said({"without an ending", "sem extensão"})
+                                                  : printable(ending)));
     return joined(told, ", ");
 }
 
@@ -120,7 +123,8 @@ std::vector<SlipCount> slip_counts(const std::vector<SheetMark>& sheets) {
 
 /// "truncate-for-floor", or what stands for none.
 std::string_view shown_name(const SlipCount& slip) {
-    return slip.name.empty() ? std::string_view("(no slip that is known)") : slip.name;
+    constexpr Words none("(no slip that is known)", "(nenhum deslize conhecido)");
+    return slip.name.empty() ? none.in(language_of_steps()) : slip.name;
 }
 
 } // namespace
@@ -172,11 +176,12 @@ std::string class_text(const ClassMarks& marks) {
         if (!sheet.problem && counts.wrong + counts.follow + counts.open == 0)
             ++all_right;
     }
-    text += fmt::format("\n{} {}, {} all right\n", marks.sheets.size(),
-                        marks.sheets.size() == 1 ? "sheet" : "sheets", all_right);
+    text += said({"\n{}, {} all right\n", "\n{}, {} com tudo certo\n"},
+                 said_count(marks.sheets.size(), {"sheet", "folha"}), all_right);
     const auto slips = slip_counts(marks.sheets);
     if (!slips.empty())
-        text += "\nThe most likely slip of a sheet, and of how many sheets:\n";
+        text += said({"\nThe most likely slip of a sheet, and of how many sheets:\n",
+                      "\nO deslize mais provável de uma folha, e de quantas folhas:\n"});
     constexpr std::size_t longest_bar = 40;
     std::size_t name_width = 0;
     for (const SlipCount& slip : slips)
@@ -192,7 +197,8 @@ std::string class_text(const ClassMarks& marks) {
                         slip.sheets, known ? "  " + meaning_of(*known) : "");
     }
     if (!marks.left_out.empty())
-        text += fmt::format("\nno sheets: {}\n", left_out_in_words(marks.left_out));
+        text += said({"\nno sheets: {}\n", "\nnão são folhas: {}\n"},
+                     left_out_in_words(marks.left_out));
     return text;
 }
 
@@ -205,7 +211,9 @@ Drawing slip_chart(const std::vector<SheetMark>& sheets) {
     const auto slips = slip_counts(sheets);
     Drawing chart{.width = names_end + longest_bar + 60,
                   .height = 2 * margin + static_cast<double>(slips.size() + 1) * line_height,
-                  .title = fmt::format("The most likely slips in {} sheets", sheets.size())};
+                  .title = said({"The most likely slips in {} sheets",
+                                 "Os deslizes mais prováveis em {} folhas"},
+                                sheets.size())};
     chart.shapes.push_back(Label{.role = Role::strong_text,
                                  .at = {margin, margin + size},
                                  .text = chart.title,

@@ -5,6 +5,7 @@
 #include "check_report.h"
 
 #include <rastertrace/trace/record/write_trace.h>
+#include <rastertrace/trace/tell/step_text.h>
 #include <rastertrace/trace/text/text.h>
 
 #include <fmt/core.h>
@@ -30,13 +31,13 @@ std::vector<GradedClaim> graded(const std::vector<CheckedFile>& files, CheckTold
         for (const Mark& mark : file.marks) {
             GradedClaim test{.name = {},
                              .output = {},
-                             .verdict = name_of(mark.verdict),
+                             .verdict = in_words(mark.verdict),
                              .points = points_of(mark.verdict)};
             for (const std::size_t i : mark.claims) {
                 const CheckedClaim& claim = file.checked.claims[i];
                 test.name +=
-                    fmt::format("{}line {}: {}", test.name.empty() ? "" : "; ",
-                                file.claim_of(claim).line, shown_claim(file.claim_of(claim)));
+                    said({"{}line {}: {}", "{}linha {}: {}"}, test.name.empty() ? "" : "; ",
+                         file.claim_of(claim).line, shown_claim(file.claim_of(claim)));
                 test.output += about_claim(file, claim, told);
             }
             if (mark.claims.empty())

@@ -4,6 +4,7 @@
 #include "check_report.h"
 
 #include <rastertrace/figures/svg.h>
+#include <rastertrace/trace/tell/step_text.h>
 #include <rastertrace/trace/text/text.h>
 
 #include <fmt/core.h>
@@ -19,7 +20,7 @@ std::string message_of(const CheckedFile& file, const CheckedClaim& claim) {
         if (is_wrong(field.verdict))
             parts.push_back(file.difference(field, field.expected, field.found));
     parts.insert(parts.end(), claim.remarks.begin(), claim.remarks.end());
-    return parts.empty() ? "wrong" : joined(parts, "; ");
+    return parts.empty() ? std::string(in_words(ClaimVerdict::wrong)) : joined(parts, "; ");
 }
 
 /// The likely slips, the picture and the working, a line each.
@@ -27,8 +28,8 @@ std::string body_of(const CheckedFile& file, const CheckedClaim& claim) {
     std::string text;
     for (const CheckedField& field : claim.fields)
         for (const LikelySlip& slip : field.slips)
-            text += fmt::format("{}: likely slip {}: {}\n", file.in_words(field.name), slip.name,
-                                slip.meaning);
+            text += said({"{}: likely slip {}: {}\n", "{}: deslize provável {}: {}\n"},
+                         file.in_words(field.name), slip.name, slip.meaning);
     for (const auto* lines : {&claim.picture, &claim.working})
         for (const std::string& line : *lines)
             text += line + "\n";
@@ -45,15 +46,17 @@ std::string escaped_lines(const std::string& text) {
 
 std::string test_case(const CheckedFile& file, const CheckedClaim& claim, CheckTold told) {
     const Claim& claimed = file.claim_of(claim);
-    const std::string head = fmt::format(R"(    <testcase classname="{}" name="line {}: {}")",
-                                         escaped(file.name), claimed.line, escaped(claimed.text));
+    const std::string head =
+        fmt::format(R"(    <testcase classname="{}" name="{}")", escaped(file.name),
+                    said({"line {}: {}", "linha {}: {}"}, claimed.line, escaped(claimed.text)));
     if (claim.verdict == ClaimVerdict::open)
         return head + "><skipped/></testcase>\n";
     if (!is_wrong(claim.verdict))
         return head + "/>\n";
     return head +
            fmt::format(">\n      <failure message=\"{}\">{}</failure>\n    </testcase>\n",
-                       told == CheckTold::answers ? escaped(message_of(file, claim)) : "wrong",
+                       told == CheckTold::answers ? escaped(message_of(file, claim))
+                                                  : std::string(in_words(ClaimVerdict::wrong)),
                        escaped_lines(told == CheckTold::answers ? body_of(file, claim)
                                                                 : about_claim(file, claim, told)));
 }

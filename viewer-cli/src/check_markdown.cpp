@@ -4,6 +4,7 @@
 #include "check_report.h"
 #include "markdown.h"
 
+#include <rastertrace/trace/tell/step_text.h>
 #include <rastertrace/trace/text/text.h>
 
 #include <fmt/core.h>
@@ -13,7 +14,8 @@ namespace rastertrace {
 namespace {
 
 std::string table_of(const CheckedFile& file, CheckTold told) {
-    std::string text = "| line | claim | |\n|---|---|---|\n";
+    std::string text =
+        said({"| line | claim | |\n|---|---|---|\n", "| linha | afirmação | |\n|---|---|---|\n"});
     std::string details;
     for (const CheckedClaim& claim : file.checked.claims) {
         text += fmt::format("| {} | {} | {} |\n", file.claim_of(claim).line,
@@ -23,8 +25,8 @@ std::string table_of(const CheckedFile& file, CheckTold told) {
             details += fmt::format("{}\n{}", place_of(file, claim), about);
     }
     if (!details.empty())
-        text +=
-            "\n<details><summary>What is wrong</summary>\n\n" + fenced(details) + "\n</details>\n";
+        text += fmt::format("\n<details><summary>{}</summary>\n\n{}\n</details>\n",
+                            said({"What is wrong", "O que está errado"}), fenced(details));
     return text;
 }
 

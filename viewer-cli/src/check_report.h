@@ -53,7 +53,10 @@ struct CheckedFile {
 /// right, wrong, follows, open
 std::string_view name_of(ClaimVerdict verdict);
 
-/// The same, with less than the answers only `wrong` for what follows from a wrong number.
+/// The same in the language of steps, as all that follows here.
+std::string_view in_words(ClaimVerdict verdict);
+
+/// In words, with less than the answers only `wrong` for what follows from a wrong number.
 std::string_view verdict_of(const CheckedClaim& claim, CheckTold told);
 
 /// Of 1: what goes on rightly from a wrong number loses nothing more.

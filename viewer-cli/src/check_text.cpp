@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "check_report.h"
 
+#include <rastertrace/trace/tell/step_text.h>
 #include <rastertrace/trace/tell/working.h>
+#include <rastertrace/trace/text/language.h>
 #include <rastertrace/trace/text/text.h>
 
 #include <fmt/core.h>
@@ -33,14 +35,23 @@ std::string shown_expected(std::string_view text) {
     return shortened(printable(as_in_working(text)), shown_of_expected);
 }
 
+/// `, number 3` of a list.
+std::string place_in_list(const CheckedField& field) {
+    return field.place == 0 ? "" : said({", number {}", ", número {}"}, field.place);
+}
+
 /// `; follows from line 2`, or `from its left end`, which is in the same line
 std::string origin_of(const CheckedFile& file, const CheckedField& field,
                       std::size_t line_of_claim) {
-    const std::string origin = field.follows_from == line_of_claim
-                                   ? fmt::format("its {}", file.in_words(field.follows_from_field))
-                                   : fmt::format("line {}", field.follows_from);
-    return fmt::format("; follows from {}{}", origin,
-                       field.follows_from_rounded ? ", which is rounded" : "");
+    const std::string origin =
+        field.follows_from == line_of_claim
+            ? said({"its {}", "de {}, na mesma linha do arquivo"},
+                   file.in_words(field.follows_from_field))
+            : said({"line {}", "da linha {} do arquivo"}, field.follows_from);
+    return said({"; follows from {}{}", "; decorre {}{}"}, origin,
+                field.follows_from_rounded
+                    ? said({", which is rounded", ", de um número arredondado"})
+                    : "");
 }
 
 /// `first pixel: expected -1, found 0; follows from line 2`
@@ -62,8 +73,8 @@ std::string slip_lines(const CheckedClaim& claim) {
     for (const CheckedField& field : claim.fields)
         for (const LikelySlip& slip : field.slips)
             if (named.size() < most_slips && named.insert(slip.name).second)
-                lines +=
-                    fmt::format("    likely slip {}: {}\n", slip.name, printable(slip.meaning));
+                lines += said({"    likely slip {}: {}\n", "    deslize provável {}: {}\n"},
+                              slip.name, printable(slip.meaning));
     return lines;
 }
 
@@ -91,7 +102,9 @@ std::string wrong_claim(const CheckedFile& file, const CheckedClaim& claim,
     const auto [known, is_new] =
         line_of_working.try_emplace(claim.working, file.claim_of(claim).line);
     if (!is_new && !claim.working.empty())
-        return text + fmt::format("        worked out as for line {}\n", known->second);
+        return text + said({"        worked out as for line {}\n",
+                            "        a conta é a da linha {} do arquivo\n"},
+                           known->second);
     return text + indented(claim.working, "        ");
 }
 
@@ -101,7 +114,7 @@ std::string remarks_in(const CheckedFile& file, const CheckedClaim& claim) {
     for (const CheckedField& field : claim.fields)
         if (!field.remark.empty())
             text += fmt::format("    {}: {}, {}\n", file.in_words(field.name),
-                                name_of(field.verdict), printable(field.remark));
+                                in_words(field.verdict), printable(field.remark));
     return text + indented(claim.remarks, "    ");
 }
 
@@ -111,8 +124,7 @@ std::string hints(const CheckedFile& file, const CheckedClaim& claim, CheckTold 
     for (const CheckedField& field : claim.fields) {
         if (!is_wrong(field.verdict) || told == CheckTold::verdicts)
             continue;
-        text += fmt::format("    {}{}\n", file.in_words(field.name),
-                            field.place == 0 ? "" : fmt::format(", number {}", field.place));
+        text += fmt::format("    {}{}\n", file.in_words(field.name), place_in_list(field));
         if (field.verdict == ClaimVerdict::follows)
             text += fmt::format("        {}\n",
                                 origin_of(file, field, file.claim_of(claim).line).substr(2));
@@ -137,11 +149,13 @@ std::string text_of_one(const CheckedFile& file, CheckTold told) {
             text += place_of(file, claim) + "\n" + remarks;
     }
     if (file.claims.not_judged > 0)
-        text += fmt::format("{}: lines of pictures and workings, which are not judged: {}\n",
-                            printable(file.name), file.claims.not_judged);
+        text += said({"{}: lines of pictures and workings, which are not judged: {}\n",
+                      "{}: linhas de imagens e contas, que não são avaliadas: {}\n"},
+                     printable(file.name), file.claims.not_judged);
     if (file.claims.has_decimal_comma)
-        text += fmt::format("{}: commas are read as those of decimals: 0,25 is 1/4\n",
-                            printable(file.name));
+        text += said({"{}: commas are read as those of decimals: 0,25 is 1/4\n",
+                      "{}: cada vírgula é lida como a de um decimal: 0,25 é 1/4\n"},
+                     printable(file.name));
     return text + (text.empty() ? "" : "\n") + counts_text(file.checked) + "\n";
 }
 
@@ -166,43 +180,58 @@ std::string about_claim(const CheckedFile& file, const CheckedClaim& claim, Chec
 std::string mark_in_words(const SheetMark& mark, CheckTold told) {
     std::string text = printable(mark.name);
     if (!mark.exercise.empty())
-        text += fmt::format(" (exercise {})", printable(mark.exercise));
+        text += said({" (exercise {})", " (exercício {})"}, printable(mark.exercise));
     if (mark.problem)
-        return text + ": could not be checked\n";
-    return fmt::format("{}: {}{}\n", text, counts_text(mark.counts),
-                       told == CheckTold::answers && !mark.counts.slips.empty()
-                           ? "; most likely " + mark.counts.slips.front()
-                           : "");
+        return text + said({": could not be checked\n", ": não pôde ser conferido\n"});
+    return fmt::format(
+        "{}: {}{}\n", text, counts_text(mark.counts),
+        told == CheckTold::answers && !mark.counts.slips.empty()
+            ? said({"; most likely {}", "; o mais provável: {}"}, mark.counts.slips.front())
+            : "");
 }
 
 std::string CheckedFile::difference(const CheckedField& field, std::string_view expected,
                                     std::string_view found) const {
     if (field.name == "picture")
-        return fmt::format("{}: {}", field.name, found);
+        return fmt::format("{}: {}", words_for_field(field.name), found);
     const auto as_written = [&](std::string_view value) {
-        return claims.is_table ? word_for_value(field.name, value) : value;
+        const bool is_of_json = !claims.is_table && (value == "true" || value == "false");
+        return is_of_json ? value : word_for_value(field.name, value);
     };
-    const std::string place = field.place == 0 ? "" : fmt::format(", number {}", field.place);
-    return fmt::format("{}{}: expected {}, found {}", in_words(field.name), place,
-                       as_written(expected), as_written(found));
+    return said({"{}{}: expected {}, found {}", "{}{}: esperado {}, encontrado {}"},
+                in_words(field.name), place_in_list(field), as_written(expected),
+                as_written(found));
 }
 
-std::string_view name_of(ClaimVerdict verdict) {
+namespace {
+
+Words words_of(ClaimVerdict verdict) {
     switch (verdict) {
     case ClaimVerdict::right:
-        return "right";
+        return {"right", "certo"};
     case ClaimVerdict::wrong:
-        return "wrong";
+        return {"wrong", "errado"};
     case ClaimVerdict::follows:
-        return "follows";
+        return {"follows", "decorre"};
     case ClaimVerdict::open:
         break;
     }
-    return "open";
+    return {"open", "em aberto"};
+}
+
+} // namespace
+
+std::string_view name_of(ClaimVerdict verdict) {
+    return words_of(verdict).in(Language::english);
+}
+
+std::string_view in_words(ClaimVerdict verdict) {
+    return words_of(verdict).in(language_of_steps());
 }
 
 std::string_view verdict_of(const CheckedClaim& claim, CheckTold told) {
-    return told != CheckTold::answers && is_wrong(claim.verdict) ? "wrong" : name_of(claim.verdict);
+    return in_words(told != CheckTold::answers && is_wrong(claim.verdict) ? ClaimVerdict::wrong
+                                                                          : claim.verdict);
 }
 
 int points_of(ClaimVerdict verdict) {
@@ -214,11 +243,16 @@ bool is_wrong(ClaimVerdict verdict) {
 }
 
 std::string counts_text(const Checked& checked) {
-    std::string text = fmt::format("{} right, {} wrong", checked.right, checked.wrong);
+    const auto count_of = [](std::size_t count, const Words& one, const Words& more) {
+        return fmt::format("{} {}", count, (count == 1 ? one : more).in(language_of_steps()));
+    };
+    std::string text = count_of(checked.right, {"right", "certo"}, {"right", "certos"}) + ", " +
+                       count_of(checked.wrong, {"wrong", "errado"}, {"wrong", "errados"});
     if (checked.follow > 0)
-        text += fmt::format(", {} that follow{}", checked.follow, checked.follow == 1 ? "s" : "");
+        text += ", " + count_of(checked.follow, {"that follows", "que decorre"},
+                                {"that follow", "que decorrem"});
     if (checked.open > 0)
-        text += fmt::format(", {} open", checked.open);
+        text += said({", {} open", ", {} em aberto"}, checked.open);
     return text;
 }
 

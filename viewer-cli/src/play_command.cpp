@@ -7,10 +7,10 @@
 #include "option_values.h"
 #include "player.h"
 #include "player_screen.h"
+#include "players.h"
 #include "shared_options.h"
 #include "step_question.h"
 #include "terminal_session.h"
-#include "two_players.h"
 
 #include <rastertrace/trace/record/growing_trace.h>
 #include <rastertrace/trace/record/selector.h>
@@ -126,32 +126,12 @@ PlayerOptions player_options(const PlayCommand& command) {
             .answers_first = !command.answers.empty()};
 }
 
-/// One player as a session takes it: TwoPlayers has the same functions.
-class OnePlayer {
-public:
-    explicit OnePlayer(Player player) : player_(std::move(player)) {}
-
-    void press(const KeyPress& key, const ScreenPlaces& places) { player_.press(key, places); }
-    bool work() { return player_.work(); }
-    bool pass(double seconds) { return player_.pass(seconds); }
-    void look_for_change() { player_.look_for_change(); }
-    const Player& first() const { return player_; }
-    int pipe() const { return player_.playback().growing().pipe(); }
-    ExitStatus report() const { return report_damage(player_.playback().trace()); }
-    PlayerScreen screen(TextSize size, const ScreenAbility& ability) const {
-        return player_screen(player_, size, ability);
-    }
-
-private:
-    Player player_;
-};
-
 ScreenAbility ability_of(const PlayCommand& command) {
     return {.colors = output_colors(command.color), .has_unicode = output_has_unicode()};
 }
 
 /// What a terminal of some size would show at first.
-template <typename Players> int print_screen(Players players, const PlayCommand& command) {
+int print_screen(Players players, const PlayCommand& command) {
     while (players.work()) {
     }
     for (const std::string& line : players.screen(*command.screen, ability_of(command)).lines)
@@ -167,7 +147,7 @@ int time_to_wait(const Player& player, bool has_worked, bool is_shown) {
 }
 
 /// Keys, time and screens, until somebody leaves.
-template <typename Players> void play(Players& players, const PlayCommand& command) {
+void play(Players& players, const PlayCommand& command) {
     const ScreenAbility ability = ability_of(command);
     std::size_t written = 0; // answers
     TerminalSession terminal;
@@ -203,15 +183,6 @@ template <typename Players> void play(Players& players, const PlayCommand& comma
     }
 }
 
-template <typename Players> int run(Players players, const PlayCommand& command) {
-    if (command.screen)
-        return print_screen(std::move(players), command);
-    if (!command.answers.empty()) // nobody answers what cannot be kept
-        write_file(command.answers, csv_of({}), opened_files());
-    play(players, command);
-    return players.report();
-}
-
 } // namespace
 
 int run(const PlayCommand& command) {
@@ -219,14 +190,21 @@ int run(const PlayCommand& command) {
         return show_instead(command);
     if (command.trace == "-" && !command.screen)
         print_error("rastertrace: standard input is kept in a temporary file\n");
-    Player player(open_input_of(command), player_options(command));
-    if (command.other.empty())
-        return run(OnePlayer(std::move(player)), command);
-    PlayCommand other = command;
-    other.trace = command.other;
-    other.step.clear(); // it follows the first one
-    return run(TwoPlayers(std::move(player), Player(open_input_of(other), player_options(other))),
-               command);
+    Player first(open_input_of(command), player_options(command));
+    std::optional<Player> second;
+    if (!command.other.empty()) {
+        PlayCommand other = command;
+        other.trace = command.other;
+        other.step.clear(); // it follows the first one
+        second.emplace(open_input_of(other), player_options(other));
+    }
+    Players players(std::move(first), std::move(second));
+    if (command.screen)
+        return print_screen(std::move(players), command);
+    if (!command.answers.empty()) // nobody answers what cannot be kept
+        write_file(command.answers, csv_of({}), opened_files());
+    play(players, command);
+    return players.report();
 }
 
 namespace {
@@ -253,8 +231,9 @@ public:
         add_view_to(options, view_);
         options.option(
             "--memory", memory_,
-            fmt::format("Megabytes for pictures that are kept for going back, {} if not given",
-                        Snapshots::usual_bytes / 1'000'000),
+            fmt::format(
+                "Megabytes for pictures, also those that are kept for going back, {} if not given",
+                Snapshots::usual_bytes / 1'000'000),
             "N");
         options.option("--color", color_, "Colors", "WHEN").values(color_choices);
         options.option("--answers", command_.answers,

@@ -17,6 +17,9 @@ constexpr std::size_t steps_at_once = 40'000;
 /// Sentences of so many steps before the current one are worked out on the way.
 constexpr std::size_t steps_before = 3;
 
+/// Two replays, and that of the pictures.
+constexpr std::size_t frames_at_hand = 3;
+
 /// Sentences are kept of at most so many steps.
 constexpr std::size_t most_sentences = 200;
 
@@ -24,9 +27,10 @@ constexpr std::size_t most_sentences = 200;
 
 Playback::Playback(GrowingTrace trace, std::size_t bytes, FaceGroups lettered)
     : growing_(std::move(trace)), parts_(parts_for(View::writes, growing_.trace())),
-      snapshots_(growing_.trace(), parts_, bytes), replay_(growing_.trace(), parts_),
-      around_(growing_.trace(), parts_), is_marked_(growing_.is_whole()),
-      lettered_(std::move(lettered)) {}
+      replay_(growing_.trace(), parts_), around_(growing_.trace(), parts_),
+      snapshots_(growing_.trace(), parts_,
+                 bytes - std::min(bytes, frames_at_hand * replay_.frame().bytes())),
+      is_marked_(growing_.is_whole()), lettered_(std::move(lettered)) {}
 
 bool Playback::read_on() {
     const bool has_read = growing_.read_on();
@@ -34,7 +38,10 @@ bool Playback::read_on() {
     around_.places_of({});
     if (!is_marked_ && growing_.is_whole())
         mark_wrong();
-    return snapshots_.read_on(steps_at_once) || has_read;
+    const bool has_gone_on = snapshots_.read_on(steps_at_once);
+    if (has_gone_on || has_read)
+        growing_.forget_text();
+    return has_gone_on || has_read;
 }
 
 void Playback::mark_wrong() {

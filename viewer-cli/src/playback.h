@@ -21,7 +21,7 @@ namespace rastertrace {
 
 class Playback {
 public:
-    /// `bytes`: what pictures may take that are kept for going back. Faces that have `lettered` keep their letters.
+    /// `bytes`: what pictures may take, those that are shown and those that are kept for going back. Faces that have `lettered` keep their letters.
     Playback(GrowingTrace trace, std::size_t bytes, FaceGroups lettered = {});
     Playback(const Playback&) = delete;
     Playback& operator=(const Playback&) = delete;
@@ -56,12 +56,13 @@ private:
 
     GrowingTrace growing_;
     FrameParts parts_;
-    Snapshots snapshots_;
     Replay replay_;
 
     // A second replay tells of the steps around. Coming to a step it goes first, and the other one takes its picture
     // over, so that the steps between two kept pictures are gone through once.
     mutable Replay around_;
+
+    Snapshots snapshots_;
     mutable std::map<std::size_t, std::string> sentences_; ///< of some steps, by number
 
     bool is_marked_; ///< the sentences of wrong steps say so

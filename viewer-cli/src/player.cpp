@@ -4,6 +4,7 @@
 #include "load.h"
 
 #include <rastertrace/figures/shown_steps.h>
+#include <rastertrace/trace/tell/step_text.h>
 #include <rastertrace/trace/text/text.h>
 
 #include <fmt/core.h>
@@ -106,9 +107,9 @@ std::optional<std::string> Player::prompt() const {
     case Asked::search:
         return "/" + typed_;
     case Asked::breakpoint:
-        return "break at: " + typed_;
+        return said({"break at: ", "parar em: "}) + typed_;
     case Asked::answer:
-        return "answer: " + typed_;
+        return said({"answer: ", "resposta: "}) + typed_;
     case Asked::nothing:
         break;
     }
@@ -154,7 +155,8 @@ void Player::press(const KeyPress& key, const ScreenPlaces& places) {
     if (const auto action = player_action_of(key.key))
         act(*action);
     else
-        message_ = fmt::format("{} does nothing; ? lists the keys", key.key);
+        message_ = said({"{} does nothing; ? lists the keys", "{} não faz nada; ? lista as teclas"},
+                        told_key(key.key));
     count_.clear();
 }
 
@@ -252,7 +254,9 @@ void Player::act(PlayerAction action) {
     case previous_match:
         return find_match(back);
     case no_breakpoints:
-        message_ = breakpoints_.empty() ? "there are no breakpoints" : "breakpoints removed";
+        message_ = breakpoints_.empty()
+                       ? said({"there are no breakpoints", "não há pontos de parada"})
+                       : said({"breakpoints removed", "pontos de parada removidos"});
         breakpoints_.clear();
         return;
     case cursor_left:
@@ -288,8 +292,10 @@ void Player::act(PlayerAction action) {
     case answer_first:
         answers_first_ = !answers_first_;
         is_playing_ = false;
-        message_ = answers_first_ ? "the next step is asked about before it is shown"
-                                  : "steps are shown at once";
+        message_ = answers_first_
+                       ? said({"the next step is asked about before it is shown",
+                               "pergunta-se sobre o próximo passo antes de mostrá-lo"})
+                       : said({"steps are shown at once", "os passos são mostrados de imediato"});
         return;
     case bookmark:
         return toggle_bookmark();
@@ -319,7 +325,7 @@ std::size_t Player::take_times() const {
 
 void Player::play_at(double steps_per_second) {
     speed_ = std::clamp(steps_per_second, slowest, fastest);
-    message_ = fmt::format("{:g} steps a second", speed_);
+    message_ = said({"{:g} steps a second", "{:g} passos por segundo"}, speed_);
 }
 
 /// What is clicked: a pixel, or a step of the list. The wheel goes from step to step.
@@ -368,9 +374,10 @@ void Player::answer(const std::string& given) {
     answers_.push_back({question, given, is_right(question, given)});
     const auto right = std::count_if(answers_.begin(), answers_.end(),
                                      [](const GivenAnswer& one) { return one.is_right; });
-    message_ = fmt::format("{}. {} of {} right",
-                           answers_.back().is_right ? "right" : "no: " + question.right, right,
-                           answers_.size());
+    message_ = said({"{}. {} of {} right", "{}. acertos: {} de {}"},
+                    answers_.back().is_right ? said({"right", "certo"})
+                                             : said({"no: {}", "não: {}"}, question.right),
+                    right, answers_.size());
 }
 
 /// How many lines it takes, only a screen knows, which shows its end at the least.
@@ -382,17 +389,18 @@ void Player::scroll_working(int lines) {
 
 void Player::toggle_bookmark() {
     if (bookmarks_.erase(step()) > 0) {
-        message_ = "bookmark removed";
+        message_ = said({"bookmark removed", "marcador removido"});
         return;
     }
     bookmarks_.insert(step());
-    message_ = fmt::format("bookmark {} at step {}; ' goes from one to the next", bookmarks_.size(),
-                           step());
+    message_ = said({"bookmark {} at step {}; ' goes from one to the next",
+                     "marcador {} no passo {}; ' vai de um ao próximo"},
+                    bookmarks_.size(), step());
 }
 
 void Player::go_to_bookmark() {
     if (bookmarks_.empty()) {
-        message_ = "there is no bookmark: m sets one";
+        message_ = said({"there is no bookmark: m sets one", "não há marcador: m põe um"});
         return;
     }
     const auto next = bookmarks_.upper_bound(step());
@@ -433,7 +441,9 @@ void Player::move_to(std::size_t step) {
     looks_at_cursor_ = false;
     const std::size_t last = trace().size();
     if (step > last)
-        message_ = fmt::format("expected a step up to {}, found {}", last, step);
+        message_ =
+            said({"expected a step up to {}, found {}", "esperado um passo até {}, encontrado {}"},
+                 last, step);
     show_step(std::min(step, last));
 }
 
@@ -441,9 +451,12 @@ void Player::move_by(std::size_t count, Direction direction) {
     looks_at_cursor_ = false;
     const std::size_t last = trace().size();
     if (direction == Direction::forward && step() == last)
-        message_ = playback_->growing().is_whole() ? "this is the last step" : "more is being read";
+        message_ = playback_->growing().is_whole()
+                       ? said({"this is the last step", "este é o último passo"})
+                       : said({"more is being read", "a leitura ainda não acabou"});
     if (direction == Direction::back && step() == 0)
-        message_ = "nothing is before the first step";
+        message_ =
+            said({"nothing is before the first step", "não há nada antes do primeiro passo"});
     show_step(direction == Direction::forward ? std::min(last - step(), count) + step()
                                               : step() - std::min(step(), count));
 }
@@ -475,7 +488,7 @@ bool Player::pass(double seconds) {
         show_step(step() + 1);
         if (is_at_breakpoint()) {
             is_playing_ = false;
-            message_ = "breakpoint";
+            message_ = said({"breakpoint", "ponto de parada"});
         }
     }
     return is_due;
@@ -495,9 +508,11 @@ void Player::change_frame(Direction direction) {
     const bool is_forward = direction == Direction::forward;
     const std::size_t times = take_times();
     if (input_.first_frame == input_.last_frame)
-        message_ = "there is one frame: no number of the scene varies";
+        message_ = said({"there is one frame: no number of the scene varies",
+                         "há um só quadro: nenhum número da cena varia"});
     else if (frame_ == (is_forward ? input_.last_frame : input_.first_frame))
-        message_ = is_forward ? "this is the last frame" : "this is the first frame";
+        message_ = is_forward ? said({"this is the last frame", "este é o último quadro"})
+                              : said({"this is the first frame", "este é o primeiro quadro"});
     else
         open_or_tell(is_forward ? frame_ + std::min(times, input_.last_frame - frame_)
                                 : frame_ - std::min(times, frame_ - input_.first_frame));

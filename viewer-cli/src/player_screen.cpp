@@ -3,6 +3,7 @@
 
 #include <rastertrace/trace/record/traced_steps.h>
 #include <rastertrace/trace/tell/describe.h>
+#include <rastertrace/trace/tell/step_text.h>
 #include <rastertrace/trace/tell/working.h>
 #include <rastertrace/trace/text/text.h>
 
@@ -85,9 +86,10 @@ TextLines compared_depths(const Replay& replay) {
         return primitive == 0 ? std::string() : printable(name_in(trace.step(primitive)).text());
     };
     const std::size_t stored_by = replay.stored_before();
-    const std::array<std::string, 2> names{
-        name_of_primitive(replay.primitive()),
-        stored_by == 0 ? "clear" : name_of_primitive(replay.primitive_of(stored_by))};
+    const std::array<std::string, 2> names{name_of_primitive(replay.primitive()),
+                                           stored_by == 0
+                                               ? said({"clear", "vazio"})
+                                               : name_of_primitive(replay.primitive_of(stored_by))};
     const std::array<std::string, 2> numbers{short_number(test.depth.text()),
                                              short_number(test.stored.text())};
     const std::size_t width = std::max(columns_in(names[0]), columns_in(names[1]));
@@ -95,8 +97,9 @@ TextLines compared_depths(const Replay& replay) {
     const bool is_stored = stores_depth(test);
     TextLines lines;
     for (std::size_t i = 0; i < 2; ++i)
-        lines.push_back(fmt::format("{}  {:>{}}{}", padded(names[i], width), numbers[i], of_numbers,
-                                    (i == 0) == is_stored ? "  <- is kept" : ""));
+        lines.push_back(
+            fmt::format("{}  {:>{}}{}", padded(names[i], width), numbers[i], of_numbers,
+                        (i == 0) == is_stored ? said({"  <- is kept", "  <- fica"}) : ""));
     return lines;
 }
 
@@ -116,14 +119,17 @@ TextLines working_panel(const Player& player, std::size_t columns, std::size_t c
         return lines;
     last = lines.size() - std::min(lines.size(), count - 1) + 1;
     if (count == 1)
-        return {shortened(fmt::format("... {} lines of working: Ctrl+d", lines.size()), columns)};
+        return {
+            shortened(said({"... {} lines of working: Ctrl+d", "... {} linhas de contas: Ctrl+d"},
+                           lines.size()),
+                      columns)};
     const std::size_t room = count - 1; // the last line tells the part
     const std::size_t from =
         player.working_from() - std::min<std::size_t>(player.working_from(), 1);
     const std::size_t first = std::min(from, lines.size() - room); // the first key only makes room
-    const std::string part =
-        fmt::format("... lines {} to {} of {}: Ctrl+d, Ctrl+u", std::min(first + 1, lines.size()),
-                    first + room, lines.size());
+    const std::string part = said(
+        {"... lines {} to {} of {}: Ctrl+d, Ctrl+u", "... linhas {} a {} de {}: Ctrl+d, Ctrl+u"},
+        std::min(first + 1, lines.size()), first + room, lines.size());
     TextLines shown(lines.begin() + static_cast<std::ptrdiff_t>(first),
                     lines.begin() + static_cast<std::ptrdiff_t>(first + room));
     shown.push_back(shortened(part, columns));
@@ -146,13 +152,16 @@ TextLines pixel_panel(const Player& player, std::size_t columns, std::size_t cou
     const std::string name =
         fmt::format("pixel ({}, {})", question->pixel().x, question->pixel().y);
     if (!question->answer())
-        return {fmt::format("{}: looked at {:.0f} % of the steps", name, 100 * question->share())};
+        return {said({"{}: looked at {:.0f} % of the steps", "{}: vistos {:.0f} % dos passos"},
+                     name, 100 * question->share())};
     if (!*question->answer())
         return {shortened(question->answer()->problem().message, columns)};
     const Explanation& answer = question->answer()->value();
     const bool is_at_end = player.playback().step() == player.playback().trace().size();
-    TextLines lines = wrapped(
-        fmt::format("{}{}: {}", name, is_at_end ? "" : ", in the end", answer.answer), columns);
+    TextLines lines =
+        wrapped(fmt::format("{}{}: {}", name, is_at_end ? "" : said({", in the end", ", no fim"}),
+                            answer.answer),
+                columns);
     for (const std::string& lack : answer.lacks)
         append(lines, wrapped(lack, columns));
     for (const Try& one : answer.tries)
@@ -161,12 +170,15 @@ TextLines pixel_panel(const Player& player, std::size_t columns, std::size_t cou
                                   one.number, one.sentence),
                       columns));
     for (const WhyNot& why : answer.why_not)
-        append(lines, wrapped(fmt::format("  not {}: {}", printable(why.primitive), why.sentence),
+        append(lines, wrapped(said({"  not {}: {}", "  não {}: {}"}, printable(why.primitive),
+                                   why.sentence),
                               columns));
     if (lines.size() > count) {
         lines.resize(count);
         if (count > 1) // the answer is more than where to find the rest
-            lines.back() = shortened("  ... (`explain --pixel` tells all)", columns);
+            lines.back() = shortened(
+                said({"  ... (`explain --pixel` tells all)", "  ... (`explain --pixel` diz tudo)"}),
+                columns);
     }
     return lines;
 }
@@ -190,17 +202,19 @@ std::string progress(const Player& player, std::size_t columns) {
     std::string right =
         fmt::format("{:.0f} %  {}", std::floor(100 * share), name_of(player.view()));
     if (player.is_playing())
-        right += fmt::format("  playing, {:g} steps a second", player.steps_per_second());
+        right += said({"  playing, {:g} steps a second", "  rodando, {:g} passos/s"},
+                      player.steps_per_second());
     if (const auto searched = player.searched())
-        right += fmt::format("  searching, {:.0f} %, any key ends it", std::floor(100 * *searched));
-    if (!playback.growing().is_whole())
         right +=
-            playback.growing().share() > 0
-                ? fmt::format("  reading, {:.0f} %", std::floor(100 * playback.growing().share()))
-                : "  reading";
+            said({"  searching, {:.0f} %, any key ends it", "  busca, {:.0f} %, uma tecla encerra"},
+                 std::floor(100 * *searched));
+    if (!playback.growing().is_whole())
+        right += playback.growing().share() > 0 ? said({"  reading, {:.0f} %", "  lendo, {:.0f} %"},
+                                                       std::floor(100 * playback.growing().share()))
+                                                : said({"  reading", "  lendo"});
     if (!player.frame_label().empty())
-        right += "  frame " + printable(player.frame_label());
-    const std::string left = fmt::format("step {} of {} ", playback.step(), last);
+        right += said({"  frame {}", "  quadro {}"}, printable(player.frame_label()));
+    const std::string left = said({"step {} of {} ", "passo {} de {} "}, playback.step(), last);
     constexpr std::size_t most_bar = 40;
     constexpr std::size_t least_bar = 6;
     const std::size_t taken = left.size() + columns_in(right) + 3;
@@ -238,17 +252,34 @@ TextLines last_lines(const Player& player, TextSize size) {
             size.columns);
     lines.resize(std::min(lines.size(), most_lines));
     if (player.message().empty() && lines.size() < most_lines)
-        lines.emplace_back(
-            "? keys   q leave   Right next   Left back   Space play   / search   c cursor");
+        lines.push_back(said(
+            {"? keys   q leave   Right next   Left back   Space play   / search   c cursor",
+             "? teclas  q sai  Direita avança  Esquerda volta  Espaço roda  / busca  c cursor"}));
     for (std::string& line : lines)
         line = shortened(line, size.columns);
     return lines;
 }
 
-/// The pixels of a row that has been found; nothing at any other step.
+/// The pixel that a line goes to next, past its depth test: what a decision decides.
+std::optional<Region> decided_pixel(const Trace& trace, std::size_t n) {
+    std::size_t next = n + 1;
+    if (next <= trace.size() && trace.kind_of(next) == StepKind::depth)
+        ++next;
+    if (next > trace.size() || trace.kind_of(next) != StepKind::pixel)
+        return std::nullopt;
+    const auto pixel = trace.step(next).as<PixelStep>();
+    const auto x = static_cast<int>(pixel.x);
+    const auto y = static_cast<int>(pixel.y);
+    return Region{.x0 = x, .y0 = y, .x1 = x, .y1 = y};
+}
+
+/// The pixels of a row that has been found, or that a decision leads to; nothing at any other step.
 std::optional<Region> pixels_to_come(const Replay& replay) {
     const Trace& trace = replay.trace();
-    if (replay.step() == 0 || trace.kind_of(replay.step()) != StepKind::scanline)
+    const auto kind = replay.step() == 0 ? std::nullopt : trace.kind_of(replay.step());
+    if (kind == StepKind::decide || kind == StepKind::along)
+        return decided_pixel(trace, replay.step());
+    if (kind != StepKind::scanline)
         return std::nullopt;
     const auto row = trace.step(replay.step()).as<ScanlineStep>();
     return row.from > row.to ? std::nullopt
@@ -272,9 +303,11 @@ FrameText frame_options(const Player& player, const ScreenAbility& ability) {
             .has_heading = false,
             .center = player.looks_at_cursor() ? player.cursor() : std::nullopt,
             .cursor = player.cursor(),
-            .coming = player.view() == View::plotted || player.view() == View::faces
+            // In a ramp, + is a color; where answers come first, it would be the answer.
+            .coming = (player.view() == View::plotted || player.view() == View::faces) &&
+                              !player.answers_first()
                           ? pixels_to_come(replay)
-                          : std::nullopt, // in a ramp, + is a color
+                          : std::nullopt,
             .scale = std::max<std::size_t>(player.scale(), 1),
             .has_half_blocks = has_half_blocks,
             .faces = player.view() == View::faces ? &player.playback().faces() : nullptr};
@@ -290,8 +323,10 @@ PlayerScreen help_screen(const Player& player, TextSize size) {
     screen.lines.assign(all.begin() + static_cast<std::ptrdiff_t>(first),
                         all.begin() +
                             static_cast<std::ptrdiff_t>(std::min(first + room, all.size())));
-    screen.lines.push_back(shortened(
-        fmt::format("page {} of {}   Space goes on   q closes", page + 1, pages), size.columns));
+    screen.lines.push_back(shortened(said({"page {} of {}   Space goes on   q closes",
+                                           "página {} de {}   Espaço segue   q fecha"},
+                                          page + 1, pages),
+                                     size.columns));
     return screen;
 }
 
@@ -301,7 +336,7 @@ PlayerScreen lost_screen(const Player& player, TextSize size) {
     TextLines lines = wrapped(printable(*player.lost()) + ".", columns);
     if (!player.message().empty())
         append(lines, wrapped(printable(player.message()) + ".", columns));
-    lines.emplace_back("r reads it again, q leaves");
+    lines.push_back(said({"r reads it again, q leaves", "r o lê de novo, q sai"}));
     for (std::string& line : lines)
         line = shortened(line, size.columns);
     lines.resize(std::min(lines.size(), size.lines));
@@ -324,8 +359,11 @@ std::vector<std::string> player_help(std::size_t columns) {
     std::size_t width = 0;
     std::vector<std::pair<std::string, std::string_view>> rows;
     for (const PlayerKey& row : player_keys()) {
-        rows.emplace_back(joined(row.keys, " "), row.does);
-        width = std::max(width, rows.back().first.size());
+        TextLines keys;
+        for (const std::string_view key : row.keys)
+            keys.push_back(told_key(key));
+        rows.emplace_back(joined(keys, " "), row.does.in(language_of_steps()));
+        width = std::max(width, columns_in(rows.back().first));
     }
     TextLines lines;
     for (const auto& [keys, does] : rows) {
@@ -333,12 +371,16 @@ std::vector<std::string> player_help(std::size_t columns) {
         std::string front = padded(keys, width) + "  ";
         for (const std::string& line : wrapped(does, room)) {
             lines.push_back(shortened(front + line, columns));
-            front.assign(front.size(), ' ');
+            front.assign(width + 2, ' ');
         }
     }
-    append(lines, {"", "A number in front of a key that goes somewhere: so many times.",
-                   "A click sets the cursor, or goes to a step of the list.",
-                   "The wheel goes on and back."});
+    append(lines, {"",
+                   said({"A number in front of a key that goes somewhere: so many times.",
+                         "Um número antes de uma tecla que vai a algum lugar: tantas vezes."}),
+                   said({"A click sets the cursor, or goes to a step of the list.",
+                         "Um clique põe o cursor, ou vai a um passo da lista."}),
+                   said({"The wheel goes on and back.",
+                         "A roda do mouse vai para a frente e para trás."})});
     return lines;
 }
 
@@ -347,7 +389,7 @@ namespace {
 /// The step and its sentence, where nothing else has room.
 PlayerScreen small_screen(const Player& player, TextSize size) {
     const Playback& playback = player.playback();
-    TextLines lines{fmt::format("{} of {}", playback.step(), playback.trace().size())};
+    TextLines lines{said({"{} of {}", "{} de {}"}, playback.step(), playback.trace().size())};
     const std::string sentence = describe_step(player.playback().replay());
     const std::size_t room = std::max<std::size_t>(size.lines, 3) - 2;
     const TextLines in_words = wrapped(sentence, std::max<std::size_t>(size.columns, 1));
@@ -380,7 +422,6 @@ std::size_t side_columns(const Canvas& canvas, const FrameText& about, std::size
 TextLines panels_of(const Player& player, std::size_t columns, std::size_t lines, ColorDepth colors,
                     ScreenPlaces& places) {
     constexpr std::size_t few_steps = 3;
-    constexpr std::size_t more_steps = 7;
     const TextLines pixel = pixel_panel(player, columns, std::min(lines, lines / 3 + 2));
     std::size_t left = lines - pixel.size();
     const std::size_t gaps = lines >= 10 ? 1 : 0; // a blank line between two panels
@@ -391,7 +432,7 @@ TextLines panels_of(const Player& player, std::size_t columns, std::size_t lines
         player, columns, left > for_steps ? left - for_steps : std::min<std::size_t>(left, 1),
         places.last_working);
     left -= working.size();
-    const Panel steps = steps_around(player, columns, std::min(left, more_steps), colors);
+    const Panel steps = steps_around(player, columns, left, colors);
     TextLines panels;
     for (const TextLines* panel : {&working, &steps.lines, &pixel}) {
         if (!panels.empty() && !panel->empty() && gaps > 0)

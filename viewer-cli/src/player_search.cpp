@@ -6,6 +6,7 @@
 #include "terminal_text.h"
 
 #include <rastertrace/trace/record/traced_steps.h>
+#include <rastertrace/trace/tell/step_text.h>
 #include <rastertrace/trace/text/text.h>
 
 #include <fmt/core.h>
@@ -120,19 +121,20 @@ void Player::find_kind(Direction direction) {
         [this, kind, name](std::size_t n) {
             return trace().kind_of(n) == kind && (kind || trace().step(n).kind_name() == name);
         },
-        fmt::format("there is no other {} step that way", printable(name)));
+        said({"there is no other {} step that way", "não há outro passo {} nessa direção"},
+             printable(name)));
 }
 
 void Player::find_row(Direction direction) {
     find(
         direction, [this](std::size_t n) { return begins_row(trace(), n); },
-        "no row begins that way");
+        said({"no row begins that way", "nenhuma linha começa nessa direção"}));
 }
 
 void Player::find_primitive(Direction direction) {
     find(
         direction, [this](std::size_t n) { return trace().kind_of(n) == StepKind::primitive; },
-        "no primitive begins that way");
+        said({"no primitive begins that way", "nenhuma primitiva começa nessa direção"}));
 }
 
 /// Steps that belong to the current step's primitive, or that name it.
@@ -145,7 +147,8 @@ void Player::find_of_primitive(Direction direction) {
                              : primitive == 0 ? std::string()
                                               : name_in(trace().step(primitive)).text();
     if (name.empty()) {
-        message_ = "the step is about no primitive";
+        message_ =
+            said({"the step is about no primitive", "o passo não trata de nenhuma primitiva"});
         return;
     }
     find(
@@ -155,31 +158,36 @@ void Player::find_of_primitive(Direction direction) {
             return (of != 0 && name_in(trace().step(of)) == name) ||
                    name_in(trace().step(n)) == name;
         },
-        fmt::format("no other step is about {} that way", printable(name)));
+        said({"no other step is about {} that way", "nenhum outro passo nessa direção trata de {}"},
+             printable(name)));
 }
 
 void Player::find_at_cursor(Direction direction) {
     if (!cursor_) {
-        message_ = "there is no cursor: c sets it, or a click";
+        message_ = said(
+            {"there is no cursor: c sets it, or a click", "não há cursor: c o põe, ou um clique"});
         return;
     }
     const Pixel pixel = *cursor_;
     find(
         direction, [this, pixel](std::size_t n) { return touches(trace(), n, pixel); },
-        fmt::format("no step touches pixel ({}, {}) that way", pixel.x, pixel.y));
+        said({"no step touches pixel ({}, {}) that way",
+              "nenhum passo nessa direção toca o pixel ({}, {})"},
+             pixel.x, pixel.y));
     looks_at_cursor_ = true;
 }
 
 void Player::find_match(Direction direction) {
     if (!searched_for_) {
-        message_ = "nothing was searched for: / does";
+        message_ = said({"nothing was searched for: / does", "nada foi buscado: / busca"});
         return;
     }
     if (!searched_for_->selector)
         return find_words(direction, searched_for_->text);
     const Selector selector = *searched_for_->selector;
     std::string missing =
-        fmt::format("no other step that way is {}", printable(selector.source.text));
+        said({"no other step that way is {}", "nenhum outro passo nessa direção é {}"},
+             printable(selector.source.text));
     find(
         direction,
         [this, selector](std::size_t n) {
@@ -197,7 +205,9 @@ void Player::find_words(Direction direction, const std::string& words) {
         [this, wanted = in_lower_case(words)](std::size_t n) {
             return in_lower_case(playback_->sentence_of(n)).find(wanted) != std::string::npos;
         },
-        fmt::format("no other step that way says \"{}\"", printable(words)), sentences_at_once);
+        said({"no other step that way says \"{}\"", "nenhum outro passo nessa direção diz \"{}\""},
+             printable(words)),
+        sentences_at_once);
 }
 
 void Player::type(const std::string& key) {
@@ -270,8 +280,9 @@ void Player::start_search(const std::string& text) {
         message_ =
             all.problem().message + (all.problem().hint.empty() ? "" : "; " + all.problem().hint);
     else
-        message_ = fmt::format("none of the {} such steps is ahead; N goes to the one before",
-                               all.value().size());
+        message_ = said({"none of the {} such steps is ahead; N goes to the one before",
+                         "dos passos assim ({}), nenhum está adiante; N vai ao anterior"},
+                        all.value().size());
 }
 
 void Player::add_breakpoint(const std::string& text) {
@@ -279,8 +290,9 @@ void Player::add_breakpoint(const std::string& text) {
         return;
     if (auto selector = selector_of(text)) {
         breakpoints_.push_back(std::move(*selector));
-        message_ = fmt::format("playing stops at {}; B removes all {}", printable(text),
-                               breakpoints_.size());
+        message_ = said({"playing stops at {}; B removes all {}",
+                         "para de rodar em {}; B remove os pontos de parada ({})"},
+                        printable(text), breakpoints_.size());
     }
 }
 

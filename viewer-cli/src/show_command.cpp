@@ -16,6 +16,7 @@
 #include <rastertrace/trace/tell/describe.h>
 #include <rastertrace/trace/tell/digest.h>
 #include <rastertrace/trace/tell/working.h>
+#include <rastertrace/trace/text/language.h>
 #include <rastertrace/trace/text/text.h>
 
 #include <fmt/core.h>
@@ -168,16 +169,18 @@ ExitStatus show(const Trace& trace, const ShowCommand& command, FaceGroups& face
     }
     bool is_first = true;
     for (const ShownSteps& steps : shown) {
-        FrameText about{.caption = {},
-                        .first_step = steps.first,
-                        .last_step = steps.last,
-                        .view = view,
-                        .colors = output_colors(command.color),
-                        .region = command.region,
-                        .is_overview = command.is_overview,
-                        .for_all = "--overview: all of it",
-                        .below = below,
-                        .faces = &faces};
+        FrameText about{
+            .caption = {},
+            .first_step = steps.first,
+            .last_step = steps.last,
+            .view = view,
+            .colors = output_colors(command.color),
+            .region = command.region,
+            .is_overview = command.is_overview,
+            .for_all =
+                Words("--overview: all of it", "--overview: ela toda").in(language_of_steps()),
+            .below = below,
+            .faces = &faces};
         if (!command.bare) {
             replay.go_to(steps.first);
             about.caption = describe_step(replay);

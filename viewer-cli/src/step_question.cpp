@@ -6,6 +6,7 @@
 
 #include <rastertrace/trace/record/traced_steps.h>
 #include <rastertrace/trace/tell/describe.h>
+#include <rastertrace/trace/tell/step_text.h>
 #include <rastertrace/trace/text/text.h>
 
 #include <fmt/core.h>
@@ -55,9 +56,10 @@ std::optional<StepQuestion> question_about(const Replay& replay) {
                                 ? ""
                                 : printable(name_in(trace.step(replay.primitive())).text()) + ", ";
     StepQuestion question{.step = n, .kind = std::string(name_of(*kind)), .words = {}, .right = {}};
-    const auto choice = [&](std::string_view asked, bool is_first, std::string_view first,
-                            std::string_view second) {
-        question.words = fmt::format("{}: {} {} or {}", numbers_of(replay), asked, first, second);
+    const auto choice = [&](const std::string& asked, bool is_first, const std::string& first,
+                            const std::string& second) {
+        question.words =
+            said({"{}: {} {} or {}", "{}: {} {} ou {}"}, numbers_of(replay), asked, first, second);
         question.right = is_first ? first : second;
         return question;
     };
@@ -66,24 +68,29 @@ std::optional<StepQuestion> question_about(const Replay& replay) {
         const auto row = step.as<ScanlineStep>();
         if (row.from > row.to)
             return std::nullopt;
-        question.words =
-            fmt::format("{}row y={}: which pixels does it have? from x, to x", who, row.y);
+        question.words = said({"{}row y={}: which pixels does it have? from x, to x",
+                               "{}linha y={}: quais pixels ela tem? de x, a x"},
+                              who, row.y);
         question.right = fmt::format("{} {}", row.from, row.to);
         return question;
     }
     case StepKind::pixel: {
         const auto pixel = step.as<PixelStep>();
-        question.words = who + "which pixel is drawn next? x, y, or the cursor";
+        question.words = who + said({"which pixel is drawn next? x, y, or the cursor",
+                                     "qual pixel é desenhado em seguida? x, y, ou o cursor"});
         question.right = fmt::format("{} {}", pixel.x, pixel.y);
         question.is_about_pixel = true;
         return question;
     }
     case StepKind::depth:
-        return choice("does it", step.as<DepthStep>().pass.is_true(), "pass", "fail");
+        return choice(said({"does it", "ela"}), step.as<DepthStep>().pass.is_true(),
+                      said({"pass", "passa"}), said({"fail", "falha"}));
     case StepKind::sample:
-        return choice("is it", step.as<SampleStep>().inside.is_true(), "inside", "outside");
+        return choice(said({"is it", "está"}), step.as<SampleStep>().inside.is_true(),
+                      said({"inside", "dentro"}), said({"outside", "fora"}));
     case StepKind::face:
-        return choice("is it", step.as<FaceStep>().culled.is_true(), "culled", "drawn");
+        return choice(said({"is it", "é"}), step.as<FaceStep>().culled.is_true(),
+                      said({"culled", "eliminada"}), said({"drawn", "desenhada"}));
     default:
         return std::nullopt;
     }

@@ -2,7 +2,7 @@
 #pragma once
 
 // The next step as a question: which pixels a row has, which pixel is drawn, whether a depth test passes, whether a sample
-// lies inside, whether a face is culled. Pages ask the same (figures/page/player.js).
+// lies inside, whether a face is culled; in the language of steps. Pages ask the same, in English (figures/page/player.js).
 //
 //     const auto question = question_about(replay);   // at the step before
 //     question->words;            // "ABC, row y=2: which pixels does it have? from x, to x"

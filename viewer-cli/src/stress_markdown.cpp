@@ -130,22 +130,12 @@ std::string failing_items(const RunCase& one) {
     return items + '\n';
 }
 
-/// The commands that draw its scene, if it has one.
-std::string commands_of(const StressCase& about) {
-    if (about.scenes().empty())
-        return "";
-    std::string file(about.id);
-    file.front() = static_cast<char>(std::tolower(static_cast<unsigned char>(file[0])));
-    return fmt::format("\n```\nrastertrace stress --case {} --scene > {}.json\n"
-                       "rastertrace show {}.json\n```\n",
-                       about.id, file, file);
-}
-
 std::string as_markdown(const RunCase& one) {
     const StressCase& about = *one.about;
-    return fmt::format("\n### {}\n\nInput: {}\nWhy: {}\nWhat holds: {}\n\n{}{}",
-                       in_page(heading_of(about)), as_sentence(about.input), as_sentence(about.why),
-                       as_sentence(about.holds), failing_items(one), commands_of(about));
+    return fmt::format("\n### {}\n\nInput: {}{}\nWhy: {}\nWhat holds: {}\n\n{}",
+                       in_page(heading_of(about)), as_sentence(about.input),
+                       about.scenes().empty() ? " No scene." : "", as_sentence(about.why),
+                       as_sentence(about.holds), failing_items(one));
 }
 
 } // namespace

@@ -9,9 +9,12 @@
 // A key is called by the character that it types, or by a name: Right, Left, Up, Down, Home, End, Space, Enter,
 // Escape, Shift+Right, Ctrl+l, F1.
 
+#include <rastertrace/trace/text/language.h>
+
 #include <cstdint>
 #include <optional>
 #include <span>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -70,7 +73,7 @@ struct PlayerKey {
     PlayerAction action;
     std::string_view name;              ///< "next": what tests and pages call the action
     std::vector<std::string_view> keys; ///< the first is the one to learn
-    std::string_view does;              ///< "the next step"
+    Words does;                         ///< "the next step"
     bool is_on_pages;                   ///< a page has it, too
 };
 
@@ -82,5 +85,8 @@ const PlayerKey& key_of(PlayerAction action);
 
 /// What a key does; nothing if it does nothing.
 std::optional<PlayerAction> player_action_of(std::string_view key);
+
+/// A key as people are told of it, in the language of steps: `Shift+Right`, `Shift+Direita`.
+std::string told_key(std::string_view key);
 
 } // namespace rastertrace

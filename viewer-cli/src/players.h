@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Two traces side by side: both are at the same step, and playing stops where they differ for the first time.
+// What a terminal plays: a trace, or two side by side, both at the same step; playing stops where they differ for the first
+// time.
 //
-//     TwoPlayers players(std::move(mine), std::move(theirs));
+//     Players players(std::move(mine), std::move(theirs));
 //     players.press({"Space"});
 //     players.pass(0.5);
 //     players.first().message();  // "the first step that differs"
@@ -18,9 +19,9 @@
 
 namespace rastertrace {
 
-class TwoPlayers {
+class Players {
 public:
-    TwoPlayers(Player first, Player second);
+    explicit Players(Player first, std::optional<Player> second = std::nullopt);
 
     /// A key is the first one's; the second one is at the same step, and shows it in the same way. A click may be on either
     /// picture.
@@ -32,7 +33,7 @@ public:
     void look_for_change();
 
     const Player& first() const { return first_; }
-    const Player& second() const { return second_; }
+    const std::optional<Player>& second() const { return second_; }
 
     /// Of what is still read from a pipe; -1 if nothing is.
     int pipe() const;
@@ -44,10 +45,11 @@ public:
 
 private:
     void follow();
-    bool is_lost() const { return first_.lost() || second_.lost(); }
+    bool is_lost() const { return first_.lost() || (second_ && second_->lost()); }
     std::optional<std::size_t> difference(std::size_t last);
 
-    Player first_, second_;
+    Player first_;
+    std::optional<Player> second_;
     std::size_t alike_ = 0; ///< steps from the first on that are known to be the same
 };
 
