@@ -18,7 +18,6 @@ namespace rastertrace {
 
 namespace {
 
-constexpr std::size_t largest_scale = 6;
 constexpr double slowest = 0.25; ///< steps in a second
 constexpr double fastest = 1024;
 
@@ -121,6 +120,7 @@ void Player::press(const KeyPress& key, const ScreenPlaces& places) {
         return; // none that we know, or a button of the mouse let go
     message_.clear();
     working_from_ = std::min(working_from_, places.last_working);
+    shown_scale_ = places.scale;
     if (look_for_change()) {
         const auto action = player_action_of(key.key);
         if (action == PlayerAction::read_again || action == PlayerAction::quit)
@@ -277,10 +277,10 @@ void Player::act(PlayerAction action) {
         is_overview_ = !is_overview_;
         return;
     case larger_cells:
-        scale_ = std::min(scale_ + 1, largest_scale);
+        scale_ = std::min(scale_.value_or(shown_scale_) + 1, largest_scale);
         return;
     case smaller_cells:
-        scale_ -= std::min<std::size_t>(scale_, 1);
+        scale_ = std::max<std::size_t>(scale_.value_or(shown_scale_), 1) - 1;
         return;
     case working:
         has_working_ = !has_working_;

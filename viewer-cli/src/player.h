@@ -44,9 +44,13 @@ struct ScreenPlaces {
     List list = {};
     std::size_t last_working =
         static_cast<std::size_t>(-1); ///< the farthest that the working is scrolled to
+    std::size_t scale = 1;            ///< the lines of a cell
     std::size_t second_from =
         0; ///< the column from which on the same stands once more, of another trace; 0: it does not
 };
+
+/// The lines of a cell, at most.
+inline constexpr std::size_t largest_scale = 6;
 
 /// The traces to be played: one, or that of each frame of a scene whose numbers vary.
 struct PlayerInput {
@@ -97,7 +101,7 @@ public:
     const Playback& playback() const { return *playback_; }
     View view() const { return view_; }
     bool is_overview() const { return is_overview_; }
-    std::size_t scale() const { return scale_; }
+    std::optional<std::size_t> scale() const { return scale_; }
     bool has_working() const { return has_working_; }
     std::size_t working_from() const {
         return working_from_;
@@ -213,7 +217,8 @@ private:
     View view_ = View::plotted;
     bool has_own_view_ = false; ///< somebody has chosen it
     bool is_overview_ = false;
-    std::size_t scale_ = 1;
+    std::optional<std::size_t> scale_; ///< as somebody has chosen it
+    std::size_t shown_scale_ = 1;      ///< on the last screen
     bool has_working_ = true;
     std::size_t working_from_ = 0;
     std::set<std::size_t> bookmarks_;

@@ -28,6 +28,9 @@ constexpr std::size_t most_side = 76;
 constexpr std::size_t wide = 120;
 constexpr std::size_t side_of_wide = 56;
 
+/// Lines above and below the pixels of a picture: blank, coordinates, a legend.
+constexpr std::size_t around_grid = 4;
+
 /// A frame with fewer columns or lines cannot be read.
 constexpr std::size_t least_columns = 24;
 constexpr std::size_t least_lines = 9;
@@ -308,7 +311,7 @@ FrameText frame_options(const Player& player, const ScreenAbility& ability) {
                               !player.answers_first()
                           ? pixels_to_come(replay)
                           : std::nullopt,
-            .scale = std::max<std::size_t>(player.scale(), 1),
+            .scale = std::max<std::size_t>(player.scale().value_or(1), 1),
             .has_half_blocks = has_half_blocks,
             .faces = player.view() == View::faces ? &player.playback().faces() : nullptr};
 }
@@ -417,6 +420,17 @@ std::size_t side_columns(const Canvas& canvas, const FrameText& about, std::size
     return columns >= wide ? side_of_wide : 0;
 }
 
+/// How large cells can be so that all of the picture fits beside the panels of a wide terminal.
+std::size_t fitting_scale(const Canvas& canvas, FrameText about, std::size_t columns,
+                          std::size_t lines) {
+    about.scale = largest_scale;
+    while (about.scale > 1 &&
+           (columns_of_picture(canvas, about) + 2 + side_of_wide > columns ||
+            static_cast<std::size_t>(canvas.height) * about.scale + around_grid > lines))
+        --about.scale;
+    return about.scale;
+}
+
 /// The panels, each as long as `lines` allows: the working gives way to the steps, these to the pixel. Of the list of
 /// steps it tells where it stands among them.
 TextLines panels_of(const Player& player, std::size_t columns, std::size_t lines, ColorDepth colors,
@@ -449,7 +463,6 @@ TextLines panels_of(const Player& player, std::size_t columns, std::size_t lines
 
 /// How many lines below the picture are for panels: what it does not need, and a few at least.
 std::size_t lines_below(const Canvas& canvas, const FrameText& about, std::size_t lines) {
-    constexpr std::size_t around_grid = 4; // blank, coordinates, a legend
     constexpr std::size_t few_lines = 5;
     const std::size_t rows = static_cast<std::size_t>(canvas.height) * about.scale;
     const std::size_t taken = around_grid + (about.has_half_blocks ? rows / 2 : rows);
@@ -489,9 +502,11 @@ PlayerScreen player_screen(const Player& player, TextSize size, const ScreenAbil
     append(bottom, last_lines(player, size));
 
     const std::size_t body = size.lines - lines.size() - bottom.size();
+    if (!player.scale() && !about.is_overview)
+        about.scale = fitting_scale(trace.canvas, about, size.columns, body);
     const std::size_t side = side_columns(trace.canvas, about, size.columns);
     const std::size_t below = side > 0 ? 0 : lines_below(trace.canvas, about, body);
-    ScreenPlaces places;
+    ScreenPlaces places{.scale = about.scale};
     const TextLines panels = panels_of(player, side > 0 ? side : size.columns,
                                        side > 0 ? body - 1 : below, ability.colors, places);
     const std::size_t frame_lines = side > 0 ? body : body - panels.size();
