@@ -237,7 +237,8 @@ void FrameCells::set_up_depths(std::size_t room) {
             stored.push_back(cell);
     if (stored.empty()) {
         legend_ = {said({"the buffer is clear: no depth was tested (a scene is, with --keep depth)",
-                         "o buffer está vazio: nada foi testado (uma cena é, com --keep depth)"})};
+                         "o buffer está vazio: nenhuma profundidade foi testada (com --keep depth, "
+                         "a cena a testa)"})};
         width_ = 1;
         cell_ = [](std::size_t, Pixel) { return Cell{std::string(empty_cell)}; };
         return;

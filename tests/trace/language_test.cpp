@@ -363,7 +363,7 @@ TEST(Language, AWrongRowInPortuguese) {
     EXPECT_EQ(words_for_field(first.name), "primeiro pixel");
     EXPECT_EQ(first.rule, "o extremo de uma linha é arredondado para baixo, até seu pixel");
     EXPECT_EQ(first.slips[0].name, "truncate-for-floor");
-    EXPECT_EQ(first.slips[0].meaning, "arredondar em direção a 0, int(x) em vez de arredondar para "
+    EXPECT_EQ(first.slips[0].meaning, "arredondar em direção a 0, int(x), e não arredondar para "
                                       "baixo, floor(x)");
     EXPECT_EQ(checked.claims[0].working[0],
               "linha y=2   esquerda AB: x = 2 + 3/4 (2 - 5) = -1/4 -> floor -> -1   "

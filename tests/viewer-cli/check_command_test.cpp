@@ -97,11 +97,11 @@ TEST_F(CheckTest, AWrongOutsideIsToldWhyItIsInside) {
 
 /// Who has taken the color of the nearest where a painter has painted over it is told who painted last.
 TEST_F(CheckTest, AWrongColorIsToldWhoWroteThePixel) {
-    write("painted.txt", "scene: painter.json\n(9,3): blue\n");
+    write("painted.txt", "scene: painter.json\n(9,3): color blue\n");
     fs::copy(fs::path(RASTERTRACE_EXAMPLES) / "tutorial/hidden/painter.json",
              folder_ / "painter.json");
     EXPECT_THAT(shell("$rastertrace check painted.txt").out,
-                ContainsRegex("        pixel \\(9, 3\\): drawn by ABC at step [0-9]+, over GHI\n"
+                ContainsRegex("        drawn by ABC at step [0-9]+, over GHI\n"
                               "        pixel \\(9, 3\\).*\n"
                               "        pixel \\(9, 3\\).* over step "));
 }
@@ -530,13 +530,14 @@ TEST_F(CheckTest, AnswersInPortuguese) {
                 AllOf(StartsWith("anna.txt:2: y=2: -1/4, 25/8 -> 0..3\n"
                                  "    primeiro pixel: esperado -1, encontrado 0\n"
                                  "    deslize provável truncate-for-floor: arredondar em direção a "
-                                 "0, int(x) em vez de arredondar para baixo, floor(x)\n"),
+                                 "0, int(x), e não arredondar para baixo, floor(x)\n"),
                       HasSubstr("\n        linha y=2   esquerda AB: x = 2 + 3/4 (2 - 5) = -1/4"),
                       EndsWith("\n\n3 certos, 1 errado, 1 em aberto\n")));
     write("cut.txt", "y=2: 1/4, 25/8 -> 0..3\n");
-    EXPECT_THAT(told("scene.json cut.txt"),
-                HasSubstr("    primeiro pixel: esperado -1, encontrado 0; decorre de extremo "
-                          "esquerdo, na mesma linha do arquivo\n"));
+    EXPECT_THAT(
+        told("scene.json cut.txt"),
+        HasSubstr("    primeiro pixel: esperado -1, encontrado 0; decorre de outro valor da "
+                  "mesma linha do arquivo (extremo esquerdo)\n"));
     write("rounded.txt", "edge AC: -0.38\ny=-3: -4, 5.04\n");
     EXPECT_THAT(
         told("scene.json rounded.txt"),
@@ -566,7 +567,7 @@ TEST_F(CheckTest, AnswersInPortuguese) {
                       HasSubstr("\nO deslize mais provável de uma folha, e de quantas folhas:\n"
                                 "truncate-for-floor  ## 2  arredondar em direção a 0, int(x)")));
     EXPECT_THAT(told("scene.json anna.txt --format markdown"),
-                AllOf(HasSubstr("| linha | afirmação | |\n"), HasSubstr("| certo |\n"),
+                AllOf(HasSubstr("| linha | item | |\n"), HasSubstr("| certo |\n"),
                       HasSubstr("<summary>O que está errado</summary>")));
 }
 
@@ -585,7 +586,7 @@ TEST_F(CheckTest, WordsOfFormatsAreTheSameInPortuguese) {
     EXPECT_EQ(slope["verdict"], "wrong");
     EXPECT_EQ(slope["expected"], english["claims"][0]["expected"]);
     EXPECT_EQ(slope["slips"][0]["name"], "dx-dy-inverted");
-    EXPECT_THAT(slope["slips"][0]["meaning"].get<std::string>(), HasSubstr(" em vez de "));
+    EXPECT_THAT(slope["slips"][0]["meaning"].get<std::string>(), HasSubstr(", e não "));
     EXPECT_THAT(report["claims"][1]["remarks"].dump(),
                 HasSubstr("right: arredondado para 2 casas"));
 

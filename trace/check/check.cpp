@@ -141,9 +141,9 @@ private:
         else if (!subject.absence.empty())
             checked.remarks.push_back(subject.absence);
         name_snapped_place(meant, subject);
+        take_empty_row(meant, subject);
         for (const ClaimedField* field : subject.fields)
             checked.fields.push_back(compare_field(*field, i, checked));
-        accept_empty_row(checked);
         // A claim without values says that there is such a step.
         if (subject.fields.empty() && subject.step == 0)
             checked.fields.push_back({.name = claim.step,
@@ -153,24 +153,27 @@ private:
         checked_.claims.push_back(std::move(checked));
     }
 
-    /// A row without pixels has a last pixel one before its first, whichever that is: 3..2 is right where 4..3 is told.
-    void accept_empty_row(CheckedClaim& claim) {
-        std::array<CheckedField*, 2> ends{};
-        for (CheckedField& field : claim.fields)
+    /// A row without pixels has a last pixel one before its first, whichever that is: 3..2 means 4..3, if that is told.
+    void take_empty_row(Claim& meant, const Subject& subject) const {
+        std::array<ClaimedField*, 2> ends{};
+        for (ClaimedField& field : meant.fields)
             if (field.name == "from" || field.name == "to")
                 ends[field.name == "to"] = &field;
         if (ends[0] == nullptr || ends[1] == nullptr)
             return;
-        const auto length = [&](std::string CheckedField::*text) -> std::optional<Rational> {
-            const auto from = typed_value(ends[0]->*text);
-            const auto to = typed_value(ends[1]->*text);
-            return from && to ? std::optional<Rational>(to->value - from->value + 1) : std::nullopt;
+        const ToldValues from = told_as_decided(subject, *ends[0]);
+        const ToldValues to = told_as_decided(subject, *ends[1]);
+        const auto pixels = [](const std::vector<std::string>& first,
+                               const std::vector<std::string>& last) -> std::optional<Rational> {
+            const auto a = first.empty() ? std::nullopt : typed_value(first.front());
+            const auto b = last.empty() ? std::nullopt : typed_value(last.front());
+            return a && b ? std::optional<Rational>(b->value - a->value + 1) : std::nullopt;
         };
-        const auto expected = length(&CheckedField::expected);
-        if (!expected || *expected > 0 || length(&CheckedField::found) != Rational(0))
+        const auto told = from && to ? pixels(*from, *to) : std::nullopt;
+        if (!told || *told > 0 || pixels(ends[0]->values, ends[1]->values) != Rational(0))
             return;
-        for (CheckedField* const end : ends)
-            end->verdict = ClaimVerdict::right;
+        ends[0]->values = *from;
+        ends[1]->values = *to;
     }
 
     CheckedField compare_field(const ClaimedField& field, std::size_t order, CheckedClaim& claim) {
@@ -428,35 +431,45 @@ private:
     /// What is told of the tries to write a pixel, and of the primitives that have not.
     static constexpr std::size_t most_told = 3;
 
-    std::optional<Explanation> told_of_pixel(const Subject& subject) const {
-        auto told =
-            explain(truth_.decided().trace(),
-                    {.about = Topic::pixel, .pixel = pixel_of(subject), .most_why_not = most_told});
-        return told ? std::optional(std::move(told.value())) : std::nullopt;
+    const std::optional<Explanation>& told_of_pixel(const Subject& subject) {
+        const Pixel pixel = pixel_of(subject);
+        const auto [known, is_new] = told_of_pixels_.try_emplace({pixel.x, pixel.y});
+        if (is_new)
+            if (auto told =
+                    explain(truth_.decided().trace(),
+                            {.about = Topic::pixel, .pixel = pixel, .most_why_not = most_told}))
+                known->second = std::move(told.value());
+        return known->second;
     }
 
-    /// What became of a pixel, and the last tries to write it; nothing of one that there was no more than one for.
-    std::vector<std::string> tries_at_pixel(const Subject& subject) const {
-        const auto told = told_of_pixel(subject);
+    /// What became of a pixel, and the last tries to write it. Empty if at most one step tried.
+    std::vector<std::string> tries_at_pixel(const Subject& subject) {
+        const auto& told = told_of_pixel(subject);
         if (!told || told->tries.size() < 2)
             return {};
         std::vector<std::string> lines{told->answer};
         const std::size_t first = told->tries.size() - std::min(told->tries.size(), most_told);
+        // The claim's own step is told with its working.
         for (std::size_t i = first; i < told->tries.size(); ++i)
-            lines.push_back(told->tries[i].sentence);
+            if (told->tries[i].number != subject.decided_step)
+                lines.push_back(told->tries[i].sentence);
         return lines;
     }
 
-    /// Why a pixel is drawn or not, as `explain` says it: by the last that tried, and by the primitive that is named, or
-    /// those that came nearest.
-    std::vector<std::string> why_pixel(const Subject& subject) const {
-        const auto told = told_of_pixel(subject);
+    /// Why a pixel is drawn or not, as `explain` says it: by the claim's own step, or the last that tried, and by the
+    /// primitive that is named, or those that came nearest.
+    std::vector<std::string> why_pixel(const Subject& subject) {
+        const auto& told = told_of_pixel(subject);
         if (!told)
             return {};
         std::vector<std::string> lines{told->answer};
-        if (!told->tries.empty())
-            lines.insert(lines.end(), told->tries.back().working.begin(),
-                         told->tries.back().working.end());
+        auto shown = std::find_if(told->tries.begin(), told->tries.end(), [&](const Try& one) {
+            return one.number == subject.decided_step;
+        });
+        if (shown == told->tries.end() && !told->tries.empty())
+            --shown;
+        if (shown != told->tries.end())
+            lines.insert(lines.end(), shown->working.begin(), shown->working.end());
         const auto* const in =
             std::find_if(subject.keys.data(), subject.keys.data() + subject.keys.size(),
                          [](const auto& key) { return key.first == "in"; });
@@ -530,6 +543,7 @@ private:
     std::deque<Claim> meant_;                      ///< those that the subjects' fields belong to
     std::map<std::string, Said> claimed_;          ///< first, by number
     WrongNumbers wrong_;
+    std::map<std::pair<int, int>, std::optional<Explanation>> told_of_pixels_; ///< by x and y
 };
 
 } // namespace

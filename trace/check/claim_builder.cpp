@@ -33,7 +33,8 @@ constexpr auto words_of_table =
                                 {"passes", "pass", "true", {"passes", "passa"}},
                                 {"fails", "pass", "false", {"fails", "falha"}}});
 
-/// What stands where there is no value: none where one is claimed; a pixel that is neither visible nor hidden.
+/// Values that are no verdict: `none` and `one` for a step that is missing or claimed, `outside` for a pixel that a
+/// primitive does not reach.
 constexpr std::array words_for_no_value{Words("none", "nenhum"), Words("one", "um"),
                                         Words("outside", "fora")};
 

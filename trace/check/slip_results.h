@@ -44,8 +44,7 @@ private:
 /// Words of a slip that is a known mistake of programs, too (mistakes.h): they are that one's.
 inline constexpr std::string_view as_mistake = {};
 
-/// The same of what is done, and instead of what. Mistakes are told in English: words, other than formulas, are said in
-/// the other languages here.
+/// The mistake's words, but in Portuguese these. A formula needs none.
 constexpr Words of_mistake(std::string_view portuguese = as_mistake) {
     return {as_mistake, portuguese};
 }

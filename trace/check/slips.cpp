@@ -754,7 +754,7 @@ Words filled(const Words& words, std::string_view of_its_mistake) {
 
 std::string meaning_of(const Slip& slip, std::string_view detail) {
     const Language language = language_of_steps();
-    return said({"{}{}{}{} instead of {}", "{}{}{}{} em vez de {}"}, slip.done.in(language),
+    return said({"{}{}{}{} instead of {}", "{}{}{}{}, e não {}"}, slip.done.in(language),
                 detail.empty() ? "" : " (", detail, detail.empty() ? "" : ")",
                 slip.instead_of.in(language));
 }

@@ -154,9 +154,9 @@ void edge(Sheet& sheet) {
     // E is above 0 inside: that decides the signs.
     const auto a = step.a.exact();
     const auto b = step.b.exact();
-    if (a == dy && b == -dx)
+    if (a && b && sheet.agrees(dy, *a) && sheet.agrees(-dx, *b))
         sheet.put(fmt::format("a = dy = {}, b = -dx = {}", text(dy), text(-dx)));
-    else if (a == -dy && b == dx)
+    else if (a && b && sheet.agrees(-dy, *a) && sheet.agrees(dx, *b))
         sheet.put(fmt::format("a = -dy = {}, b = dx = {}", text(-dy), text(dx)));
     const auto is_at = [](const Vec2& p, const Vec2& q) { return p.x == q.x && p.y == q.y; };
     for (std::size_t i = 0; i < 3; ++i)

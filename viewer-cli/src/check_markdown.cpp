@@ -15,7 +15,7 @@ namespace {
 
 std::string table_of(const CheckedFile& file, CheckTold told) {
     std::string text =
-        said({"| line | claim | |\n|---|---|---|\n", "| linha | afirmação | |\n|---|---|---|\n"});
+        said({"| line | claim | |\n|---|---|---|\n", "| linha | item | |\n|---|---|---|\n"});
     std::string details;
     for (const CheckedClaim& claim : file.checked.claims) {
         text += fmt::format("| {} | {} | {} |\n", file.claim_of(claim).line,

@@ -45,7 +45,7 @@ std::string origin_of(const CheckedFile& file, const CheckedField& field,
                       std::size_t line_of_claim) {
     const std::string origin =
         field.follows_from == line_of_claim
-            ? said({"its {}", "de {}, na mesma linha do arquivo"},
+            ? said({"its {}", "de outro valor da mesma linha do arquivo ({})"},
                    file.in_words(field.follows_from_field))
             : said({"line {}", "da linha {} do arquivo"}, field.follows_from);
     return said({"; follows from {}{}", "; decorre {}{}"}, origin,

@@ -15,13 +15,13 @@ namespace {
 constexpr std::size_t steps_at_once = 40'000;
 
 /// Sentences of so many steps before the current one are worked out on the way.
-constexpr std::size_t steps_before = 3;
+constexpr std::size_t steps_before = 64;
 
 /// Two replays, and that of the pictures.
 constexpr std::size_t frames_at_hand = 3;
 
 /// Sentences are kept of at most so many steps.
-constexpr std::size_t most_sentences = 200;
+constexpr std::size_t most_sentences = 2000;
 
 } // namespace
 
@@ -29,7 +29,7 @@ Playback::Playback(GrowingTrace trace, std::size_t bytes, FaceGroups lettered)
     : growing_(std::move(trace)), parts_(parts_for(View::writes, growing_.trace())),
       replay_(growing_.trace(), parts_), around_(growing_.trace(), parts_),
       snapshots_(growing_.trace(), parts_,
-                 bytes - std::min(bytes, frames_at_hand * replay_.frame().bytes())),
+                 bytes - std::min(bytes / 2, frames_at_hand * replay_.frame().bytes())),
       is_marked_(growing_.is_whole()), lettered_(std::move(lettered)) {}
 
 bool Playback::read_on() {

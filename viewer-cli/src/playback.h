@@ -21,7 +21,8 @@ namespace rastertrace {
 
 class Playback {
 public:
-    /// `bytes`: what pictures may take, those that are shown and those that are kept for going back. Faces that have `lettered` keep their letters.
+    /// `bytes`: what pictures may take, those that are shown and those that are kept for going back. Faces that have
+    /// `lettered` keep their letters.
     Playback(GrowingTrace trace, std::size_t bytes, FaceGroups lettered = {});
     Playback(const Playback&) = delete;
     Playback& operator=(const Playback&) = delete;

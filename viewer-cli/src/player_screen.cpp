@@ -263,7 +263,7 @@ TextLines last_lines(const Player& player, TextSize size) {
     return lines;
 }
 
-/// The pixel that a line goes to next, past its depth test: what a decision decides.
+/// The pixel that a line goes to next, past its depth test: what a decision decides. Of a circle, the first of its eight.
 std::optional<Region> decided_pixel(const Trace& trace, std::size_t n) {
     std::size_t next = n + 1;
     if (next <= trace.size() && trace.kind_of(next) == StepKind::depth)
@@ -439,7 +439,7 @@ TextLines panels_of(const Player& player, std::size_t columns, std::size_t lines
     const TextLines pixel = pixel_panel(player, columns, std::min(lines, lines / 3 + 2));
     std::size_t left = lines - pixel.size();
     const std::size_t gaps = lines >= 10 ? 1 : 0; // a blank line between two panels
-    left -= std::min(left, gaps * 2);
+    left -= std::min(left, gaps * (pixel.empty() ? 1 : 2));
     // The steps give way to a working that is scrolled.
     const std::size_t for_steps = player.working_from() > 0 ? 1 : few_steps;
     const TextLines working = working_panel(
@@ -461,13 +461,10 @@ TextLines panels_of(const Player& player, std::size_t columns, std::size_t lines
     return panels;
 }
 
-/// How many lines below the picture are for panels: what it does not need, and a few at least.
-std::size_t lines_below(const Canvas& canvas, const FrameText& about, std::size_t lines) {
+/// Panels below the picture have so many lines at least, of all that are there.
+std::size_t least_below(std::size_t lines) {
     constexpr std::size_t few_lines = 5;
-    const std::size_t rows = static_cast<std::size_t>(canvas.height) * about.scale;
-    const std::size_t taken = around_grid + (about.has_half_blocks ? rows / 2 : rows);
-    const std::size_t least = lines >= 20 ? few_lines : lines >= 10 ? 3 : lines >= 6 ? 1 : 0;
-    return std::max(least, lines - std::min(lines, taken));
+    return lines >= 20 ? few_lines : lines >= 10 ? 3 : lines >= 6 ? 1 : 0;
 }
 
 } // namespace
@@ -505,22 +502,23 @@ PlayerScreen player_screen(const Player& player, TextSize size, const ScreenAbil
     if (!player.scale() && !about.is_overview)
         about.scale = fitting_scale(trace.canvas, about, size.columns, body);
     const std::size_t side = side_columns(trace.canvas, about, size.columns);
-    const std::size_t below = side > 0 ? 0 : lines_below(trace.canvas, about, body);
-    ScreenPlaces places{.scale = about.scale};
-    const TextLines panels = panels_of(player, side > 0 ? side : size.columns,
-                                       side > 0 ? body - 1 : below, ability.colors, places);
-    const std::size_t frame_lines = side > 0 ? body : body - panels.size();
     const std::size_t frame_columns =
         side > 0 ? std::min(size.columns - side - 2, columns_of_picture(trace.canvas, about))
                  : size.columns;
+    const std::size_t most_lines = side > 0 ? body : body - least_below(body);
     // A frame leaves a line for the prompt of a shell, which is not there.
     LaidOutFrame frame =
-        laid_out_frame(player.playback().replay(), about, {frame_columns, frame_lines + 1});
+        laid_out_frame(player.playback().replay(), about, {frame_columns, most_lines + 1});
+    TextLines grid = lines_in(frame.text);
+    ScreenPlaces places{.scale = about.scale};
+    const TextLines panels = panels_of(
+        player, side > 0 ? side : size.columns,
+        side > 0 ? body - 1 : body - std::min(grid.size(), most_lines), ability.colors, places);
+    const std::size_t frame_lines = side > 0 ? body : body - panels.size();
     frame.grid.first_line += lines.size();
     places.grid = frame.grid;
     places.list.first_line += lines.size() + (side > 0 ? 1 : frame_lines);
     places.list.first_column = side > 0 ? frame_columns + 2 : 0;
-    TextLines grid = lines_in(frame.text);
     grid.resize(frame_lines);
     for (std::string& line : grid)
         if (line.find('\x1b') == std::string::npos) // cells with colors fit

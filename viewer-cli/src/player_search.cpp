@@ -291,7 +291,7 @@ void Player::add_breakpoint(const std::string& text) {
     if (auto selector = selector_of(text)) {
         breakpoints_.push_back(std::move(*selector));
         message_ = said({"playing stops at {}; B removes all {}",
-                         "para de rodar em {}; B remove os pontos de parada ({})"},
+                         "a reprodução para em {}; B remove os pontos de parada ({})"},
                         printable(text), breakpoints_.size());
     }
 }
