@@ -45,10 +45,10 @@ tmux -L "$server" -f /dev/null new-session -d -s waiting "sleep 600"
 for size in "40 12" "80 24" "100 30" "200 60"; do
     # shellcheck disable=SC2086 # two words
     {
-        compare row $size "$examples/t0-fill/first-triangle.json --step 'scanline 3'"
-        compare decision $size "$examples/t2-lines/bresenham.json --step 'decide 2'"
-        compare depth $size "$examples/t0-hidden/two-depths.json --step 'depth 70'"
-        compare space $size "$examples/t4-pipeline/six-spaces.json --step 'vertex 4'"
+        compare row $size "$examples/t0-fill/first-triangle.json --step 'scanline y=2'"
+        compare decision $size "$examples/t2-lines/bresenham.json --step 'decide x=1'"
+        compare depth $size "$examples/t0-hidden/two-depths.json --step 71"
+        compare space $size "$examples/t4-pipeline/six-spaces.json --step 8"
     }
 done
 exit "$status"
