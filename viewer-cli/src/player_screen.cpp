@@ -50,32 +50,32 @@ void append(TextLines& lines, TextLines more) {
                  std::make_move_iterator(more.end()));
 }
 
-/// Lines of a panel, and what of them can be clicked.
-struct Panel {
+/// Steps, a line each, of which one can be clicked.
+struct StepList {
     TextLines lines;
-    std::size_t first_step = 0; ///< of the list of steps
+    std::size_t first_step = 0;
 };
 
 /// The steps around the current one, a line each. Where answers come first, what follows is not told.
-Panel steps_around(const Player& player, std::size_t columns, std::size_t count,
-                   ColorDepth colors) {
+StepList steps_around(const Player& player, std::size_t columns, std::size_t count,
+                      ColorDepth colors) {
     const Trace& trace = player.playback().trace();
     const std::size_t here = player.playback().step();
     const std::size_t last = player.answers_first() ? here : trace.size();
     const std::size_t before = std::min(here, count / 2);
     const std::size_t first = std::min(here - before, last + 1 - std::min(last + 1, count));
     const std::size_t digits = std::to_string(trace.size()).size();
-    Panel panel{.lines = {}, .first_step = first};
+    StepList list{.lines = {}, .first_step = first};
     for (std::size_t n = first; n < first + count && n <= last; ++n) {
         const bool is_here = n == here;
         const char mark = player.is_bookmarked(n) ? '*' : is_here ? '>' : ' ';
         const std::string& sentence = player.playback().sentence_of(n);
-        panel.lines.push_back(styled(
+        list.lines.push_back(styled(
             shortened(fmt::format("{} {:>{}}  {}", mark, trace.number_of(n), digits, sentence),
                       columns),
             {.is_strong = is_here, .is_quiet = !is_here}, colors));
     }
-    return panel;
+    return list;
 }
 
 /// The two numbers of a depth test, one below the other, with whose they are.
@@ -446,7 +446,7 @@ TextLines panels_of(const Player& player, std::size_t columns, std::size_t lines
         player, columns, left > for_steps ? left - for_steps : std::min<std::size_t>(left, 1),
         places.last_working);
     left -= working.size();
-    const Panel steps = steps_around(player, columns, left, colors);
+    const StepList steps = steps_around(player, columns, left, colors);
     TextLines panels;
     for (const TextLines* panel : {&working, &steps.lines, &pixel}) {
         if (!panels.empty() && !panel->empty() && gaps > 0)
