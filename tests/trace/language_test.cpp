@@ -75,7 +75,8 @@ const std::set<std::string> shared_words{
     "do",    "doubles",    "dx",        "dy",       "even",   "face",     "flip",
     "floor", "horizontal", "inside",    "nearest",  "no",     "normal",   "perspective",
     "pixel", "pixels",     "rotate",    "scale",    "shear",  "sRGB",     "sqrt",
-    "start", "step",       "translate", "truncate", "up",     "viewport", "zero"};
+    "start", "step",       "translate", "truncate", "up",     "viewport", "zero",
+    "nx",    "ny",         "nz",        "vx",       "vy",     "vz"};
 
 TEST(Language, NoEnglishWordIsLeftInPortugueseAndNoNumberDiffers) {
     std::set<StepKind> met;

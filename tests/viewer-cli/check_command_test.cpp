@@ -496,12 +496,12 @@ TEST_F(CheckTest, NothingOfTheAnswerIsEnglishInPortuguese) {
         {"step":"pixel","x":5,"y":5,"color":"#ffffff"},{"step":"scanline","y":2,"from":0}]})");
     // Files, what is quoted of them, signs of formulas, marks of Markdown, and what is Portuguese as well.
     const std::set<std::string> shared{
-        "anna",       "as",     "ben",    "byte",    "carl",    "ceil",     "claims", "cleo",
-        "color",      "comma",  "csv",    "culled",  "details", "do",       "dora",   "doubles",
-        "dx",         "dy",     "edge",   "emil",    "face",    "ffffff",   "floor",  "from",
-        "horizontal", "inside", "int",    "json",    "no",      "normal",   "off",    "on",
-        "picture",    "pixel",  "pixels", "rounded", "rows",    "scanline", "sheet",  "step",
-        "summary",    "table",  "txt"};
+        "anna",       "as",      "ben",    "byte",   "carl",    "ceil",   "claims",   "cleo",
+        "color",      "comma",   "csv",    "culled", "details", "do",     "dora",     "doubles",
+        "dx",         "dy",      "edge",   "emil",   "face",    "ffffff", "floor",    "from",
+        "horizontal", "inside",  "int",    "json",   "no",      "normal", "off",      "on",
+        "picture",    "pixel",   "pixels", "round",  "rounded", "rows",   "scanline", "sheet",
+        "step",       "summary", "table",  "txt"};
     for (const std::string arguments :
          {"scene.json anna.txt", "scene.json anna.txt --hint 2", "ben.txt --hint 1",
           "ben.txt --no-answers", "scene.json anna.txt carl.txt ben.txt", "scene.json rounded.txt",

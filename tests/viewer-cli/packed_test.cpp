@@ -103,9 +103,9 @@ TEST_F(PackedTest, EveryCommandAnswersAsOfThePlainTrace) {
                  {"show trace.X", "show trace.X --last",
                   "show trace.X --every depth --format table", "stats trace.X", "validate trace.X",
                   "explain trace.X --pixel 0,0", "explain trace.X --face ABC",
-                  "play trace.X --print 80x24 --step 'depth 5'", "figure trace.X -o -",
-                  "trace trace.X --only scanline", "diff trace.X trace.X", "show - < trace.X",
-                  "stats - < trace.X"}) {
+                  "play trace.X --print 80x24 --step 'depth x=0 y=0'",
+                  "figure trace.X --format svg -o -", "trace trace.X --only scanline",
+                  "diff trace.X trace.X", "show - < trace.X", "stats - < trace.X"}) {
                 std::string one = command;
                 for (std::size_t at = 0; (at = one.find(".X", at)) != std::string::npos;)
                     one.replace(at, 2, "." + layout);

@@ -562,14 +562,14 @@ scanline y=2   left AB: x = 2 + 3/4 (2 - 5) = -1/4 -> floor -> -1   right AC: x 
 > 2   . . . . . . . + + + + + . . . . .   -1/4 < 25/8: AB is left, AC is right
   1   . . . . . . . . . . . . . . . . .   x = -1 to 3: 3 - (-1) + 1 = 5 pixels
   0   . . . . . . . . . . . . . . . . .
- -1   . . . . . . . . . . . . . . . . .     11  pixel (0, 3)   row y=3: 0 to 2
- -2   . . . . . . . . . . . . . . . . .     12  pixel (1, 3)   row y=3: 0 to 2
- -3   . . . . b . . . . . . . . c . . .     13  pixel (2, 3)   row y=3: 0 to 2
- -4   . . . . . . . . . . . . . . . . .   > 14  scanline y=2   left AB: x = 2 + 3/4 (2 - 5) = -1/...
- -5   . . . . . . . . . . . . . . . . .     15  pixel (-1, 2)   row y=2: -1 to 3
- -6   . . . . . . . . . . . . . . . . .     16  pixel (0, 2)   row y=2: -1 to 3
-                                            17  pixel (1, 2)   row y=2: -1 to 3
-+ to come
+ -1   . . . . . . . . . . . . . . . . .     10  scanline y=3   left AB: x = 2 + 3/4 (3 - 5) = 1/2...
+ -2   . . . . . . . . . . . . . . . . .     11  pixel (0, 3)   row y=3: 0 to 2
+ -3   . . . . b . . . . . . . . c . . .     12  pixel (1, 3)   row y=3: 0 to 2
+ -4   . . . . . . . . . . . . . . . . .     13  pixel (2, 3)   row y=3: 0 to 2
+ -5   . . . . . . . . . . . . . . . . .   > 14  scanline y=2   left AB: x = 2 + 3/4 (2 - 5) = -1/...
+ -6   . . . . . . . . . . . . . . . . .     15  pixel (-1, 2)   row y=2: -1 to 3
+                                            16  pixel (0, 2)   row y=2: -1 to 3
++ to come                                   17  pixel (1, 2)   row y=2: -1 to 3
 scalar exact, fill scanline, rounding floor, lerp direct
 step 14 of 62 [=========>                              ] 22 %  plotted
 ? keys   q leave   Right next   Left back   Space play   / search   c cursor

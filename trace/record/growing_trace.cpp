@@ -200,7 +200,7 @@ std::variant<GrowingTrace, Source> GrowingTrace::open(const std::string& path,
 
     auto state = std::make_unique<GrowingTrace::State>();
     state->name = source.name;
-    if (source.file && path != "-") {
+    if (source.file && path != "-" && !input.is_packed()) {
         state->path = path;
         state->steps = StepStream(std::move(input), layout, source.text);
         state->descriptor = state->steps->descriptor();

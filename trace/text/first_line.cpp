@@ -37,8 +37,6 @@ FirstLine open_first_line(const std::string& path, InputCheck::Kind kind,
     Source source{.name = file.name(), .text = {}, .file = file.id()};
     InputCheck fault_of(kind, limits);
     const LineLayout layout = read_first_line(file, source, fault_of);
-    if (file.is_packed())
-        source.file.reset(); // its bytes are not those of the source
     return {std::move(file), std::move(source), layout};
 }
 
