@@ -52,9 +52,15 @@ std::string packed_by_gzip(const std::string& block) {
 }
 
 std::string packed_by_zstd(const std::string& block) {
+    const std::unique_ptr<ZSTD_CCtx, decltype(&ZSTD_freeCCtx)> context(ZSTD_createCCtx(),
+                                                                       ZSTD_freeCCtx);
+    if (context == nullptr)
+        throw std::bad_alloc();
+    ZSTD_CCtx_setParameter(context.get(), ZSTD_c_compressionLevel, level);
+    ZSTD_CCtx_setParameter(context.get(), ZSTD_c_checksumFlag, 1); // gzip always has one
     std::string packed(ZSTD_compressBound(block.size()), '\0');
     const std::size_t size =
-        ZSTD_compress(packed.data(), packed.size(), block.data(), block.size(), level);
+        ZSTD_compress2(context.get(), packed.data(), packed.size(), block.data(), block.size());
     if (ZSTD_isError(size) != 0)
         throw std::bad_alloc();
     packed.resize(size);
