@@ -442,10 +442,17 @@ private:
         return known->second;
     }
 
-    /// What became of a pixel, and the last tries to write it. Empty if at most one step tried.
+    /// What became of a pixel, and the last tries to write it. Empty if only one was made.
     std::vector<std::string> tries_at_pixel(const Subject& subject) {
         const auto& told = told_of_pixel(subject);
-        if (!told || told->tries.size() < 2)
+        if (!told)
+            return {};
+        const auto are_several = [&](StepKind kind) {
+            return std::count_if(told->tries.begin(), told->tries.end(), [&](const Try& one) {
+                       return truth_.decided().trace().kind_of(one.number) == kind;
+                   }) > 1;
+        };
+        if (!are_several(StepKind::pixel) && !are_several(StepKind::depth))
             return {};
         std::vector<std::string> lines{told->answer};
         const std::size_t first = told->tries.size() - std::min(told->tries.size(), most_told);
