@@ -106,6 +106,13 @@ TEST(Working, AClockwiseTriangleWhereYPointsDown) {
                               "area = |12| / 2 = 6, clockwise"}));
 }
 
+/// P(0, 0) Q(6, 3) R(2, 6): E is above 0 at the corner opposite, Q and R, which decides the signs.
+TEST(Working, TheNumbersOfAnEdgeFunction) {
+    const Trace trace = example("tutorial/shared-edges/corner-at-the-side.json");
+    EXPECT_THAT(working(trace, StepKind::edge, "QP"), Contains("a = dy = -3, b = -dx = 6"));
+    EXPECT_THAT(working(trace, StepKind::edge, "RP"), Contains("a = -dy = 6, b = dx = -2"));
+}
+
 /// T3's table of points: (ABx, ACx, PAx) x (ABy, ACy, PAy).
 TEST(Working, SamplesByACrossProduct) {
     const Trace trace =
