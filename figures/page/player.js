@@ -162,7 +162,7 @@ const numberIn = text => { const [above, below = 1] = String(text).split("/").ma
 /**
  * Shows frames in the root of an element, and lets a reader go through them.
  *
- * options: keys and strokes (page.cpp), language, title; view, step, scene and whether it is movable, if given. `program`
+ * options: keys with their language and strokes (page.cpp), language, title; view, step, scene and whether it is movable, if given. `program`
  * draws a changed scene; none if undefined. What it returns is what the element does: goTo(step), setView(name), repaint() in other colors, end().
  */
 function startPlayer(host, options, frames, program) {
@@ -1276,7 +1276,7 @@ function tellKeys() {
     .map(([, does, ...keys]) => {
       const row = element("tr"), cell = element("td");
       keys.forEach((key, i) => cell.append(i ? " " : "", element("kbd", "", shown(key))));
-      row.append(cell, Object.assign(element("td", "", does[options.language] ?? does.en), {lang: options.language}));
+      row.append(cell, Object.assign(element("td", "", does), {lang: options.keys_language}));
       return row;
     }));
 }

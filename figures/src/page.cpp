@@ -17,7 +17,6 @@
 #include <cstdint>
 #include <new>
 #include <utility>
-#include <vector>
 
 namespace rastertrace {
 
@@ -119,18 +118,14 @@ std::string paper_of(Theme theme) {
                        rule(Theme::dark));
 }
 
-/// The keys that pages have: of each action its name, what it does, in each language, and its keys.
+/// The keys that pages have: of each action its name, what it does, in the language of steps, and its keys.
 std::string keys_text() {
     std::string text = "[";
     for (const PlayerKey& row : player_keys()) {
         if (!row.is_on_pages)
             continue;
-        std::vector<std::string> does;
-        for (const std::string_view code : language_codes())
-            does.push_back(fmt::format("{}:{}", json_quoted(code),
-                                       json_quoted(row.does.in(*language_with_code(code)))));
-        text += fmt::format("{}[{},{{{}}}", text.size() > 1 ? "," : "", json_quoted(row.name),
-                            joined(does, ","));
+        text += fmt::format("{}[{},{}", text.size() > 1 ? "," : "", json_quoted(row.name),
+                            json_quoted(row.does.in(language_of_steps())));
         for (const std::string_view key : row.keys)
             text += "," + json_quoted(key);
         text += "]";
@@ -178,8 +173,9 @@ std::string data_text(std::span<const PageFrame> frames) {
 
 std::string page_element() {
     const std::string resources = fmt::format(
-        R"({{"steps_with_working":{},"keys":{},"strokes":{},"html":{},"css":{}}})",
-        most_steps_with_working, keys_text(), strokes_text(), json_quoted(squeezed(element_html())),
+        R"({{"steps_with_working":{},"keys":{},"keys_language":{},"strokes":{},"html":{},"css":{}}})",
+        most_steps_with_working, keys_text(), json_quoted(code_of(language_of_steps())),
+        strokes_text(), json_quoted(squeezed(element_html())),
         json_quoted(squeezed_css(colors_of_themes() + element_css() + rules_of_roles("in-space"))));
     return fmt::format(
         "// SPDX-License-Identifier: MIT\n\"use strict\";\nconst RESOURCES = {};\n{}\n{}",

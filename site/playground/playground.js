@@ -1,38 +1,14 @@
 // SPDX-License-Identifier: MIT
 // The playground: a scene is typed, drawn and asked about, all in the browser.
 
-import {basicSetup, EditorView} from "codemirror";
-import {autocompletion} from "@codemirror/autocomplete";
-import {json} from "@codemirror/lang-json";
-import {HighlightStyle, syntaxHighlighting} from "@codemirror/language";
-import {setDiagnostics} from "@codemirror/lint";
-import {hoverTooltip} from "@codemirror/view";
-import {tags} from "@lezer/highlight";
-import {completions, meaningAt} from "./schema-words.js";
-
 const by = id => document.getElementById(id);
 const examples = [["First triangle", "t0-fill/first-triangle"], ["Cube, depth buffer of 1/z", "t0-hidden/cube-inverse-z"], ["A Bresenham line", "t2-lines/bresenham"],
                   ["Barycentric", "t3-sweep-and-box/barycentric"], ["Top-left rule", "t3-sweep-and-box/top-left"], ["A clipped triangle", "t4-pipeline/behind-the-eye"],
                   ["Hidden lines", "t1-hidden/hidden-lines"], ["Light", "t3-light/lambert"]];
 const delay = 250; // milliseconds after a key before the scene is drawn
 
-let program, view, drawsSoon, checksSoon, isTaking = false, scene = ""; // the text that is drawn
-
-// Colors of the editor: those of the page, light or dark.
-const inks = syntaxHighlighting(HighlightStyle.define([
-  {tag: tags.propertyName, color: "var(--link)"}, {tag: tags.string, color: "var(--right)"},
-  {tag: [tags.number, tags.bool, tags.null], color: "var(--wrong)"}]));
-const look = EditorView.theme({
-  "&": {color: "var(--text)"},
-  ".cm-content": {caretColor: "var(--text)"},
-  ".cm-cursor": {borderLeftColor: "var(--text)"},
-  ".cm-gutters": {backgroundColor: "var(--shelf)", color: "var(--quiet)", border: "none"},
-  ".cm-activeLine, .cm-activeLineGutter": {backgroundColor: "var(--shelf)"},
-  "&.cm-focused > .cm-scroller > .cm-selectionLayer .cm-selectionBackground, .cm-selectionBackground": {backgroundColor: "var(--line)"},
-  ".cm-matchingBracket": {backgroundColor: "var(--line) !important"},
-  ".cm-tooltip": {backgroundColor: "var(--shelf)", color: "var(--text)", border: "1px solid var(--quiet)", padding: "0.1rem 0.4rem", maxWidth: "24rem"},
-  ".cm-tooltip-autocomplete > ul > li[aria-selected]": {backgroundColor: "var(--link)", color: "var(--paper)"},
-});
+let program, editor, view, drawsSoon, checksSoon, isTaking = false, scene = ""; // the text that is drawn
+let shown = ""; // what the picture was given last
 
 // --- what is typed ---------------------------------------------------------------------------------------------------
 
@@ -49,16 +25,15 @@ function sceneWith(mistake) {
 }
 
 function tellProblem(problem) {
-  const {doc} = view.state, diagnostics = [];
-  if (problem?.line) {
-    const line = doc.line(Math.min(problem.line, doc.lines)), from = Math.min(line.from + problem.column - 1, line.to);
-    const word = /^("(?:[^"\\]|\\.)*"|[-\w.]+)/.exec(doc.sliceString(from, line.to))?.[0].length ?? 1;
-    diagnostics.push({from: Math.min(from, doc.length), to: Math.min(from + word, doc.length), severity: "error", message: problem.message});
-  }
-  view.dispatch(setDiagnostics(view.state, diagnostics));
+  editor.mark(view, problem);
   by("problem").hidden = !problem;
   by("problem").textContent = problem ? [problem.line ? `line ${problem.line}, column ${problem.column}: ${problem.message}` : problem.message,
                                          ...problem.hint ? [`hint: ${problem.hint}`] : []].join("\n") : "";
+}
+
+/** Gives the picture a scene, if it is another one. */
+function show(words) {
+  if (words !== shown) by("picture").scene = shown = words;
 }
 
 /** Draws what is typed, if it is a scene; else tells what is wrong, and leaves the picture. */
@@ -72,7 +47,7 @@ function draw() {
     scene = before;
     return tellProblem({...JSON.parse(withConvention), line: 0}); // a place of another text
   }
-  by("picture").scene = sceneWith("");
+  show(sceneWith(""));
   listMistakes();
   drawMistake();
   check();
@@ -123,6 +98,7 @@ function takeMoved(moved) {
   for (const {name, to, length} of verticesIn(before))
     if (now.vertices?.[name]) changes.push({from: to - length, to, insert: `[${now.vertices[name].map(x => JSON.stringify(x)).join(", ")}]`});
   const changed = view.state.changes(changes), same = JSON.parse(changed.apply(view.state.doc).toString());
+  shown = ""; // the picture has changed it
   isTaking = true; // the picture shows it already
   if (JSON.stringify(same) === JSON.stringify(now)) view.dispatch({changes: changed});
   else setText(written(now));
@@ -230,27 +206,21 @@ function setText(words) {
 async function begin() {
   const module = import(new URL("raster-trace.js", import.meta.url)).then(({RasterTrace}) => RasterTrace.module());
   const held = await heldByAddress();
-  const [schema, first] = await Promise.all([
-    fetch("scene.schema.json").then(answer => answer.json()),
-    held.scene ?? fetch(`../examples/${examples[0][1]}.json`).then(answer => answer.text())]);
+  const first = held.scene ?? await fetch(`../examples/${examples[0][1]}.json`).then(answer => answer.text());
+  program = await module;
+  if (!held.convention && !program.problem(first)) show(first); // it does not wait for the editor
+  const loaded = await Promise.all([import("./editor.js"), fetch("scene.schema.json").then(answer => answer.json())]);
+  const schema = loaded[1];
+  editor = loaded[0];
   const {enum: conventions, enumDescriptions: whose} = schema.definitions.convention;
   by("convention").append(new Option("the scene's", ""), ...conventions.map((name, i) => Object.assign(new Option(name), {title: whose[i]})));
   by("example").append(new Option("", ""), ...examples.map(([title, name]) => new Option(title, name)));
-  view = new EditorView({doc: first, parent: by("editor"), extensions: [
-    basicSetup, inks, look, json(), EditorView.lineWrapping, autocompletion({override: [completions(schema)]}),
-    EditorView.contentAttributes.of({"aria-label": "The scene"}),
-    EditorView.updateListener.of(update => { 
-      if (!update.docChanged) return;
-      forgetLink();
-      if (!isTaking) { clearTimeout(drawsSoon); drawsSoon = setTimeout(draw, delay); }
-    }),
-    hoverTooltip((editor, position) => {
-      const told = meaningAt(editor.state, position, schema);
-      return told ? {pos: told.from, end: told.to, create: () => ({dom: Object.assign(document.createElement("div"), {textContent: told.meaning})})} : null;
-    })]});
+  view = editor.editorOf(by("editor"), first, schema, () => {
+    forgetLink();
+    if (!isTaking) { clearTimeout(drawsSoon); drawsSoon = setTimeout(draw, delay); }
+  });
   by("claims").value = held.claims ?? "";
   by("convention").value = held.convention ?? "";
-  program = await module;
   draw();
   by("mistake").value = held.mistake ?? "";
   drawMistake();
