@@ -106,6 +106,19 @@ TEST_F(CheckTest, AWrongColorIsToldWhoWroteThePixel) {
                               "        pixel \\(9, 3\\).* over step "));
 }
 
+/// Stretched, turned and moved, in place of moved, turned and stretched: B(1, -1, -1) comes to (2, 2, -1) both ways.
+TEST_F(CheckTest, StepsInTheOppositeOrderAreNamed) {
+    fs::copy(fs::path(RASTERTRACE_EXAMPLES) / "tutorial/pipeline/backward.json",
+             folder_ / "backward.json");
+    write("steps.txt", "scene: backward.json\nA world: 0, 2, 1\nB world: 2, 2, -1\n"
+                       "C world: 0, -2, -1\nD world: 2, -2, 1\n");
+    const std::string told = shell("$rastertrace check steps.txt").out;
+    EXPECT_THAT(told, EndsWith("\n\n1 right, 3 wrong\n"));
+    for (const std::string line :
+         {"2: A world: 0, 2, 1", "4: C world: 0, -2, -1", "5: D world: 2, -2, 1"})
+        EXPECT_THAT(told, ContainsRegex(line + "\n    .*\n    likely slip factors-exchanged: "));
+}
+
 TEST_F(CheckTest, ARoundedDecimalIsRightAndSaysSo) {
     write("rounded.txt", "y=4: 1.25, 2.38\n");
     EXPECT_EQ(shell("$rastertrace check scene.json rounded.txt").out,
