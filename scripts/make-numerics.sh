@@ -15,5 +15,3 @@ for scene in friendly stiff extreme; do
     "$rastertrace" report "examples/numerics/$scene.json" -o "docs/numerics/$scene.svg" \
         -o "docs/numerics/$scene.txt"
 done
-echo "measuring one edge ..." >&2
-"$rastertrace" report examples/numerics/edge.json --jobs edge -o docs/numerics/edge.svg
