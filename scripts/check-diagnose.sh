@@ -1,5 +1,5 @@
 #!/bin/sh
-# How often `diagnose` finds what was put in: the table of docs/diagnose.md. Takes hours with 200 scenes of each mistake.
+# How often `diagnose` finds what was put in: the numbers of docs/diagnose.md. Takes hours with 200 scenes of each mistake.
 # usage: scripts/check-diagnose.sh [SCENES OF EACH MISTAKE, 200 if not given]
 set -eu
 cd "$(dirname "$0")/.."
