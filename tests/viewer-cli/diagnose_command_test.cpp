@@ -168,8 +168,12 @@ TEST_F(DiagnoseTest, ThePageOfMistakesShowsEachAndIsWhatTheProgramWrites) {
     written << std::ifstream(fs::path(RASTERTRACE_EXAMPLES) / "../docs/mistakes.md").rdbuf();
     EXPECT_EQ(page, written.str())
         << "to renew it: rastertrace mistakes --gallery examples > docs/mistakes.md";
-    for (const Mistake& mistake : mistakes())
-        EXPECT_THAT(page, HasSubstr(" --mistake " + std::string(mistake.name) + "`\n"));
+    for (const Mistake& mistake : mistakes()) {
+        const std::size_t begin = page.find("\n## " + std::string(mistake.name) + "\n");
+        ASSERT_NE(begin, std::string::npos) << mistake.name;
+        const std::size_t end = page.find("\n## ", begin + 1);
+        EXPECT_THAT(page.substr(begin, end - begin), HasSubstr("\nscene     examples/"));
+    }
 }
 
 } // namespace

@@ -56,7 +56,7 @@ TEST_F(ProgramTest, StressWritesTheEntriesOfTheDocumentation) {
         "first (3,1) against (3,0); with the same tie rule they are one line, unless rounded sums "
         "miss the ties (dda).\n"
         "\n"
-        "What goes wrong:\n"
+        "Wrong:\n"
         "\n"
         "- dda: 2 pixels wrong (float); 8 pixels wrong (double)\n"
         "- naive, away, taken for bresenham: 10 pixels wrong (exact)\n"

@@ -131,9 +131,8 @@ std::string gallery_entry(const Mistake& mistake, const std::vector<GalleryScene
             for (std::size_t i = 0; i < drawn->colors().size(); ++i)
                 changed += drawn->colors()[i] != scene.asked.colors()[i];
             if (changed >= least)
-                return text + fmt::format("\n{}```\n\n`rastertrace show {} --mistake {}`\n",
-                                          both_pictures(scene.asked, *drawn), scene.path,
-                                          mistake.name);
+                return text + fmt::format("scene     {}\n\n{}```\n", scene.path,
+                                          both_pictures(scene.asked, *drawn));
         }
     return text + "```\n";
 }
@@ -144,8 +143,8 @@ std::string gallery(const std::string& folder) {
                        "What a rasterizer says that makes the mistake, what it should say, and a "
                        "small scene: on the left as it should be drawn, on the right\n"
                        "with the mistake. `+` is too much, `-` is missing, `*` has another color. "
-                       "[`rastertrace diagnose`](diagnose.md) finds which of them yours\n"
-                       "makes.\n";
+                       "`rastertrace show SCENE --mistake NAME` draws it;\n"
+                       "[`rastertrace diagnose`](diagnose.md) finds which of them yours makes.\n";
     for (const Mistake& mistake : mistakes())
         text += gallery_entry(mistake, scenes);
     return text;

@@ -118,7 +118,7 @@ std::string failing_items(const RunCase& one) {
     }
     if (all.empty())
         return "Nothing is wrong.\n";
-    std::string items = "What goes wrong:\n";
+    std::string items = "Wrong:\n";
     std::string_view method;
     for (const Failing& failing : all) {
         items += failing.method != method ? fmt::format("\n- {}: ", in_item(failing.method)) : "; ";
