@@ -106,7 +106,8 @@ std::vector<SlipResult> factors_exchanged(const Formula& formula) {
         results.add(product_of(factors, *times),
                     said({"{} before {}", "{} antes de {}"}, factors[i].name, factors[i - 1].name));
     }
-    if (times != nullptr && times->factors.size() > 2) { // of two, that is the same
+    // Of two, that is the same. A viewport's are in one order in all texts.
+    if (times != nullptr && times->factors.size() > 2 && !times->is_viewport) {
         std::vector<Factor> factors(times->factors.rbegin(), times->factors.rend());
         results.add(product_of(factors, *times), said({"all of them", "todas"}));
     }
