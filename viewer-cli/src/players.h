@@ -33,7 +33,6 @@ public:
     void look_for_change();
 
     const Player& first() const { return first_; }
-    const std::optional<Player>& second() const { return second_; }
 
     /// Of what is still read from a pipe; -1 if nothing is.
     int pipe() const;

@@ -59,15 +59,23 @@ void check_primitive(const TraceCommand& command, const Scene& scene) {
                          did_you_mean(*name, names));
 }
 
+/// Lets somebody write to an output, packed if the name of the file says so.
+template <typename Write>
+void write_packed(const TraceCommand& command, Output& output, const Write& write) {
+    PackedOutput packed(output, packing_named(command.output));
+    write(packed);
+    packed.finish();
+}
+
 /// Writes a file for each frame.
 void write_frames(const TraceCommand& command, InputFrames& input, const TraceOptions& options) {
     FrameFiles files(command.output, input.last());
     for (std::size_t frame = input.first(); frame <= input.last(); ++frame) {
         const PlannedScene planned = input.scene(frame);
         check_primitive(command, planned.scene);
-        PackedOutput packed(files.open(frame), packing_named(command.output));
-        write_trace(planned.scene, planned.plan, options, packed);
-        packed.finish();
+        write_packed(command, files.open(frame), [&](Output& output) {
+            write_trace(planned.scene, planned.plan, options, output);
+        });
     }
     files.commit();
 }
@@ -109,9 +117,7 @@ int run(const TraceCommand& command) {
             return exit_fine;
         }
         FileOutput output(command.output, opened_files());
-        PackedOutput packed(output, packing_named(command.output));
-        write_part(*given, command, packed);
-        packed.finish();
+        write_packed(command, output, [&](Output& packed) { write_part(*given, command, packed); });
         output.commit();
         return exit_fine;
     }
@@ -134,9 +140,9 @@ int run(const TraceCommand& command) {
         return exit_fine;
     }
     FileOutput output(command.output, opened_files());
-    PackedOutput packed(output, packing_named(command.output));
-    write_trace(scene, plan, options, packed);
-    packed.finish();
+    write_packed(command, output, [&, &scene = scene, &plan = plan](Output& packed) {
+        write_trace(scene, plan, options, packed);
+    });
     output.commit();
     return exit_fine;
 }
