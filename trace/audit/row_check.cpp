@@ -1,44 +1,35 @@
 // SPDX-License-Identifier: MIT
 #include "row_check.h"
 
-#include <rastertrace/trace/record/traced_steps.h>
-
 #include <algorithm>
 #include <cstdint>
+#include <variant>
 
 namespace rastertrace {
 
-void RowCheck::add(const Trace& trace, std::size_t n, const std::string& primitive) {
-    const auto kind = trace.kind_of(n);
-    const StepView step = trace.step(n);
-    if (row_ && belongs(step, kind))
+void RowCheck::add(const AnyStep& step, std::size_t n, const std::string& primitive) {
+    if (row_ && belongs(step))
         return;
     close();
-    if (kind != StepKind::scanline)
-        return;
-    const auto row = step.as<ScanlineStep>();
-    row_ = {.step = n, .primitive = primitive, .y = row.y, .from = row.from, .to = row.to};
+    if (const auto* const row = std::get_if<ScanlineStep>(&step))
+        row_ = {.step = n, .primitive = primitive, .y = row->y, .from = row->from, .to = row->to};
 }
 
-bool RowCheck::belongs(const StepView& step, std::optional<StepKind> kind) {
-    if (kind == StepKind::pixel) {
-        const auto plotted = step.as<PixelStep>();
-        note(plotted.y, plotted.x, plotted.x);
+bool RowCheck::belongs(const AnyStep& step) {
+    if (const auto* const plotted = std::get_if<PixelStep>(&step)) {
+        note(plotted->y, plotted->x, plotted->x);
         return true;
     }
-    if (kind == StepKind::depth) {
+    if (const auto* const test = std::get_if<DepthStep>(&step)) {
         // A depth test that is passed is followed by its pixel.
-        const auto test = step.as<DepthStep>();
-        if (!test.pass.is_true())
-            note(test.y, test.x, test.x);
+        if (!test->pass.is_true())
+            note(test->y, test->x, test->x);
         return true;
     }
-    if (kind != StepKind::reject)
-        return false;
-    const auto dropped = step.as<RejectStep>();
-    if (!dropped.x || !dropped.y || dropped.to_y)
+    const auto* const dropped = std::get_if<RejectStep>(&step);
+    if (dropped == nullptr || !dropped->x || !dropped->y || dropped->to_y)
         return false; // whole rows, or a part of a line
-    note(*dropped.y, *dropped.x, dropped.to_x.value_or(*dropped.x));
+    note(*dropped->y, *dropped->x, dropped->to_x.value_or(*dropped->x));
     return true;
 }
 

@@ -6,11 +6,11 @@
 //
 //     RowCheck rows(stats.wrong_rows);
 //     for (std::size_t n = 1; n <= trace.size(); ++n)
-//         rows.add(trace, n, "ABC");
+//         rows.add(any_step(trace.step(n), *trace.kind_of(n)), n, "ABC");
 
 #include "stats.h"
 
-#include <rastertrace/trace/record/trace.h>
+#include <rastertrace/trace/record/traced_steps.h>
 
 #include <cstddef>
 #include <optional>
@@ -26,14 +26,15 @@ public:
     explicit RowCheck(std::vector<WrongRow>& wrong) : wrong_(wrong) {}
 
     /// Takes step n, which belongs to a primitive of that name. Steps come in order.
-    void add(const Trace& trace, std::size_t n, const std::string& primitive);
+    void add(const AnyStep& step, std::size_t n, const std::string& primitive);
 
-    /// Judges the last row. Not called if the trace may have been cut off within it.
+    /// Judges the last row: behind a step of another kind than ours, too. Not called if the trace may have been cut off
+    /// within it.
     void close();
 
 private:
     /// Notes what a step did to pixels, if it belongs to a row.
-    bool belongs(const StepView& step, std::optional<StepKind> kind);
+    bool belongs(const AnyStep& step);
 
     /// Notes pixels that a step of the row is about.
     void note(Index y, Index from, Index to);

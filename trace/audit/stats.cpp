@@ -6,6 +6,7 @@
 #include "stats_needs.h"
 
 #include <rastertrace/trace/record/frame.h>
+#include <rastertrace/trace/record/step_decoder.h>
 #include <rastertrace/trace/record/traced_steps.h>
 #include <rastertrace/trace/record/write_trace.h>
 #include <rastertrace/trace/text/text.h>
@@ -17,6 +18,7 @@
 #include <string_view>
 #include <unordered_map>
 #include <utility>
+#include <variant>
 #include <vector>
 
 namespace rastertrace {
@@ -54,29 +56,6 @@ std::optional<Pixel> pixel_of(const auto& step, const Canvas& canvas) {
     if (!canvas.contains(step.x, step.y))
         return std::nullopt;
     return Pixel{static_cast<int>(step.x), static_cast<int>(step.y)};
-}
-
-/// Counts a pixel step, and notes its pixel as drawn by the current primitive.
-void count_pixel(Stats& stats, std::vector<DrawnPrimitive>& drawn, const PixelStep& step,
-                 const Replay& replay) {
-    const Canvas& canvas = replay.trace().canvas;
-    const auto pixel = pixel_of(step, canvas);
-    if (!pixel)
-        return;
-    ++stats.writes;
-    if (stats.primitives.empty())
-        return;
-    ++stats.primitives.back().writes;
-    stats.primitives.back().over += replay.drew_over() != 0 ? 1 : 0;
-    add_pixel(drawn.back(), canvas.offset_of(*pixel));
-}
-
-/// Notes a pixel of the current primitive that failed the depth test.
-void note_hidden_pixel(std::vector<DrawnPrimitive>& drawn, const DepthStep& test,
-                       const Canvas& canvas) {
-    const auto pixel = pixel_of(test, canvas);
-    if (!drawn.empty() && pixel)
-        add_hidden_pixel(drawn.back(), canvas.offset_of(*pixel));
 }
 
 /// Watches depth tests for ties that decide what is seen.
@@ -117,6 +96,97 @@ private:
     std::vector<bool> is_tied_;
 };
 
+/// Takes the steps of a trace, one after the other: counts them, and notes what each primitive draws.
+class StepsCounted {
+public:
+    StepsCounted(const Trace& trace, Stats& stats)
+        : trace_(trace), stats_(stats), kinds_(stats), ties_(trace.canvas), rows_(stats.wrong_rows),
+          needs_(trace), state_(trace.canvas) {}
+
+    void take(std::size_t n) {
+        const StepView step = trace_.step(n);
+        const auto kind = trace_.kind_of(n);
+        needs_.add(step, kind, n);
+        kinds_.add(kind, step);
+        if (!kind) {
+            state_.take(step, kind);
+            if (!trace_.is_partial && is_painted_)
+                rows_.close();
+            return;
+        }
+        const AnyStep any = any_step(step, *kind);
+        std::visit([this](const auto& told) { count(told); }, any);
+        if (!trace_.is_partial && (is_painted_ || kind == StepKind::primitive))
+            rows_.add(any, n, stats_.primitives.empty() ? "" : stats_.primitives.back().name);
+    }
+
+    /// Behind the last step: what the primitives drew, and what is known of the whole.
+    std::vector<DrawnPrimitive> finish() {
+        needs_.close();
+        stats_.unjudged = needs_.unjudged();
+        for (std::size_t i = 0; i < drawn_.size(); ++i) {
+            keep_each_once(drawn_[i]);
+            stats_.primitives[i].pixels = drawn_[i].pixels.size();
+            stats_.primitives[i].hidden = drawn_[i].covering().size() - drawn_[i].pixels.size();
+        }
+        if (trace_.end)
+            rows_.close();
+        stats_.depth_ties = ties_.found();
+        return std::move(drawn_);
+    }
+
+    const Image& picture() const { return state_.frame().image; }
+
+private:
+    void count(const PrimitiveStep& begun) {
+        state_.take_primitive(color_of_primitive(begun));
+        PrimitiveStats& primitive = stats_.primitives.emplace_back();
+        primitive.kind = begun.kind.text();
+        primitive.name = begun.name.text();
+        is_painted_ = !begun.painted.is_false();
+        drawn_.push_back({.step = state_.step(), .pixels = {}, .covered = {}});
+    }
+
+    void count(const SkipStep& skip) {
+        state_.take(StepKind::skip);
+        if (!stats_.primitives.empty())
+            stats_.primitives.back().skipped = skip.why.text();
+    }
+
+    void count(const PixelStep& step) {
+        const auto plotted = plotted_by(step, trace_.canvas, state_.color());
+        if (!plotted)
+            return state_.take(StepKind::pixel);
+        state_.take_pixel(plotted->pixel, plotted->color);
+        ++stats_.writes;
+        if (stats_.primitives.empty())
+            return;
+        ++stats_.primitives.back().writes;
+        stats_.primitives.back().over += state_.drew_over() != 0 ? 1 : 0;
+        add_pixel(drawn_.back(), trace_.canvas.offset_of(plotted->pixel));
+    }
+
+    void count(const DepthStep& test) {
+        state_.take(StepKind::depth);
+        ties_.add(test, state_.color(), state_.frame());
+        const auto pixel = pixel_of(test, trace_.canvas);
+        if (!test.pass.is_true() && !drawn_.empty() && pixel)
+            add_hidden_pixel(drawn_.back(), trace_.canvas.offset_of(*pixel));
+    }
+
+    template <typename Step> void count(const Step& /*other*/) { state_.take(Step::step_kind); }
+
+    const Trace& trace_;
+    Stats& stats_;
+    KindCounts kinds_;
+    DepthTies ties_;
+    RowCheck rows_;
+    StatsNeeds needs_;
+    ReplayState state_;
+    std::vector<DrawnPrimitive> drawn_;
+    bool is_painted_ = true; ///< the current primitive
+};
+
 } // namespace
 
 std::string_view name_of(StatsFinding finding) {
@@ -146,61 +216,19 @@ Stats stats_of(const Trace& trace) {
     // Step by step, what is drawn and by which primitive.
     Stats stats;
     stats.steps = trace.size();
-    KindCounts kinds(stats);
-    std::vector<DrawnPrimitive> drawn;
-    DepthTies ties(trace.canvas);
-    RowCheck rows(stats.wrong_rows);
-    StatsNeeds needs(trace);
-    Replay replay(trace);
-    bool is_painted = true; // the current primitive
-    for (std::size_t n = 1; n <= trace.size(); ++n) {
-        replay.go_to(n);
-        const StepView step = trace.step(n);
-        const auto kind = trace.kind_of(n);
-        needs.add(step, kind, n);
-        kinds.add(kind, step);
-        if (kind == StepKind::primitive) {
-            const auto begun = step.as<PrimitiveStep>();
-            PrimitiveStats& primitive = stats.primitives.emplace_back();
-            primitive.kind = begun.kind.text();
-            primitive.name = begun.name.text();
-            is_painted = !begun.painted.is_false();
-            drawn.push_back({.step = n, .pixels = {}, .covered = {}});
-        }
-        if (kind == StepKind::skip && !stats.primitives.empty())
-            stats.primitives.back().skipped = step.as<SkipStep>().why.text();
-        if (!trace.is_partial && (is_painted || kind == StepKind::primitive))
-            rows.add(trace, n, stats.primitives.empty() ? "" : stats.primitives.back().name);
-        if (kind == StepKind::pixel)
-            count_pixel(stats, drawn, step.as<PixelStep>(), replay);
-        if (kind == StepKind::depth) {
-            const auto test = step.as<DepthStep>();
-            ties.add(test, replay.color(), replay.frame());
-            if (!test.pass.is_true())
-                note_hidden_pixel(drawn, test, trace.canvas);
-        }
-    }
-
-    needs.close();
-    stats.unjudged = needs.unjudged();
+    StepsCounted counted(trace, stats);
+    for (std::size_t n = 1; n <= trace.size(); ++n)
+        counted.take(n);
 
     // Against what should have been drawn, where all of that can be there.
-    for (std::size_t i = 0; i < drawn.size(); ++i) {
-        keep_each_once(drawn[i]);
-        stats.primitives[i].pixels = drawn[i].pixels.size();
-        stats.primitives[i].hidden = drawn[i].covering().size() - drawn[i].pixels.size();
-    }
-    if (trace.end)
-        rows.close();
+    std::vector<DrawnPrimitive> drawn = counted.finish();
     if (!trace.end && !drawn.empty())
         drawn.pop_back();
     if (!trace.is_partial)
         compare_with_corners(trace, drawn, stats);
 
-    stats.depth_ties = ties.found();
-
     // The picture that came of it.
-    const Image& picture = replay.frame().image;
+    const Image& picture = counted.picture();
     stats.canvas = picture.colors().size();
     stats.pixels = picture.drawn();
     stats.frame = frame_name(picture);

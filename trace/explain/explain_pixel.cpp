@@ -210,6 +210,7 @@ private:
     }
 
     WhyNot why_not_of(PrimitiveSteps& steps) {
+        steps.samples = &samples_;
         steps.may_lack = why_steps_may_lack(trace_, is_at_end_);
         if (nearest_.size() == most_why_not_)
             steps.farthest_told = nearest_.top();
@@ -284,6 +285,7 @@ private:
 
     const Trace& trace_;
     Pixel pixel_;
+    ToldSamples samples_ = told_samples(trace_);
     std::size_t most_why_not_;
     std::priority_queue<double> nearest_; ///< so many distances, the largest on top
     const std::vector<std::string>* sentences_;

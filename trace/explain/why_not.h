@@ -8,6 +8,7 @@
 #include "explain.h"
 
 #include <rastertrace/core/raster/canvas.h>
+#include <rastertrace/trace/record/told_samples.h>
 #include <rastertrace/trace/record/trace.h>
 
 #include <cstddef>
@@ -32,6 +33,7 @@ struct PrimitiveSteps {
     bool is_whole = false;              ///< clipping cuts it; its parts follow
     std::string may_lack{};             ///< why steps of it may be missing; "" if all are there
     std::vector<std::string> working{}; ///< of its row, or its sample, in the pixel
+    const ToldSamples* samples = nullptr; ///< those of the trace
     double farthest_told =
         std::numeric_limits<double>::infinity(); ///< in pixels; beyond, no words are needed
 };

@@ -25,15 +25,22 @@ struct Case {
     const Trace& trace;
     const PrimitiveSteps& steps;
     Pixel pixel;
-    PrimitiveText primitive;
+    PrimitiveStep told;
     Vec2 sample;
 
-    /// Where its corners are, exactly. Not every rule asks, and working it out takes most of the time.
+    /// The primitive in words, and where its corners are, exactly. Not every rule asks, and working it out takes most of
+    /// the time.
+    const PrimitiveText& primitive() const {
+        if (!primitive_)
+            primitive_ = primitive_in(trace.step(steps.first));
+        return *primitive_;
+    }
     const std::optional<std::array<Vec2, 3>>& corners() const {
         if (!corners_)
-            corners_ = corners_of(primitive);
+            corners_ = corners_of(primitive());
         return *corners_;
     }
+    mutable std::optional<PrimitiveText> primitive_ = {};
     mutable std::optional<std::optional<std::array<Vec2, 3>>> corners_ = {};
 };
 
@@ -66,17 +73,18 @@ std::string made_by_clipping(const std::string& edge) {
 std::optional<WhyNot> by_edge_function(const Case& c) {
     std::optional<WhyNot> farthest;
     for (std::size_t n = c.steps.first; n <= c.steps.last; ++n) {
-        const StepView step = c.trace.step(n);
         if (c.trace.kind_of(n) != StepKind::edge)
             continue;
-        const auto function = edge_function_in(c.trace, step.as<EdgeStep>(), c.primitive);
+        const auto told = c.trace.step(n).as<EdgeStep>();
+        const auto function =
+            told.a ? edge_function_in(c.trace, told, c.primitive()) : std::nullopt;
         const Rational value = function ? function->value_at(c.sample) : Rational(1);
         if (sgn(value) > 0 || (sgn(value) == 0 && function->is_top_left))
             continue;
         const double distance = distance_from_line(value, {0, 0}, {function->a, function->b});
         if (farthest && *farthest->distance >= distance)
             continue;
-        const std::string edge = step.as<EdgeStep>().edge.text();
+        const std::string edge = told.edge.text();
         farthest =
             WhyNot{.reason = "outside",
                    .sentence = sgn(value) == 0
@@ -121,7 +129,7 @@ WhyNot beyond_end(const Case& c, std::size_t n, bool is_left) {
                       "{}{} {} a linha y={} em x = {}{} -> {}; x = {} {}"},
                      name, made_by_clipping(edge),
                      is_left ? said({"begins", "começa"}) : said({"ends", "termina"}), told.y,
-                     in_sentence(told.x.text()), rule_of_end(c.trace, told, c.primitive.kind),
+                     in_sentence(told.x.text()), rule_of_end(c.trace, told, c.primitive().kind),
                      told.pixel, text(c.sample.x), where) +
                     what_numbers_give(c.trace, n),
                 gap);
@@ -199,8 +207,9 @@ std::optional<double> distance_in_doubles(const Case& c, bool is_above) {
     const double sample = nearest_double(c.sample.y);
     std::optional<double> outermost;
     double largest = std::abs(sample);
-    for (const std::vector<std::string>& position : c.primitive.positions) {
-        const auto y = position.size() == 2 ? stored_double_in(position[1], false) : std::nullopt;
+    for (const TracedList<TracedNumber>& corner : c.told.at.values()) {
+        const auto place = corner.values();
+        const auto y = place.size() == 2 ? stored_double_in(place[1].text(), false) : std::nullopt;
         if (!y)
             return std::nullopt;
         outermost = !outermost      ? *y
@@ -265,8 +274,8 @@ std::optional<WhyNot> by_rows(const Case& c) {
     return outside(said({"{}: its {} corner, {}, is at y = {}{}",
                          "{}: seu vértice mais {}, {}, está em y = {}{}"},
                         lies, is_above ? said({"highest", "alto"}) : said({"lowest", "baixo"}),
-                        c.primitive.vertices[corner], in_sentence(c.primitive.positions[corner][1]),
-                        left_out),
+                        c.primitive().vertices[corner],
+                        in_sentence(c.primitive().positions[corner][1]), left_out),
                    distance);
 }
 
@@ -301,10 +310,10 @@ std::optional<WhyNot> by_weight(const Case& c) {
         return WhyNot{.reason = "outside",
                       .sentence = said({"at {} the weight of {} is {} < {}: beyond {}, by {} px",
                                         "em {} o peso de {} é {} < {}: além de {}, por {} px"},
-                                       text(c.sample), c.primitive.vertices[*worst],
+                                       text(c.sample), c.primitive().vertices[*worst],
                                        in_sentence(weights[*worst].text()),
                                        tolerance.empty() ? "0" : "-" + tolerance,
-                                       side_across(c.primitive, *worst), six_places(distance)),
+                                       side_across(c.primitive(), *worst), six_places(distance)),
                       .distance = distance,
                       .working = c.steps.working};
     }
@@ -361,14 +370,13 @@ WhyNot unknown(const Case& c) {
 } // namespace
 
 WhyNot why_outside(const Trace& trace, const PrimitiveSteps& steps, Pixel pixel) {
-    const StepView step = trace.step(steps.first);
-    const PrimitiveText primitive = primitive_in(step);
-    const auto offset = told_samples(trace).of(step.as<PrimitiveStep>().kind);
-    const Case c{trace, steps, pixel, primitive, {offset.x_of(pixel.x), offset.y_of(pixel.y)}};
-    if (step.as<PrimitiveStep>().painted.is_false())
+    const auto told = trace.step(steps.first).as<PrimitiveStep>();
+    if (told.painted.is_false())
         return {.reason = "unpainted",
                 .sentence = said(
                     {"it only hides what lies behind it", "só esconde o que está atrás dele"})};
+    const auto& offset = steps.samples->of(told.kind);
+    const Case c{trace, steps, pixel, told, {offset.x_of(pixel.x), offset.y_of(pixel.y)}};
     for (const auto rule : {by_edge_function, by_row, by_weight, by_rows, by_box})
         if (auto why = rule(c))
             return *std::move(why);

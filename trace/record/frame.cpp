@@ -8,19 +8,14 @@
 
 namespace rastertrace {
 
-void Replay::go_to(std::size_t n) {
-    if (n < place_.step) {
-        frame_ = Frame(trace_.canvas, parts_);
-        has_changed_.assign(has_changed_.size(), 0);
-        place_ = {};
-    }
-    while (place_.step < n)
-        apply_next();
+void ReplayState::start_over() {
+    frame_ = Frame(frame_.image.canvas(), parts_);
+    has_changed_.assign(has_changed_.size(), 0);
+    place_ = {};
 }
 
-void Replay::go_to_place_of(const Replay& other) {
-    vertex_places_ = other.vertex_places_;
-    Color* const colors = frame_.image.row(trace_.canvas.top()).colors;
+void ReplayState::go_to_place_of(const ReplayState& other) {
+    Color* const colors = frame_.image.row(frame_.image.canvas().top()).colors;
     for (std::size_t tile = 0; tile < has_changed_.size(); ++tile) {
         if (has_changed_[tile] == 0 && other.has_changed_[tile] == 0)
             continue; // blank in both
@@ -55,21 +50,34 @@ void add_to(std::vector<std::size_t>& list, std::size_t& count, std::size_t step
 
 } // namespace
 
-void Replay::apply_next() {
-    ++place_.step;
-    place_.drew_over = place_.stored_before = 0;
-    const auto kind = trace_.kind_of(place_.step);
+void ReplayState::take(const StepView& step, std::optional<StepKind> kind) {
     if (!kind)
-        return;
-    const StepView step = trace_.step(place_.step);
+        return pass();
     switch (*kind) {
     case StepKind::primitive:
-        place_.primitive = place_.step;
-        add_to(primitives_, place_.primitives, place_.step);
-        place_.ray = place_.scanline = place_.scanline_before = 0;
-        place_.edges.clear();
-        place_.color = color_of_primitive(step.as<PrimitiveStep>());
-        break;
+        return take_primitive(color_of_primitive(step.as<PrimitiveStep>()));
+    case StepKind::pixel:
+        if (const auto plotted =
+                plotted_by(step.as<PixelStep>(), frame_.image.canvas(), place_.color))
+            return take_pixel(plotted->pixel, plotted->color);
+        return pass();
+    case StepKind::depth: {
+        if (!parts_.depths)
+            return pass();
+        const auto test = step.as<DepthStep>();
+        if (frame_.image.canvas().contains(test.x, test.y))
+            return take_depth({static_cast<int>(test.x), static_cast<int>(test.y)},
+                              stores_depth(test));
+        return pass();
+    }
+    default:
+        return take(*kind);
+    }
+}
+
+void ReplayState::take(StepKind kind) {
+    pass();
+    switch (kind) {
     case StepKind::matrix:
         add_to(matrices_, place_.matrices, place_.step);
         break;
@@ -91,44 +99,70 @@ void Replay::apply_next() {
         place_.scanline_before = place_.scanline;
         place_.scanline = place_.step;
         break;
-    case StepKind::pixel:
-        plot(step);
-        break;
-    case StepKind::depth:
-        if (parts_.depths)
-            test_depth(step);
-        break;
     default:
         break;
     }
 }
 
-void Replay::plot(const StepView& step) {
-    const auto plotted = plotted_by(step.as<PixelStep>(), trace_.canvas, place_.color);
-    if (!plotted)
-        return;
-    const std::size_t offset = trace_.canvas.offset_of(plotted->pixel);
-    frame_.image.at(plotted->pixel) = plotted->color;
+void ReplayState::take_primitive(Color color) {
+    pass();
+    place_.primitive = place_.step;
+    add_to(primitives_, place_.primitives, place_.step);
+    place_.ray = place_.scanline = place_.scanline_before = 0;
+    place_.edges.clear();
+    place_.color = color;
+}
+
+void ReplayState::take_pixel(Pixel pixel, Color color) {
+    pass();
+    const std::size_t offset = frame_.image.canvas().offset_of(pixel);
+    frame_.image.at(pixel) = color;
     place_.drew_over = std::exchange(frame_.drawn_by[offset], place_.step);
     if (parts_.writes)
         ++frame_.writes[offset];
     has_changed_[offset / tile_size] = 1;
 }
 
-void Replay::test_depth(const StepView& step) {
-    const auto test = step.as<DepthStep>();
-    if (!trace_.canvas.contains(test.x, test.y))
+void ReplayState::take_depth(Pixel pixel, bool stores) {
+    pass();
+    if (!parts_.depths)
         return;
-    const std::size_t offset =
-        trace_.canvas.offset_of({static_cast<int>(test.x), static_cast<int>(test.y)});
+    const std::size_t offset = frame_.image.canvas().offset_of(pixel);
     place_.stored_before = frame_.stored_by[offset];
-    if (!stores_depth(test))
+    if (!stores)
         return;
     frame_.stored_by[offset] = place_.step;
     has_changed_[offset / tile_size] = 1;
 }
 
-std::size_t Replay::primitive_of(std::size_t step) const {
+void ReplayState::take_over(ReplayState&& other) {
+    const FrameParts parts = parts_;
+    *this = std::move(other);
+    parts_ = parts;
+    if (!parts.writes)
+        frame_.writes = {};
+    if (!parts.depths) {
+        frame_.stored_by = {};
+        place_.stored_before = 0;
+    }
+}
+
+void Replay::go_to(std::size_t n) {
+    if (n < step())
+        start_over();
+    if (n == trace_.size() && n > step())
+        if (const auto end = trace_.take_end())
+            take_over(std::move(*end));
+    while (step() < n)
+        take(trace_.step(step() + 1), trace_.kind_of(step() + 1));
+}
+
+void Replay::go_to_place_of(const Replay& other) {
+    ReplayState::go_to_place_of(other);
+    vertex_places_ = other.vertex_places_;
+}
+
+std::size_t ReplayState::primitive_of(std::size_t step) const {
     const auto so_far = primitives();
     const auto next = std::upper_bound(so_far.begin(), so_far.end(), step);
     return next == so_far.begin() ? 0 : *(next - 1);

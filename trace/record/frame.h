@@ -25,6 +25,10 @@
 
 namespace rastertrace {
 
+struct DepthStep;
+struct PixelStep;
+struct PrimitiveStep;
+
 /// What a frame remembers of its pixels beside their colors, for who asks.
 struct FrameParts {
     bool writes = false;
@@ -51,14 +55,30 @@ struct Frame {
         stored_by; ///< the depth test that the buffer has its depth from; 0 for none
 };
 
-/// Plays a trace forward step by step and remembers what the current step belongs to.
-class Replay {
+/// The picture after some steps, and what the last of them refers to.
+class ReplayState {
 public:
-    explicit Replay(const Trace& trace, FrameParts parts = {})
-        : trace_(trace), parts_(parts), frame_(trace.canvas, parts),
+    explicit ReplayState(const Canvas& canvas, FrameParts parts = {})
+        : parts_(parts), frame_(canvas, parts),
           has_changed_(frame_.drawn_by.size() / tile_size + 1) {}
 
-    const Trace& trace() const { return trace_; }
+    /// Takes the next step, of a kind that is not known if there is none.
+    void take(const StepView& step, std::optional<StepKind> kind);
+
+    /// The same for a step of which no more is known than this: neither a primitive nor a pixel, nor a depth test if
+    /// depths are remembered.
+    void take(StepKind kind);
+    void take_primitive(Color color);
+    void take_pixel(Pixel pixel, Color color); ///< of the canvas
+    void take_depth(Pixel pixel, bool stores); ///< of the canvas
+
+    /// Takes steps that change nothing but their number, up to step n, if there are any.
+    void pass_to(std::size_t n) {
+        if (n == place_.step)
+            return;
+        place_.step = n;
+        place_.drew_over = place_.stored_before = 0;
+    }
 
     /// The picture after the current step.
     const Frame& frame() const& { return frame_; }
@@ -66,12 +86,6 @@ public:
 
     /// The number of the current step; 0 before the first.
     std::size_t step() const { return place_.step; }
-
-    /// Goes to step n, 0 to trace().size(). Going back starts over from the first step.
-    void go_to(std::size_t n);
-
-    /// Goes to where another replay of the same trace and parts is.
-    void go_to_place_of(const Replay& other);
 
     /// The steps that the current one refers to, by number; 0 if there is none. The primitive it
     /// belongs to, the last scanline, and the one before that of the same primitive.
@@ -98,9 +112,6 @@ public:
         return std::span(matrices_).first(place_.matrices);
     }
 
-    /// All steps of the trace that tell where a vertex is on its way to the screen, by number.
-    const std::vector<std::size_t>& places_of(const std::string& vertex) const;
-
     /// The step that told how the painter sorts the triangles; 0 if there was none.
     std::size_t order() const { return place_.order; }
 
@@ -117,7 +128,7 @@ public:
     /// If the current step plotted a pixel that had been drawn already: the step that had.
     std::size_t drew_over() const { return place_.drew_over; }
 
-private:
+protected:
     friend class Snapshots;
 
     /// The current step and what it refers to: all but the frame.
@@ -138,11 +149,15 @@ private:
         std::vector<std::size_t> edges = {};
     };
 
-    void apply_next();
-    void plot(const StepView& step);
-    void test_depth(const StepView& step);
+    /// Starts over from the first step.
+    void start_over();
 
-    const Trace& trace_;
+    /// Goes to where another one of the same trace and parts is.
+    void go_to_place_of(const ReplayState& other);
+
+    /// Takes over where another one of the same trace is, which remembers all parts.
+    void take_over(ReplayState&& other);
+
     FrameParts parts_;
     Frame frame_;
     Place place_;
@@ -156,6 +171,30 @@ private:
     std::vector<std::size_t> primitives_;
     std::vector<std::size_t> matrices_;
 
+private:
+    void pass() { pass_to(place_.step + 1); }
+};
+
+/// Plays a trace forward step by step and remembers what the current step belongs to.
+class Replay : public ReplayState {
+public:
+    explicit Replay(const Trace& trace, FrameParts parts = {})
+        : ReplayState(trace.canvas, parts), trace_(trace) {}
+
+    const Trace& trace() const { return trace_; }
+
+    /// Goes to step n, 0 to trace().size(). Going back starts over from the first step.
+    void go_to(std::size_t n);
+
+    /// Goes to where another replay of the same trace and parts is.
+    void go_to_place_of(const Replay& other);
+
+    /// All steps of the trace that tell where a vertex is on its way to the screen, by number.
+    const std::vector<std::size_t>& places_of(const std::string& vertex) const;
+
+private:
+    const Trace& trace_;
+
     /// The places of the vertices, by name, of so many steps of the trace, as far as someone has asked. Replays that
     /// have gone to each other's place share it.
     struct VertexPlaces {
@@ -164,10 +203,6 @@ private:
     };
     std::shared_ptr<VertexPlaces> vertex_places_ = std::make_shared<VertexPlaces>();
 };
-
-struct DepthStep;
-struct PixelStep;
-struct PrimitiveStep;
 
 /// A pixel that a step plots.
 struct PlottedPixel {

@@ -33,6 +33,14 @@ struct StepCounts {
             ++others[step.kind_name()];
     }
 
+    StepCounts& operator+=(const StepCounts& more) {
+        for (std::size_t kind = 0; kind < step_kinds; ++kind)
+            known[kind] += more.known[kind];
+        for (const auto& [name, count] : more.others)
+            others[name] += count;
+        return *this;
+    }
+
     /// How many there are of a kind, known or not.
     std::uint64_t of(std::string_view name) const {
         if (const auto kind = step_kind_named(name))

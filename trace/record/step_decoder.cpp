@@ -335,6 +335,29 @@ template <typename Step> Step StepView::as() const {
     return take_whole(text, step) ? step : step_in<Step>(json_, typename Step::Fields{});
 }
 
+namespace {
+
+template <std::size_t... kind>
+AnyStep step_of_kind(const StepView& step, std::size_t wanted,
+                     std::index_sequence<kind...> /*all*/) {
+    AnyStep any;
+    static_cast<void>(
+        ((kind == wanted && (any = step.as<std::variant_alternative_t<kind, AnyStep>>(), true)) ||
+         ...));
+    return any;
+}
+
+} // namespace
+
+AnyStep any_step(const StepView& step, StepKind kind) {
+    AnyStep any;
+    if (step.plain_pixel() == nullptr)
+        if (std::string_view json = step.json(); take_step(json, any) && json.empty())
+            return any;
+    return step_of_kind(step, static_cast<std::size_t>(kind),
+                        std::make_index_sequence<step_kinds>{});
+}
+
 template TriangulateStep StepView::as() const;
 template MatrixStep StepView::as() const;
 template VertexStep StepView::as() const;

@@ -9,6 +9,7 @@
 //     while (take_step(text, step) && take_line_end(text))
 //         std::visit(use, step);
 
+#include "trace.h"
 #include "traced_steps.h"
 
 #include <cstddef>
@@ -20,6 +21,9 @@ namespace rastertrace {
 /// is. A step that was taken is valid: it has each field that its kind must have, each value is of the field's type, and
 /// each number is finite. The step is a view of the text.
 bool take_step(std::string_view& text, AnyStep& step);
+
+/// A step of a kind that is known, whatever its text looks like.
+AnyStep any_step(const StepView& step, StepKind kind);
 
 /// The kind of a step that take_step takes.
 StepKind kind_of_plain_step(std::string_view step);

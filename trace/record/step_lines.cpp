@@ -21,7 +21,7 @@ namespace rastertrace {
 namespace {
 
 /// So much is read at once: as much as stays in a cache close to the processor.
-constexpr std::size_t block_size = 1 << 17;
+constexpr std::size_t read_size = 1 << 17;
 
 /// A field of a key: a whole number as such, anything else as what it says.
 void add_key(std::string& key, std::string_view name, std::string_view json) {
@@ -113,7 +113,7 @@ bool StepLines::read_more() {
         throw too_long();
     const std::size_t kept = buffer_.size();
     const std::size_t begin = place_.offset + kept;
-    const std::size_t size = std::min(block_size, end_ - std::min(end_, begin));
+    const std::size_t size = std::min(read_size, end_ - std::min(end_, begin));
     buffer_.resize(kept + size);
     const std::size_t count = text_.read(begin, std::span(buffer_).subspan(kept));
     add_bytes_done({.read = count});

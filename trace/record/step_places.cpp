@@ -13,7 +13,6 @@ namespace rastertrace {
 
 namespace {
 
-constexpr std::size_t steps_in_block = 64;
 constexpr std::size_t blocks_found = 256;
 
 /// Takes a number and the blank or the end behind it from the front of a line.
@@ -43,8 +42,9 @@ void add_steps_of(std::string_view line, std::size_t offset, std::vector<StepPla
 
 } // namespace
 
-void StepPlaces::begin_block(std::size_t begin, bool is_plain) {
-    blocks_.push_back({.first = size_ + 1, .begin = begin, .is_plain = is_plain});
+void StepPlaces::begin_block(std::size_t begin, Block::Form form) {
+    blocks_.push_back(
+        {.first = size_ + 1, .begin = begin, .form = form, .measured = kinds_.size()});
 }
 
 std::size_t StepPlaces::end_of(std::size_t block) const {
@@ -52,24 +52,41 @@ std::size_t StepPlaces::end_of(std::size_t block) const {
 }
 
 void StepPlaces::add(const StepPlace& step) {
+    using enum Block::Form;
     const auto has_room = [&] {
-        return !blocks_.empty() && size_ + 1 - blocks_.back().first < steps_in_block;
+        return !blocks_.empty() && size_ + 1 - blocks_.back().first < steps_in_block &&
+               blocks_.back().form != measured;
     };
     if (step.is_plain) {
         // Steps that stand alone between others that are kept are kept, too.
         const bool goes_on =
-            has_room() && (!blocks_.back().is_plain || step.offset - end_of_line_ <= 2);
+            has_room() && (blocks_.back().form == kept || step.offset - end_of_line_ <= 2);
         if (!goes_on)
-            begin_block(step.offset, true);
+            begin_block(step.offset, plain);
         end_of_line_ = step.offset + step.length;
-    } else if (!has_room() || blocks_.back().is_plain) {
-        begin_block(kept_.size(), false);
+    } else if (!has_room() || blocks_.back().form == plain) {
+        begin_block(kept_.size(), kept);
     }
-    if (!blocks_.back().is_plain) {
+    if (blocks_.back().form == kept) {
         kept_.push_back(step);
         at_hand_.count = 0;
     }
     ++size_;
+}
+
+void StepPlaces::add_lines(const MeasuredLines& lines) {
+    std::size_t offset = lines.begin;
+    for (std::size_t i = 0; i < lines.kinds.size(); i += steps_in_block) {
+        const std::size_t count = std::min(steps_in_block, lines.kinds.size() - i);
+        begin_block(offset, Block::Form::measured);
+        blocks_.back().measured += i;
+        size_ += count;
+        for (std::size_t line = i; line < i + count; ++line)
+            offset += lines.sizes[line];
+    }
+    kinds_.insert(kinds_.end(), lines.kinds.begin(), lines.kinds.end());
+    sizes_.insert(sizes_.end(), lines.sizes.begin(), lines.sizes.end());
+    kinds_at_hand_.count = 0;
 }
 
 void StepPlaces::add_run(std::string& text, Pixel first, std::size_t count) {
@@ -82,13 +99,41 @@ void StepPlaces::add_run(std::string& text, Pixel first, std::size_t count) {
     text.append(line) += '\n';
 }
 
-const StepPlace& StepPlaces::found(std::size_t n, std::string_view text) const {
+std::size_t StepPlaces::block_of(std::size_t n) const {
     const auto behind =
         std::upper_bound(blocks_.begin(), blocks_.end(), n,
                          [](std::size_t step, const Block& block) { return step < block.first; });
-    const auto place = static_cast<std::size_t>(behind - blocks_.begin()) - 1;
+    return static_cast<std::size_t>(behind - blocks_.begin()) - 1;
+}
+
+void StepPlaces::find_lines(const Block& block, std::size_t count, std::string_view text,
+                            std::vector<StepPlace>& places) const {
+    std::size_t offset = block.begin;
+    if (block.form == Block::Form::measured) {
+        for (std::size_t i = block.measured; i < block.measured + count; ++i) {
+            const std::size_t end = offset + sizes_[i] - 1;
+            places.push_back({.offset = offset,
+                              .length = static_cast<std::uint32_t>(end - offset -
+                                                                   (text[end - 1] == ',' ? 1 : 0)),
+                              .kind = static_cast<StepKind>(kinds_[i]),
+                              .is_plain = true});
+            offset = end + 1;
+        }
+        return;
+    }
+    while (places.size() < count) {
+        while (text[offset] == '\n' || text[offset] == ',')
+            ++offset;
+        const std::size_t end = std::min(text.find('\n', offset), text.size());
+        add_steps_of(text.substr(offset, end - offset), offset, places);
+        offset = end;
+    }
+}
+
+const StepPlace& StepPlaces::found(std::size_t n, std::string_view text) const {
+    const std::size_t place = block_of(n);
     const Block& block = blocks_[place];
-    if (!block.is_plain)
+    if (block.form == Block::Form::kept)
         return take_to_hand(place, kept_.data() + block.begin, n);
 
     const std::size_t count = end_of(place) - block.first;
@@ -97,16 +142,20 @@ const StepPlace& StepPlaces::found(std::size_t n, std::string_view text) const {
     if (known.block != place || known.places.size() < count) {
         known.block = place;
         known.places.clear();
-        std::size_t offset = block.begin;
-        while (known.places.size() < count) {
-            while (text[offset] == '\n' || text[offset] == ',')
-                ++offset;
-            const std::size_t end = std::min(text.find('\n', offset), text.size());
-            add_steps_of(text.substr(offset, end - offset), offset, known.places);
-            offset = end;
-        }
+        find_lines(block, count, text, known.places);
     }
     return take_to_hand(place, known.places.data(), n);
+}
+
+std::optional<StepKind> StepPlaces::found_kind(std::size_t n, std::string_view text) const {
+    const std::size_t place = block_of(n);
+    const Block& block = blocks_[place];
+    if (block.form != Block::Form::measured)
+        return at(n, text).kind;
+    kinds_at_hand_ = {.first = block.first,
+                      .count = end_of(place) - block.first,
+                      .kinds = kinds_.data() + block.measured};
+    return static_cast<StepKind>(kinds_at_hand_.kinds[n - block.first]);
 }
 
 const StepPlace& StepPlaces::take_to_hand(std::size_t block, const StepPlace* places,

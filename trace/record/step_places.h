@@ -2,7 +2,8 @@
 #pragma once
 
 // Where each step of a trace stands in its text. Of the steps that are written as StepWriter writes them, a line each,
-// only the place of every 64th is kept; the lines behind it are found again when somebody asks for one of them.
+// only the place of every 64th is kept: with the lengths of the lines behind it, if those have been measured, else they
+// are found again when somebody asks for one of them.
 //
 //     StepPlaces places;
 //     places.add({.offset = 70, .length = 31, .kind = StepKind::pixel, .is_plain = true});
@@ -14,12 +15,27 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 namespace rastertrace {
+
+/// Of so many plain steps the place of one is kept.
+inline constexpr std::size_t steps_in_block = 64;
+
+/// Lines of plain steps.
+struct MeasuredLines {
+    std::size_t begin = 0;                 ///< of the text: where the first stands
+    std::size_t end = 0;                   ///< behind the newline of the last
+    std::vector<std::uint8_t> kinds = {};  ///< of the steps
+    std::vector<std::uint16_t> sizes = {}; ///< of the lines in bytes, with their newline
+};
+
+/// The longest line that can be measured.
+inline constexpr std::size_t longest_measured_line = std::numeric_limits<std::uint16_t>::max();
 
 /// One step in a text.
 struct StepPlace {
@@ -41,6 +57,9 @@ public:
     /// The next step.
     void add(const StepPlace& step);
 
+    /// The next steps, plain ones in lines that follow each other.
+    void add_lines(const MeasuredLines& lines);
+
     /// The next steps: pixels of a row, plotted one after the other from left to right. Adds a line for them to the text.
     void add_run(std::string& text, Pixel first, std::size_t count);
 
@@ -51,12 +70,21 @@ public:
                                                    : found(n, text);
     }
 
+    /// The kind of step n.
+    std::optional<StepKind> kind(std::size_t n, std::string_view text) const {
+        if (n - kinds_at_hand_.first < kinds_at_hand_.count)
+            return static_cast<StepKind>(kinds_at_hand_.kinds[n - kinds_at_hand_.first]);
+        return found_kind(n, text);
+    }
+
 private:
-    /// Steps one behind the other: all of them plain, or all of them kept.
+    /// Steps one behind the other: all of them of one form.
     struct Block {
+        enum class Form : std::uint8_t { kept, plain, measured };
         std::size_t first; ///< its first step
         std::size_t begin; ///< where that stands: in the text, or in kept_
-        bool is_plain;
+        Form form;
+        std::size_t measured; ///< where its lines are in kinds_ and sizes_
     };
 
     /// A block whose steps have been found.
@@ -72,18 +100,32 @@ private:
         const StepPlace* places = nullptr;
     };
 
+    /// The kinds of measured lines that were asked of last.
+    struct KindsAtHand {
+        std::size_t first = 0;
+        std::size_t count = 0;
+        const std::uint8_t* kinds = nullptr;
+    };
+
     const StepPlace& found(std::size_t n, std::string_view text) const;
+    std::optional<StepKind> found_kind(std::size_t n, std::string_view text) const;
     const StepPlace& take_to_hand(std::size_t block, const StepPlace* places, std::size_t n) const;
-    void begin_block(std::size_t begin, bool is_plain);
+    void find_lines(const Block& block, std::size_t count, std::string_view text,
+                    std::vector<StepPlace>& places) const;
+    std::size_t block_of(std::size_t n) const;
+    void begin_block(std::size_t begin, Block::Form form);
     std::size_t end_of(std::size_t block) const;
 
     std::vector<Block> blocks_;
     std::vector<StepPlace> kept_;
+    std::vector<std::uint8_t> kinds_;  ///< of the measured lines
+    std::vector<std::uint16_t> sizes_; ///< the same
     std::size_t size_ = 0;
     std::size_t end_of_line_ = 0; ///< behind the last plain step
 
     mutable std::vector<FoundBlock> found_; ///< a block has one place here, whatever is there
     mutable AtHand at_hand_ = {};
+    mutable KindsAtHand kinds_at_hand_ = {};
 };
 
 } // namespace rastertrace

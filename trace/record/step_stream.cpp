@@ -2,7 +2,6 @@
 #include "step_stream.h"
 
 #include "frame.h"
-#include "step_counts.h"
 #include "trace_lines.h"
 #include "unknown_names.h"
 
@@ -22,8 +21,9 @@ namespace rastertrace {
 
 namespace {
 
-/// So many bytes of steps are looked at at once.
-constexpr std::size_t block_size = 1 << 20;
+/// So many bytes of steps are looked at at once: more each time.
+constexpr std::size_t least_block = 1 << 20;
+constexpr std::size_t largest_block = 8 * least_block;
 
 template <typename T> T value_of(Result<T> result) {
     if (!result)
@@ -52,16 +52,17 @@ struct StepStream::State {
     std::size_t place = 0;  ///< of the current step in the block
     std::size_t before = 0; ///< steps in front of the block
     bool is_behind = false; ///< the last step has been passed
-    StepCounts counts;
+    BlockSums sums;
+    std::size_t jobs = 0;
+    std::size_t block_size = least_block;
     std::optional<EndRecord> end;
     std::optional<Problem> fault; ///< what stands behind the current block
     std::vector<Problem> damage;
     std::vector<Problem> passed_over; ///< in the header and the end record
     NotFiniteSteps not_finite;
 
-    bool tells_all = false;                ///< useless steps are damage, and the picture is drawn
-    bool has_useless_steps = false;        ///< nobody knows what they should have been
-    std::optional<PictureOfSteps> picture; ///< what the steps have drawn, if that is wanted
+    bool tells_all = false;         ///< useless steps are damage, and the picture is drawn
+    bool has_useless_steps = false; ///< nobody knows what they should have been
 
     explicit State(InputFile opened) : file(std::move(opened)) {}
 
@@ -92,7 +93,7 @@ struct StepStream::State {
         if (!is_cut_off)
             source.text += is_document ? "],\"end\":{}}" : "{\"end\":{}}";
         const bool goes_on = tells_all && damage.size() < most_useless_steps;
-        auto read = read_block(std::move(source), goes_on);
+        auto read = read_block(std::move(source), goes_on, jobs, sums);
         if (!read)
             throw moved(read.problem());
         for (Problem& problem : read.value().damage)
@@ -143,6 +144,7 @@ struct StepStream::State {
         place = 0;
         while (text.size() < block_size && read_more()) {
         }
+        block_size = std::min(2 * block_size, largest_block);
         WholeLines whole = whole_lines();
         while (whole.size == 0 && !whole.is_last && !has_all) { // a line longer than a block
             if (text.size() > longest_line)
@@ -156,16 +158,19 @@ struct StepStream::State {
         const bool is_cut_off = !whole.is_last && has_all;
         if (fault)
             throw *fault;
+        const bool had_stray_pixel = sums.has_stray_pixel;
         try {
             block = trace_of(lines, is_cut_off);
         } catch (const Problem& problem) {
+            sums.has_stray_pixel =
+                had_stray_pixel; // the steps in front of the fault are read again
             return next_block_before(problem, lines);
         }
         block_begin = text_begin;
         text_begin += whole.size;
         if (is_cut_off && !block.end && !damage.empty())
             damage.back().message = truncation_after(before + block.size());
-        count_steps();
+        look_for_useless_steps();
         lines_before_block = lines_before;
         lines_before += whole.count;
         text.erase(0, whole.size);
@@ -187,27 +192,20 @@ struct StepStream::State {
         block = trace_of(lines.substr(0, length), false);
         block_begin = text_begin;
         lines_before_block = lines_before;
-        count_steps();
+        look_for_useless_steps();
         if (block.size() == 0)
             throw problem;
         return true;
     }
 
-    void count_steps() {
-        for (std::size_t n = 1; n <= block.size(); ++n) {
-            const StepView step = block.step(n);
-            const auto kind = block.kind_of(n);
-            counts.add(step, kind);
-            if (!kind)
-                has_useless_steps = has_useless_steps || !is_foreign(step);
-            else if (picture)
-                picture->add(step, *kind);
-        }
+    void look_for_useless_steps() {
+        for (std::size_t n = 1; n <= block.size() && !has_useless_steps; ++n)
+            has_useless_steps = !block.kind_of(n) && !is_foreign(block.step(n));
     }
 
     /// What is left is the end record, and nothing behind it.
     void read_end() {
-        while (text.size() < 16 * block_size && read_more()) {
+        while (text.size() < 2 * largest_block && read_more()) {
         }
         Source source{file.name(), header_line + "\n" + text, {}};
         const Trace rest = value_of(read_end_of(std::move(source)));
@@ -245,11 +243,11 @@ struct StepStream::State {
         if (has_useless_steps)
             return;
         for (const auto& [name, told] : end->count) {
-            if (const std::uint64_t found = counts.of(name); found != told)
+            if (const std::uint64_t found = sums.counts.of(name); found != told)
                 disagree(told, name + " steps", found);
         }
-        if (picture && !picture->has_stray_pixel())
-            if (auto message = disagreement_of_picture(header, *end, picture->image())) {
+        if (sums.state && !sums.has_stray_pixel)
+            if (auto message = disagreement_of_picture(header, *end, sums.state->frame().image)) {
                 damage.push_back(at);
                 damage.back().message = *std::move(message);
             }
@@ -258,7 +256,7 @@ struct StepStream::State {
 
 void StepStream::tell_all() {
     state_->tells_all = true;
-    state_->picture.emplace(state_->header.canvas);
+    state_->sums.state.emplace(state_->header.canvas);
 }
 
 std::vector<Problem> StepStream::faults_in_step() const {
@@ -340,10 +338,12 @@ void StepStream::let_grow(bool may_grow) {
     state_->may_grow = may_grow;
 }
 
-std::variant<StepStream, Source> StepStream::open(FirstLine first) {
+std::variant<StepStream, Source> StepStream::open(FirstLine first, std::size_t jobs) {
     if (first.layout == LineLayout::other)
         return std::move(first.source);
-    return StepStream(std::move(first.file), first.layout, first.source.text);
+    StepStream stream(std::move(first.file), first.layout, first.source.text);
+    stream.state_->jobs = jobs;
+    return stream;
 }
 
 StepStream::StepStream(InputFile file, LineLayout layout, const std::string& first)
@@ -360,12 +360,14 @@ StepStream::StepStream(InputFile file, LineLayout layout, const std::string& fir
 }
 
 std::variant<StepStream, Source> open_steps(const std::string& path, const InputLimits& limits) {
-    return StepStream::open(open_first_line(path, InputCheck::Kind::scene_or_trace, limits));
+    return StepStream::open(open_first_line(path, InputCheck::Kind::scene_or_trace, limits),
+                            limits.jobs);
 }
 
 std::variant<StepStream, Source> open_steps_or_claims(const std::string& path,
                                                       const InputLimits& limits) {
-    return StepStream::open(open_first_line(path, InputCheck::Kind::scene_trace_or_claims, limits));
+    return StepStream::open(open_first_line(path, InputCheck::Kind::scene_trace_or_claims, limits),
+                            limits.jobs);
 }
 
 } // namespace rastertrace

@@ -90,7 +90,7 @@ private:
     void let_grow(bool may_grow);
     bool is_behind_end() const; ///< an end record, or the end of a file that does not grow
     struct State;
-    static std::variant<StepStream, Source> open(FirstLine first);
+    static std::variant<StepStream, Source> open(FirstLine first, std::size_t jobs);
     friend class GrowingTrace;
     StepStream(InputFile file, LineLayout layout, const std::string& first);
 

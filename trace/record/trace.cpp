@@ -4,6 +4,7 @@
 #include "field_type.h"
 #include "frame.h"
 #include "header_check.h"
+#include "scanned_lines.h"
 #include "step_counts.h"
 #include "step_decoder.h"
 #include "step_places.h"
@@ -18,6 +19,7 @@
 #include <rastertrace/trace/text/color_text.h>
 #include <rastertrace/trace/text/conventions.h>
 #include <rastertrace/trace/text/format_number.h>
+#include <rastertrace/trace/text/in_threads.h>
 #include <rastertrace/trace/text/input.h>
 #include <rastertrace/trace/text/json_document.h>
 #include <rastertrace/trace/text/json_scanner.h>
@@ -96,7 +98,12 @@ std::size_t Trace::offset_of(std::size_t n) const {
 }
 
 std::optional<StepKind> Trace::kind_of(std::size_t n) const {
-    return place_of(n).kind;
+    assert(n > 0 && n <= size());
+    return steps_->kind(n, text());
+}
+
+std::unique_ptr<ReplayState> Trace::take_end() const {
+    return std::move(end_state_);
 }
 
 bool Trace::is_plain(std::size_t n) const {
@@ -333,20 +340,22 @@ public:
         to_tell, ///< such a step is damage, and the rest is read
     };
 
-    TraceReader(Source source, Care care, std::size_t most_steps, bool is_block)
-        : care_(care), most_steps_(most_steps), is_block_(is_block) {
+    /// Of a block, what it adds is added to `sums`.
+    TraceReader(Source source, Care care, const TraceReading& reading, BlockSums* sums)
+        : care_(care), reading_(reading), is_block_(sums != nullptr),
+          sums_(sums != nullptr ? *sums : own_sums_) {
         trace_.source_ = std::move(source);
         if (trace_.source_.mapped)
             trace_.text_of_file_ = trace_.source_.view();
     }
 
     /// Reads what may be a trace, or a part of one.
-    static Result<Trace> read_with(Source source, Care care,
-                                   std::size_t most_steps = std::numeric_limits<std::size_t>::max(),
-                                   bool is_block = false);
+    static Result<Trace> read_with(Source source, Care care, const TraceReading& reading = {},
+                                   BlockSums* sums = nullptr);
 
     Trace read() {
         const std::string_view first_line = line_at(0);
+        refuse_zero_bytes(0, first_line.size());
         switch (layout_of(first_line)) {
         case LineLayout::document:
             read_line_by_line(first_line, "]}", ']');
@@ -363,11 +372,19 @@ public:
         for (WrongForm& wrong : wrong_forms_)
             trace_.passed_over.push_back(
                 problem_at(source(), wrong.offset, std::move(wrong.message)));
+        if (own_sums_.state)
+            trace_.end_state_ = std::make_unique<ReplayState>(*std::move(own_sums_.state));
         return std::move(trace_);
     }
 
-private:
     const Source& source() const { return trace_.source_; }
+
+private:
+    /// So many bytes are read at once, in parts of one size: more each time that all lines are plain.
+    static constexpr std::size_t part_size = 1 << 20;
+    static constexpr std::size_t least_ahead = 1 << 10;
+    static constexpr std::size_t most_ahead = 8 * part_size;
+
     std::string_view text() const { return trace_.text(); }
 
     [[noreturn]] void fail(std::size_t offset, std::string message, std::string hint = {}) const {
@@ -384,6 +401,7 @@ private:
 
     /// Any layout of a complete JSON document.
     void read_document() {
+        refuse_zero_bytes(0);
         const auto document = parse_json(source());
         if (!document)
             throw document.problem();
@@ -409,10 +427,11 @@ private:
 
         const std::size_t last_byte = text().find_last_not_of(" \t\r\n");
         std::size_t offset = text().find('\n');
+        bool is_free_of_zeros = false;
         while (offset < text().size()) {
-            ++offset;
-            if (take_plain_line(offset, end_mark != '\0'))
-                continue;
+            offset = take_plain_lines(offset + 1, end_mark != '\0');
+            if (!std::exchange(is_free_of_zeros, true))
+                refuse_zero_bytes(offset);
             std::string_view line = line_at(offset);
             const std::size_t begin = offset + std::min(line.find_first_not_of(" \t"), line.size());
             const std::size_t next = text().find('\n', offset);
@@ -578,7 +597,7 @@ private:
         read_left_out(header);
         note_wrong_forms(header, header_keys);
         if (care_ != Care::none && !is_block_)
-            picture_.emplace(trace_.canvas);
+            sums_.state.emplace(trace_.canvas, FrameParts{.writes = true, .depths = true});
     }
 
     /// A named set stands for all that it sets, as in a scene. What the header says itself wins.
@@ -641,30 +660,66 @@ private:
                (!fields.needs_full_check() || parse_json(source(), begin, size));
     }
 
-    /// Takes a line that holds a step as this program writes it; goes to the newline at its end. In a document a comma
-    /// may stand before that.
-    bool take_plain_line(std::size_t& offset, bool is_document) {
-        std::string_view rest = text().substr(offset);
-        if (!take_step(rest, step_))
-            return false;
-        const std::size_t size = text().size() - rest.size() - offset;
-        if (is_document && rest.starts_with(','))
-            rest.remove_prefix(1);
-        if (!rest.starts_with('\n') || size > std::numeric_limits<std::uint32_t>::max())
-            return false;
-        check_count();
-        if (const auto* const pixel = std::get_if<PixelStep>(&step_); pixel && care_ != Care::none)
-            check_pixel(offset, *pixel);
-        if (picture_)
-            std::visit([this](const auto& step) { picture_->add(step); }, step_);
-        add_place(offset, size, static_cast<StepKind>(step_.index()), true);
-        offset = text().size() - rest.size();
-        return true;
+    /// Takes the lines from `offset` on that hold steps as this program writes them, several parts of the text at once;
+    /// tells where the first other line begins.
+    std::size_t take_plain_lines(std::size_t offset, bool is_document) {
+        const LineScan scan{.canvas = trace_.canvas,
+                            .is_document = is_document,
+                            .has_changes = sums_.state.has_value()};
+        const std::size_t jobs = reading_.jobs == 0 ? usual_jobs() : reading_.jobs;
+        while (offset < text().size()) {
+            const std::vector<std::size_t> parts = parts_from(offset);
+            std::vector<ScannedLines> scanned(parts.size() - 1);
+            in_threads(scanned.size(), jobs, [&](std::size_t i, std::size_t /*thread*/) {
+                scanned[i] = scan_lines(text(), parts[i], parts[i + 1], scan);
+            });
+            for (std::size_t i = 0; i < scanned.size(); ++i) {
+                take(scanned[i]);
+                offset = scanned[i].measured.end;
+                if (offset < parts[i + 1]) {
+                    ahead_ = least_ahead;
+                    return offset;
+                }
+            }
+            ahead_ = std::min(2 * ahead_, most_ahead);
+        }
+        return offset;
+    }
+
+    /// Where parts of the text begin that are read next, the first at `offset`; and where the last one ends.
+    std::vector<std::size_t> parts_from(std::size_t offset) const {
+        const std::size_t end = std::min(offset + ahead_, text().size());
+        std::vector<std::size_t> parts{offset};
+        while (parts.back() < end) {
+            const std::size_t newline =
+                text().find('\n', std::min(parts.back() + part_size, end) - 1);
+            parts.push_back(std::min(newline, text().size() - 1) + 1);
+        }
+        return parts;
+    }
+
+    /// Takes lines of plain steps.
+    void take(const ScannedLines& lines) {
+        if (lines.measured.kinds.size() > reading_.most_steps - trace_.size())
+            throw too_many_steps(source().name, reading_.most_steps);
+        if (lines.stray && care_ != Care::none)
+            check_pixel(lines.stray->offset, lines.stray->x, lines.stray->y);
+        if (sums_.state)
+            lines.play(*sums_.state);
+        sums_.counts += lines.counts;
+        trace_.steps_->add_lines(lines.measured);
+        tell_bytes_done(lines.measured.end);
+    }
+
+    /// Throws a Problem that points at the first zero byte of a part of the text.
+    void refuse_zero_bytes(std::size_t from, std::size_t size = std::string_view::npos) const {
+        if (text().substr(from, size).find('\0') != std::string_view::npos)
+            throw *zero_byte_in(source());
     }
 
     void check_count() const {
-        if (trace_.size() >= most_steps_)
-            throw too_many_steps(source().name, most_steps_);
+        if (trace_.size() >= reading_.most_steps)
+            throw too_many_steps(source().name, reading_.most_steps);
     }
 
     void add_step(std::size_t begin, std::size_t size) {
@@ -683,47 +738,54 @@ private:
     void add_usable_step(std::size_t begin, std::size_t size) {
         const std::string_view json = text().substr(begin, size);
         if (care_ == Care::none) {
-            add_place(begin, size, kind_of_plain_step(json), true);
+            sums_.counts.add(kind_of_plain_step(json));
+            trace_.steps_->add({.offset = begin,
+                                .length = static_cast<std::uint32_t>(size),
+                                .kind = kind_of_plain_step(json),
+                                .is_plain = true});
             return;
         }
 
         if (size > std::numeric_limits<std::uint32_t>::max())
             fail(begin, "expected a step shorter than 4 GiB, found a longer one");
         const auto kind = checked_kind(source(), begin, size);
-        if (kind == StepKind::pixel)
-            check_pixel(begin, StepView(json).as<PixelStep>());
+        if (kind == StepKind::pixel) {
+            const auto pixel = StepView(json).as<PixelStep>();
+            check_pixel(begin, pixel.x, pixel.y);
+        }
         if (kind)
             note_not_finite(trace_.not_finite, source(), begin, json, *kind);
         if (!kind)
-            counts_.add(StepView(json), kind);
-        if (kind && picture_)
-            picture_->add(StepView(json), *kind);
+            sums_.counts.add(StepView(json), kind);
         add_place(begin, size, kind);
     }
 
-    void add_place(std::size_t begin, std::size_t size, std::optional<StepKind> kind,
-                   bool is_plain = false) {
+    void add_place(std::size_t begin, std::size_t size, std::optional<StepKind> kind) {
         if (kind)
-            counts_.add(*kind);
-        trace_.steps_->add({.offset = begin,
-                            .length = static_cast<std::uint32_t>(size),
-                            .kind = kind,
-                            .is_plain = is_plain});
+            sums_.counts.add(*kind);
+        if (sums_.state)
+            sums_.state->take(StepView(text().substr(begin, size)), kind);
+        trace_.steps_->add(
+            {.offset = begin, .length = static_cast<std::uint32_t>(size), .kind = kind});
         constexpr std::size_t seldom = 4096;
         if (trace_.size() % seldom == 0)
-            add_bytes_done({.read = begin - std::exchange(counted_, begin)});
+            tell_bytes_done(begin);
+    }
+
+    void tell_bytes_done(std::size_t end) {
+        add_bytes_done({.read = end - std::exchange(counted_, end)});
     }
 
     /// The first pixel that is off the canvas is told.
-    void check_pixel(std::size_t begin, const PixelStep& step) {
-        if (has_stray_pixel_ || trace_.canvas.contains(step.x, step.y))
+    void check_pixel(std::size_t begin, Index x, Index y) {
+        if (sums_.has_stray_pixel || trace_.canvas.contains(x, y))
             return;
-        has_stray_pixel_ = true;
+        sums_.has_stray_pixel = true;
         trace_.damage.push_back(problem_at(
             source(), begin,
             fmt::format("expected pixels on the canvas (x {}..{}, y {}..{}), found ({}, {})",
                         trace_.canvas.left(), trace_.canvas.right(), trace_.canvas.top(),
-                        trace_.canvas.bottom(), step.x, step.y),
+                        trace_.canvas.bottom(), x, y),
             "such pixels are not drawn"));
     }
 
@@ -777,7 +839,7 @@ private:
             return; // nobody knows what they should have been
         if (!trace_.end->count.empty()) {
             for (const auto& [name, told] : trace_.end->count) {
-                if (const std::uint64_t steps = counts_.of(name); steps != told)
+                if (const std::uint64_t steps = sums_.counts.of(name); steps != told)
                     disagree(fmt::format("{}", told), name + " steps", steps);
             }
         }
@@ -786,26 +848,24 @@ private:
 
     /// The picture that the steps draw against the end record. A pixel off the canvas has been told already.
     void compare_picture_with_end() {
-        if (!picture_ || picture_->has_stray_pixel() || !tells_picture(*trace_.end))
+        if (!sums_.state || sums_.has_stray_pixel || !tells_picture(*trace_.end))
             return;
-        if (auto message = disagreement_of_picture(trace_, *trace_.end, picture_->image()))
+        if (auto message = disagreement_of_picture(trace_, *trace_.end, sums_.state->frame().image))
             trace_.damage.push_back(problem_at(source(), end_offset_, *std::move(message)));
     }
 
     Trace trace_;
     Care care_;
-    std::size_t most_steps_;
+    TraceReading reading_;
     bool is_block_;
     bool was_cut_short_ = false;
-    bool has_stray_pixel_ = false;
-    std::size_t counted_ = 0; ///< of the bytes, see add_bytes_done
-    std::optional<PictureOfSteps>
-        picture_; ///< that the steps draw, if it is held against the end record
-    StepCounts counts_;
+    std::size_t counted_ = 0;         ///< of the bytes, see add_bytes_done
+    std::size_t ahead_ = least_ahead; ///< so many bytes are read at once
+    BlockSums own_sums_;
+    BlockSums& sums_; ///< the picture of its state is that of the end record
     std::size_t end_offset_ = 0;
     std::size_t useless_steps_ = 0; ///< that are damage
     std::vector<WrongForm> wrong_forms_;
-    AnyStep step_; ///< that was taken last
 };
 
 Result<Trace> read_written_trace(Source source) {
@@ -816,32 +876,33 @@ Result<Trace> read_written_trace(Source source) {
     }
 }
 
-Result<Trace> TraceReader::read_with(Source source, Care care, std::size_t most_steps,
-                                     bool is_block) {
+Result<Trace> TraceReader::read_with(Source source, Care care, const TraceReading& reading,
+                                     BlockSums* sums) {
     // The mark that some editors put in front of UTF-8 says nothing.
     const std::size_t mark = size_of_mark(source.text);
     source.text.replace(0, mark, mark, ' ');
-    if (auto problem = zero_byte_in(source))
-        return *std::move(problem);
+    TraceReader reader(std::move(source), care, reading, sums);
     try {
-        return TraceReader(std::move(source), care, most_steps, is_block).read();
+        return reader.read();
     } catch (const Problem& problem) {
-        return problem;
+        // A zero byte is told first, wherever it is.
+        auto zero = zero_byte_in(reader.source());
+        return zero ? *std::move(zero) : problem;
     }
 }
 
-Result<Trace> read_trace(Source source, std::size_t most_steps) {
-    return TraceReader::read_with(std::move(source), TraceReader::Care::to_use, most_steps);
+Result<Trace> read_trace(Source source, const TraceReading& reading) {
+    return TraceReader::read_with(std::move(source), TraceReader::Care::to_use, reading);
 }
 
-Result<Trace> read_block(Source source, bool to_tell) {
+Result<Trace> read_block(Source source, bool to_tell, std::size_t jobs, BlockSums& sums) {
     return TraceReader::read_with(std::move(source),
                                   to_tell ? TraceReader::Care::to_tell : TraceReader::Care::to_use,
-                                  std::numeric_limits<std::size_t>::max(), true);
+                                  {.jobs = jobs}, &sums);
 }
 
-Result<Trace> read_trace_to_tell(Source source) {
-    return TraceReader::read_with(std::move(source), TraceReader::Care::to_tell);
+Result<Trace> read_trace_to_tell(Source source, const TraceReading& reading) {
+    return TraceReader::read_with(std::move(source), TraceReader::Care::to_tell, reading);
 }
 
 } // namespace rastertrace

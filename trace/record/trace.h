@@ -31,6 +31,7 @@
 
 namespace rastertrace {
 
+class ReplayState;
 class StepPlaces;
 struct Plan;
 struct Scene;
@@ -169,6 +170,9 @@ public:
     /// True for the text of a step that an excerpt need not copy.
     bool is_in_file(std::string_view json) const;
 
+    /// What a replay is at behind the last step, if it is known from reading and nobody has taken it.
+    std::unique_ptr<ReplayState> take_end() const;
+
     /// Adds a step to an excerpt: step `number` of the whole trace.
     void add_to_excerpt(const StepView& step, std::optional<StepKind> kind, std::size_t number);
 
@@ -192,20 +196,26 @@ private:
     std::string_view
         text_of_file_; ///< of `source_`, if its file is mapped: as far as it has been read
     std::unique_ptr<StepPlaces> steps_;
+    mutable std::unique_ptr<ReplayState> end_state_;
     std::vector<std::size_t> numbers_; ///< of an excerpt: those of its steps in the whole trace
 };
 
+/// How a trace is read.
+struct TraceReading {
+    std::size_t most_steps = std::numeric_limits<std::size_t>::max();
+    std::size_t jobs = 0; ///< parts of the text that are read at once; 0: as many as run at once
+};
+
 /// Reads a trace in either layout, found by its content. A problem comes back only if nothing can
-/// be shown: no header, a newer version, a line that is no step, or more steps than `most_steps`.
-Result<Trace> read_trace(Source source,
-                         std::size_t most_steps = std::numeric_limits<std::size_t>::max());
+/// be shown: no header, a newer version, a line that is no step, or more steps than are wanted.
+Result<Trace> read_trace(Source source, const TraceReading& reading = {});
 
 /// The most steps of a trace, or of a block of one, that are told to be of no use before the reading ends.
 inline constexpr std::size_t most_useless_steps = 100;
 
 /// The same for who wants to know all that is wrong: a step that cannot be used is damage, has no kind, and the rest is
 /// read.
-Result<Trace> read_trace_to_tell(Source source);
+Result<Trace> read_trace_to_tell(Source source, const TraceReading& reading = {});
 
 /// Reads what write_trace has written to a string. It is not looked through for damage.
 Result<Trace> read_written_trace(Source source);

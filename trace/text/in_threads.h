@@ -5,6 +5,7 @@
 //
 //     in_threads(items.size(), jobs, [&](std::size_t i, std::size_t) { results[i] = result_of(items[i]); });
 
+#include <algorithm>
 #include <atomic>
 #include <cstddef>
 #include <thread>
@@ -12,16 +13,24 @@
 
 namespace rastertrace {
 
+/// As many threads as run at once.
+inline std::size_t usual_jobs() {
+    return std::max(1U, std::thread::hardware_concurrency());
+}
+
 /// Calls `work(i, thread)` once for each index i below `count`, in `jobs` threads, numbered from 0. `work` must not throw.
+/// The module for pages has one thread.
 template <typename Work> void in_threads(std::size_t count, std::size_t jobs, const Work& work) {
     std::atomic<std::size_t> next = 0;
     const auto work_on = [&](std::size_t thread) {
         for (std::size_t i = next++; i < count; i = next++)
             work(i, thread);
     };
+#ifndef __EMSCRIPTEN__
     std::vector<std::jthread> threads;
-    for (std::size_t i = 1; i < jobs; ++i)
+    for (std::size_t i = 1; i < std::min(jobs, count); ++i)
         threads.emplace_back(work_on, i);
+#endif
     work_on(0);
 }
 

@@ -17,6 +17,7 @@ struct InputLimits {
     std::size_t bytes = 256'000'000; ///< of a scene or an OBJ file; a trace may have any size
     bool allow_outside = false;      ///< OBJ files may lie outside of the scene's folder
     std::size_t steps = 10'000'000;  ///< of a trace that has to be held
+    std::size_t jobs = 0; ///< parts of a trace that are read at once; 0: as many as run at once
 };
 
 /// Why a trace is not held that has more steps than that.

@@ -109,7 +109,8 @@ Trace InputFrames::trace(std::size_t frame) {
         // What is mapped is not held.
         const std::size_t most_steps =
             source_.mapped ? std::numeric_limits<std::size_t>::max() : options_.limits.steps;
-        Trace trace = value_or_throw(read_trace(std::move(source_), most_steps));
+        Trace trace = value_or_throw(read_trace(
+            std::move(source_), {.most_steps = most_steps, .jobs = options_.limits.jobs}));
         if (is_marked)
             mark_wrong_steps(trace);
         return titled(std::move(trace), path_);
@@ -226,7 +227,8 @@ Source load_scene_trace_or_claims(const std::string& path, const InputLimits& li
 Truth truth_in(Source source, const SceneOptions& options) {
     if (is_trace(source)) {
         refuse_scene_options(source, options);
-        return Truth(value_or_throw(read_trace(std::move(source), options.limits.steps)));
+        return Truth(value_or_throw(read_trace(
+            std::move(source), {.most_steps = options.limits.steps, .jobs = options.limits.jobs})));
     }
     return Truth(std::move(source), options.method, options.limits, options.frames);
 }

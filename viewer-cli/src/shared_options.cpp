@@ -137,13 +137,18 @@ void InputOptions::add_to(OptionList& options, Holds holds) {
         .flag("--allow-outside", limits_.allow_outside,
               "Read OBJ files that lie outside of the scene's folder too")
         .shared(of_input);
-    if (holds == Holds::steps)
-        options
-            .option("--max-steps", max_steps_,
-                    "The most steps of a trace to hold; 10 million if not given. Pixels of a "
-                    "row that follow one another in a trace that is drawn count as one",
-                    "N")
-            .shared(of_input);
+    if (holds == Holds::no_steps)
+        return;
+    options
+        .option("--jobs", jobs_,
+                "Threads that read a trace in a file; one for each core if not given", "N")
+        .shared(of_input);
+    options
+        .option("--max-steps", max_steps_,
+                "The most steps of a trace to hold; 10 million if not given. Pixels of a "
+                "row that follow one another in a trace that is drawn count as one",
+                "N")
+        .shared(of_input);
 }
 
 InputLimits InputOptions::limits() const {
@@ -152,6 +157,7 @@ InputLimits InputOptions::limits() const {
         limits.bytes = bytes_in(max_input_);
     if (!max_steps_.empty())
         limits.steps = steps_in(max_steps_);
+    limits.jobs = number_in_option<std::size_t>("--jobs", jobs_, 1, 1024).value_or(0);
     return limits;
 }
 

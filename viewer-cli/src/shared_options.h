@@ -58,6 +58,7 @@ public:
 private:
     std::string max_input_;
     std::string max_steps_;
+    std::string jobs_;
     InputLimits limits_;
 };
 
