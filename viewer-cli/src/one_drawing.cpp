@@ -9,6 +9,7 @@
 #include <rastertrace/figures/svg.h>
 #include <rastertrace/trace/record/selector.h>
 #include <rastertrace/trace/record/step_stream.h>
+#include <rastertrace/trace/record/traced_steps.h>
 #include <rastertrace/trace/record/write_trace.h>
 #include <rastertrace/trace/text/line_output.h>
 #include <rastertrace/trace/text/process_files.h>
