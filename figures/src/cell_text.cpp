@@ -100,7 +100,14 @@ void add_levels(const Replay& replay, CellTexts& texts) {
     });
 }
 
-CellTexts cell_texts(const Replay& replay, const FigureParts& parts) {
+void add_counts(const HeatMap& heat, std::size_t pixels, CellTexts& texts) {
+    for (std::size_t offset = 0; offset < pixels; ++offset)
+        if (const auto number = heat.at(offset))
+            texts[offset].push_back(heat.text_of(*number));
+}
+
+CellTexts cell_texts(const Panel& panel, const FigureParts& parts) {
+    const Replay& replay = panel.replay;
     CellTexts texts;
     if (parts.has(FigurePart::order))
         add_order(replay, texts);
@@ -114,6 +121,8 @@ CellTexts cell_texts(const Replay& replay, const FigureParts& parts) {
         add_owners(replay, texts);
     if (parts.has(FigurePart::levels))
         add_levels(replay, texts);
+    if (parts.has(FigurePart::counts) && panel.heat != nullptr)
+        add_counts(*panel.heat, replay.frame().drawn_by.size(), texts);
     return texts;
 }
 
@@ -121,15 +130,16 @@ CellTexts cell_texts(const Replay& replay, const FigureParts& parts) {
 
 bool has_cell_texts(const FigureParts& parts) {
     constexpr std::array in_cells{FigurePart::order,   FigurePart::depths, FigurePart::writes,
-                                  FigurePart::weights, FigurePart::owners, FigurePart::levels};
+                                  FigurePart::weights, FigurePart::owners, FigurePart::levels,
+                                  FigurePart::counts};
     return std::any_of(in_cells.begin(), in_cells.end(),
                        [&parts](FigurePart part) { return parts.has(part); });
 }
 
-double cell_for_texts(const Replay& replay, const FigureParts& parts) {
+double cell_for_texts(const Panel& panel, const FigureParts& parts) {
     constexpr double gap = 4;
     double side = 0;
-    for (const auto& [offset, lines] : cell_texts(replay, parts)) {
+    for (const auto& [offset, lines] : cell_texts(panel, parts)) {
         side = std::max(side, static_cast<double>(lines.size()) * line_height + gap);
         for (const std::string& line : lines)
             side = std::max(side, width_of(line, text_size) + gap);
@@ -139,7 +149,7 @@ double cell_for_texts(const Replay& replay, const FigureParts& parts) {
 
 void add_cell_texts(const Panel& panel, std::vector<Shape>& shapes) {
     const PixelColors color_of = own_colors_of(panel);
-    CellTexts texts = cell_texts(panel.replay, panel.parts);
+    CellTexts texts = cell_texts(panel, panel.parts);
     if (panel.against != nullptr && panel.lattice.cell > text_size)
         panel.for_each_pixel([&](Pixel, std::size_t offset) {
             const ComparisonMark* const mark = comparison_at(panel, offset);

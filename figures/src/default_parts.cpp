@@ -58,8 +58,7 @@ void set_parts(const FigureOptions& options, Panel& panel) {
     };
     const auto make_room = [&] {
         if (!options.cell)
-            lattice.cell =
-                std::max(lattice.cell, std::ceil(cell_for_texts(panel.replay, panel.parts)));
+            lattice.cell = std::max(lattice.cell, std::ceil(cell_for_texts(panel, panel.parts)));
     };
 
     // What is written in the pixels makes them as large as it needs.
@@ -67,12 +66,16 @@ void set_parts(const FigureOptions& options, Panel& panel) {
                                   FigurePart::owners, FigurePart::levels})
         set(part, false);
     set(FigurePart::writes, panel.view == View::writes && lattice.cell >= cell_for_digits);
-    if (panel.view == View::depth && !wanted(options, FigurePart::depths)) {
+    const auto have_room = [&](FigurePart part) {
         FigureParts numbers;
-        numbers.set(FigurePart::depths, true);
-        const double needed = cell_for_texts(panel.replay, numbers);
-        set(FigurePart::depths, needed <= (options.cell ? lattice.cell : cell_for_numbers));
-    }
+        numbers.set(part, true);
+        const double needed = cell_for_texts(panel, numbers);
+        return needed <= (options.cell ? lattice.cell : cell_for_numbers);
+    };
+    if (panel.view == View::depth && !wanted(options, FigurePart::depths))
+        set(FigurePart::depths, have_room(FigurePart::depths));
+    set(FigurePart::counts,
+        panel.heat != nullptr && lattice.cell >= cell_for_digits && have_room(FigurePart::counts));
     make_room();
 
     // Grays mean nothing without numbers or a legend, half-planes nothing without a legend.
@@ -80,7 +83,7 @@ void set_parts(const FigureOptions& options, Panel& panel) {
                            (panel.view == View::writes && !panel.parts.has(FigurePart::writes));
     set(FigurePart::half_planes, false);
     set(FigurePart::legend, panel.view == View::faces || panel.against != nullptr || has_grays ||
-                                panel.parts.has(FigurePart::half_planes));
+                                panel.heat != nullptr || panel.parts.has(FigurePart::half_planes));
 
     // What the step is about.
     const bool is_step = panel.is_step();
@@ -88,7 +91,7 @@ void set_parts(const FigureOptions& options, Panel& panel) {
     set(FigurePart::current, is_step);
     set(FigurePart::rejected, is_step);
     set(FigurePart::row, is_step || panel.frame.is_question);
-    set(FigurePart::caption, is_step || options.caption.has_value());
+    set(FigurePart::caption, is_step || options.caption.has_value() || panel.heat != nullptr);
     set(FigurePart::title, true);
     set(FigurePart::step, panel.parts.has(FigurePart::title));
     set(FigurePart::axes, true);

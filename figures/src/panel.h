@@ -30,9 +30,11 @@ struct Panel {
     View view;
     const FaceGroups& groups;
     FacePalette palette;
-    const Frame* against;       ///< a picture to compare with; nullptr for none
-    bool has_all_edges = false; ///< not only those of the current primitive
-    bool has_colors = true;     ///< some pixel, or the background, has another color than black
+    const Frame* against;          ///< a picture to compare with; nullptr for none
+    bool has_all_edges = false;    ///< not only those of the current primitive
+    bool has_colors = true;        ///< some pixel, or the background, has another color than black
+    const HeatMap* heat = nullptr; ///< what is shown in the place of the picture; nullptr for none
+    bool heat_in_grays = false;
 
     const Trace& trace() const { return replay.trace(); }
 
@@ -92,7 +94,7 @@ bool has_cell_texts(const FigureParts& parts);
 void add_cell_texts(const Panel& panel, std::vector<Shape>& shapes);
 
 /// The side that a pixel needs at least for what is written in it.
-double cell_for_texts(const Replay& replay, const FigureParts& parts);
+double cell_for_texts(const Panel& panel, const FigureParts& parts);
 
 // grid_parts.cpp
 void add_grid(const Panel& panel, std::vector<Shape>& shapes);

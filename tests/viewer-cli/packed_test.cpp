@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 // Traces packed by gzip and Zstandard, as a user has them.
 
+#include "packed_text.h"
 #include "program.h"
 #include "random_choice.h"
 
 #include <rastertrace/trace/text/input_file.h>
-#include <rastertrace/trace/text/output.h>
 #include <rastertrace/trace/text/packed.h>
 
 #include <gmock/gmock.h>
@@ -21,20 +21,6 @@ namespace {
 
 using testing::HasSubstr;
 using testing::StartsWith;
-
-std::string packed(const std::string& text, Packing packing) {
-    std::string bytes;
-    StringOutput output(bytes);
-    PackedOutput packed(output, packing);
-    Random random(1);
-    for (std::size_t at = 0; at < text.size();) { // in pieces of any size
-        const auto size = static_cast<std::size_t>(random.whole(1, 300'000));
-        packed.write(std::string_view(text).substr(at, size));
-        at += size;
-    }
-    packed.finish();
-    return bytes;
-}
 
 class PackedTest : public ProgramTest {
 protected:

@@ -5,6 +5,7 @@
 #include "write_trace.h"
 
 #include <rastertrace/trace/text/input.h>
+#include <rastertrace/trace/text/line_output.h>
 
 #include <fmt/core.h>
 
@@ -44,20 +45,19 @@ std::optional<Pixel> pixel_in(std::string_view line) {
 } // namespace
 
 /// Takes the lines of a trace as they are written, and keeps what is held of them.
-class DrawnSteps final : public Output {
+class DrawnSteps {
 public:
     DrawnSteps(std::string name, std::size_t most) : name_(std::move(name)), most_(most) {}
 
-    void write(std::string_view bytes) override {
-        for (std::size_t newline; (newline = bytes.find('\n')) != std::string_view::npos;) {
-            const std::string_view line = bytes.substr(0, newline);
-            if (begun_.empty())
-                take_line(line);
-            else
-                take_line(std::exchange(begun_, {}).append(line));
-            bytes.remove_prefix(newline + 1);
-        }
-        begun_ += bytes;
+    void take_line(std::string_view line) {
+        if (header_.empty())
+            header_ = line;
+        else if (line.starts_with(R"({"end")"))
+            end_ = line;
+        else if (const auto pixel = pixel_in(line))
+            add(*pixel);
+        else
+            add(line);
     }
 
     Trace trace() && {
@@ -73,17 +73,6 @@ public:
     }
 
 private:
-    void take_line(std::string_view line) {
-        if (header_.empty())
-            header_ = line;
-        else if (line.starts_with(R"({"end")"))
-            end_ = line;
-        else if (const auto pixel = pixel_in(line))
-            add(*pixel);
-        else
-            add(line);
-    }
-
     void add(const Pixel& pixel) {
         const bool goes_on = pixels_in_run_ > 0 && pixel.y == run_.y &&
                              pixel.x - run_.x == static_cast<int>(pixels_in_run_);
@@ -120,7 +109,6 @@ private:
 
     std::string name_;
     std::size_t most_;
-    std::string begun_; ///< of a line whose end has not been written yet
     std::string header_;
     std::string end_;
     Trace held_;
@@ -132,7 +120,8 @@ private:
 Trace drawn_trace(const Scene& scene, const Plan& plan, const std::string& name,
                   std::size_t most_steps) {
     DrawnSteps steps(name, most_steps);
-    write_trace(scene, plan, {.layout = TraceLayout::jsonl, .filter = {}}, steps);
+    LineOutput lines([&steps](std::string_view line) { steps.take_line(line); });
+    write_trace(scene, plan, {.layout = TraceLayout::jsonl, .filter = {}}, lines);
     return std::move(steps).trace();
 }
 

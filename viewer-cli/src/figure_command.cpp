@@ -8,6 +8,7 @@
 #include "frame_files.h"
 #include "frame_text.h"
 #include "load.h"
+#include "one_drawing.h"
 #include "progress.h"
 
 #include <rastertrace/figures/figure.h>
@@ -238,13 +239,6 @@ private:
     FaceGroups faces_;
 };
 
-HouseStyle style_of(const FigureCommand& command) {
-    if (command.house_style.empty())
-        return {};
-    return value_or_throw(
-        house_style_in(value_or_throw(read_named_file(command.house_style, command.input))));
-}
-
 /// All frames that were asked for: of one trace, or of each in a sequence.
 class AllFigures {
 public:
@@ -416,48 +410,16 @@ private:
     std::size_t count_ = 0;
 };
 
-/// True of a .tex without --font-size: letters are chosen so that they have room.
-bool chooses_letters(const FigureCommand& command, FigureFormat format) {
-    return format == FigureFormat::tex && !command.style.letter_scale && !command.is_bare;
-}
-
-/// The frames of one step in space, on a sheet.
-ExitStatus write_space_frames(const FigureCommand& command, FigureFormat format,
-                              InputFrames& input) {
-    if (input.is_sequence())
-        throw problem_of("", "--sheet: expected one scene, found a sequence",
-                         "--frame N takes one");
-    const Trace trace = input.trace(input.first());
-    std::optional<std::size_t> step;
-    if (command.which == FigureCommand::Which::step) {
-        const Selector selector =
-            value_or_throw(parse_selector({"--step", command.selector}, trace));
-        step = value_or_throw(matching_step(selector, trace, "say which"));
-    }
-    const ExitStatus status = report_damage(trace);
-    const auto sheet_with = [&](double scale) {
-        return space_frames(trace, *command.frames_in_space, step, command.options.eye, scale);
-    };
-    Drawing sheet =
-        sheet_with(chooses_letters(command, format)
-                       ? letter_scale_for_tex([&](double scale) { return sheet_with(scale).width; },
-                                              command.style)
-                       : command.options.letter_scale);
-    apply(style_of(command), sheet);
-    const std::string bytes = figure_in(format, sheet, command.style);
-    if (command.output == "-")
-        print(bytes);
-    else
-        write_file(command.output, bytes, opened_files());
-    return status;
-}
-
 } // namespace
 
 int run(const FigureCommand& asked) {
     FigureCommand command = asked;
     const FigureFormat format = format_of(command);
     check_format(command, format);
+    if (command.heat)
+        return write_heat_map(command, format);
+    if (command.frames_in_space)
+        return write_space_frames(command, format);
     if (format == FigureFormat::html) {
         const Progress progress({.doing = "drawing a page"});
         return write_page(command);
@@ -466,8 +428,6 @@ int run(const FigureCommand& asked) {
                                       .limits = command.input,
                                       .frames = command.frames,
                                       .tells_steps = true});
-    if (command.frames_in_space)
-        return write_space_frames(command, format, input);
     // A sequence is a film already.
     if (command.which == FigureCommand::Which::last && !command.sheet &&
         is_animation(command, format) && !input.is_sequence())
