@@ -195,6 +195,48 @@ std::string random_lines(Random& random) {
 
 // --- packed and not -----------------------------------------------------------------------------
 
+// Parts of a megabyte are read at once: what comes of them does not depend on how many, nor on what lies between them.
+TEST_F(BigTrace, IsReadAlikeByAnyNumberOfThreads) {
+    std::string vertices;
+    std::string triangles;
+    Random random(3);
+    for (int i = 0; i < 60; ++i) {
+        for (const char corner : {'A', 'B', 'C'})
+            vertices += (vertices.empty() ? "\"" : ",\"") + (corner + std::to_string(i)) + "\":[" +
+                        std::to_string(random.whole(0, 199)) + "," +
+                        std::to_string(random.whole(0, 149)) + "," +
+                        std::to_string(random.whole(1, 9)) + "]";
+        const std::string n = std::to_string(i);
+        triangles += (i == 0 ? "" : ",") + ("[\"A" + n + "\",\"B" + n + "\",\"C" + n + "\"]");
+    }
+    write("scene.json", R"({"canvas":{"width":200,"height":150,"origin":"top-left"},)"
+                        R"("method":{"depth":"linear-z"},"vertices":{)" +
+                            vertices + "},\"triangles\":[" + triangles + "]}");
+    const std::string sound = shell("$rastertrace trace scene.json --format jsonl").out;
+    ASSERT_GT(sound.size(), 4'000'000U);
+    std::string damaged = sound;
+    for (int i = 0; i < 3; ++i) // written otherwise, still a step
+        damaged.insert(damaged.find("{\"step\"", static_cast<std::size_t>(random.whole(
+                                                     0, static_cast<int>(damaged.size()) - 9999))) +
+                           1,
+                       " ");
+    for (const std::string& text :
+         {sound, damaged, damaged.substr(0, damaged.size() / 2), mutated(sound, random)}) {
+        write("t", text);
+        for (const std::string question :
+             {"stats --json", "validate", "explain --pixel 90,70", "show --last"}) {
+            const auto answer = [&](const std::string& jobs) {
+                return shell("$rastertrace " + question + " t --jobs " + jobs + " 2>&1; echo $?")
+                    .out;
+            };
+            const std::string by_one = answer("1");
+            EXPECT_EQ(answer("2"), by_one) << question;
+            EXPECT_EQ(answer("7"), by_one) << question;
+        }
+    }
+    EXPECT_EQ(shell("$rastertrace stats t --jobs 0").status, 2);
+}
+
 TEST_F(BigTrace, EveryExampleIsTheSamePacked) {
     const auto traces = traces_of_examples();
     ASSERT_GT(traces.size(), 20U);
