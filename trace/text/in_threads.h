@@ -12,17 +12,25 @@
 
 namespace rastertrace {
 
-/// Calls `work(i, thread)` once for each index i below `count`, in `jobs` threads, numbered from 0. `work` must not throw.
-template <typename Work> void in_threads(std::size_t count, std::size_t jobs, const Work& work) {
+/// Calls `work(i, thread)` once for each index i below `end`, in `jobs` threads, numbered from 0. `work` must not throw.
+/// It may lower `end`: then no index from there on is begun.
+template <typename Work>
+void in_threads(const std::atomic<std::size_t>& end, std::size_t jobs, const Work& work) {
     std::atomic<std::size_t> next = 0;
     const auto work_on = [&](std::size_t thread) {
-        for (std::size_t i = next++; i < count; i = next++)
+        for (std::size_t i = next++; i < end; i = next++)
             work(i, thread);
     };
     std::vector<std::jthread> threads;
     for (std::size_t i = 1; i < jobs; ++i)
         threads.emplace_back(work_on, i);
     work_on(0);
+}
+
+/// The same for each index below a number that stays.
+template <typename Work> void in_threads(std::size_t count, std::size_t jobs, const Work& work) {
+    const std::atomic<std::size_t> end = count;
+    in_threads(end, jobs, work);
 }
 
 } // namespace rastertrace
