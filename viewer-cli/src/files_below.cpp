@@ -21,10 +21,13 @@ std::vector<std::string> files_below(const std::string& folder, std::string_view
         else if (entry->is_regular_file())
             names.push_back(entry->path().lexically_relative(folder).generic_string());
     }
-    if (error)
-        throw problem_of(folder,
-                         fmt::format("expected a folder of {}, found that it cannot be read: {}",
-                                     of_what, error.message()));
+    if (error) {
+        Problem problem = problem_of(
+            folder, fmt::format("expected a folder of {}, found that it cannot be read: {}",
+                                of_what, error.message()));
+        problem.cause = cause_of_open_error(error.value());
+        throw problem;
+    }
     std::ranges::sort(names);
     return names;
 }

@@ -9,7 +9,6 @@
 #include "job_runner.h"
 #include "load.h"
 #include "option_values.h"
-#include "run_program.h"
 #include "shared_options.h"
 
 #include <rastertrace/core/draw/plan/stages.h>
@@ -22,7 +21,6 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <functional>
 #include <memory>
 #include <mutex>
 #include <optional>
