@@ -18,8 +18,6 @@ namespace rastertrace {
 
 namespace {
 
-constexpr const char* rules_name = "rastertrace-rules.json";
-
 constexpr std::array rules_keys{
     schema_key,
     JsonKey{"ignore", "texts", "What is not compared: header, end, a kind of step, or a field"},

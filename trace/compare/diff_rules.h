@@ -13,9 +13,12 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace rastertrace {
+
+inline constexpr std::string_view rules_name = "rastertrace-rules.json";
 
 struct DiffRules {
     DiffOptions options{};

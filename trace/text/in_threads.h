@@ -18,20 +18,27 @@ inline std::size_t usual_jobs() {
     return std::max(1U, std::thread::hardware_concurrency());
 }
 
-/// Calls `work(i, thread)` once for each index i below `count`, in `jobs` threads, numbered from 0. `work` must not throw.
-/// The module for pages has one thread.
-template <typename Work> void in_threads(std::size_t count, std::size_t jobs, const Work& work) {
+/// Calls `work(i, thread)` once for each index i below `end`, in `jobs` threads, numbered from 0. `work` must not throw.
+/// It may lower `end`: then no index from there on is begun. The module for pages has one thread.
+template <typename Work>
+void in_threads(const std::atomic<std::size_t>& end, std::size_t jobs, const Work& work) {
     std::atomic<std::size_t> next = 0;
     const auto work_on = [&](std::size_t thread) {
-        for (std::size_t i = next++; i < count; i = next++)
+        for (std::size_t i = next++; i < end; i = next++)
             work(i, thread);
     };
 #ifndef __EMSCRIPTEN__
     std::vector<std::jthread> threads;
-    for (std::size_t i = 1; i < std::min(jobs, count); ++i)
+    for (std::size_t i = 1; i < std::min(jobs, end.load()); ++i)
         threads.emplace_back(work_on, i);
 #endif
     work_on(0);
+}
+
+/// The same for each index below a number that stays.
+template <typename Work> void in_threads(std::size_t count, std::size_t jobs, const Work& work) {
+    const std::atomic<std::size_t> end = count;
+    in_threads(end, jobs, work);
 }
 
 } // namespace rastertrace

@@ -2,7 +2,8 @@
 #include "check_class.h"
 
 #include "claims_checker.h"
-#include "progress.h"
+#include "files_below.h"
+#include "job_runner.h"
 
 #include <rastertrace/trace/check/claims.h>
 #include <rastertrace/trace/check/slips.h>
@@ -15,12 +16,8 @@
 
 #include <algorithm>
 #include <array>
-#include <atomic>
-#include <cstdint>
 #include <filesystem>
 #include <map>
-#include <system_error>
-#include <thread>
 
 namespace rastertrace {
 
@@ -32,24 +29,6 @@ namespace fs = std::filesystem;
 bool may_be_sheet(const fs::path& path) {
     constexpr std::array endings{".txt", ".claims", ".csv", ".md", ".json"};
     return std::ranges::find(endings, path.extension()) != endings.end();
-}
-
-/// The files in a folder and its folders, by name; those whose name begins with a dot are no one's work.
-std::vector<std::string> files_in(const std::string& folder) {
-    std::vector<std::string> names;
-    std::error_code error;
-    for (fs::recursive_directory_iterator entry(folder, error), end; !error && entry != end;
-         entry.increment(error)) {
-        if (entry->path().filename().string().starts_with('.'))
-            entry.disable_recursion_pending();
-        else if (entry->is_regular_file())
-            names.push_back(entry->path().lexically_relative(folder).generic_string());
-    }
-    if (error)
-        throw problem_of(folder, "expected a folder of sheets, found that it cannot be read: " +
-                                     error.message());
-    std::ranges::sort(names);
-    return names;
 }
 
 /// The mark of one sheet; nothing for a file that is none.
@@ -133,25 +112,18 @@ ClassMarks mark_class(const std::string& folder,
                       const std::function<ClaimsChecker()>& make_checker) {
     ClassMarks marks;
     std::vector<std::string> names;
-    for (std::string& name : files_in(folder))
+    for (std::string& name : files_below(folder, "sheets"))
         (may_be_sheet(name) ? names : marks.left_out).push_back(std::move(name));
 
-    const std::size_t jobs = std::max(1U, std::thread::hardware_concurrency());
+    const std::size_t jobs = usual_jobs();
     std::vector<ClaimsChecker> checkers;
     for (std::size_t i = 0; i < jobs; ++i)
         checkers.push_back(make_checker());
     std::vector<std::optional<SheetMark>> found(names.size());
-    std::atomic<std::uint64_t> done = 0;
-    {
-        const Progress progress(
-            {.doing = "check", .unit = "sheets", .total = names.size(), .done = [&] {
-                 return done.load();
-             }});
-        in_threads(names.size(), jobs, [&](std::size_t i, std::size_t thread) {
-            found[i] = mark_in(folder, names[i], checkers[thread]);
-            ++done;
-        });
-    }
+    JobRunner runner({.doing = "check", .unit = "sheets", .count = names.size(), .at_once = jobs});
+    runner.run([&](std::size_t i, std::size_t thread) {
+        found[i] = mark_in(folder, names[i], checkers[thread]);
+    });
     for (std::size_t i = 0; i < names.size(); ++i) {
         if (found[i])
             marks.sheets.push_back(*std::move(found[i]));

@@ -2,6 +2,7 @@
 // A test suite for each file, a test case for each claim.
 
 #include "check_report.h"
+#include "junit.h"
 
 #include <rastertrace/figures/svg.h>
 #include <rastertrace/trace/tell/step_text.h>
@@ -34,14 +35,6 @@ std::string body_of(const CheckedFile& file, const CheckedClaim& claim) {
         for (const std::string& line : *lines)
             text += line + "\n";
     return text;
-}
-
-/// Text of several lines: only their ends stay as they are.
-std::string escaped_lines(const std::string& text) {
-    std::vector<std::string> lines;
-    for (const std::string& line : split_at(text, '\n'))
-        lines.push_back(escaped(line));
-    return joined(lines, "\n");
 }
 
 std::string test_case(const CheckedFile& file, const CheckedClaim& claim, CheckTold told) {
@@ -83,10 +76,10 @@ std::string test_suite(const CheckedFile& file, CheckTold told) {
 } // namespace
 
 std::string check_junit(const std::vector<CheckedFile>& files, CheckTold told) {
-    std::string text = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites>\n";
+    std::string suites;
     for (const CheckedFile& file : files)
-        text += test_suite(file, told);
-    return text + "</testsuites>\n";
+        suites += test_suite(file, told);
+    return junit_document(suites);
 }
 
 } // namespace rastertrace

@@ -132,6 +132,7 @@ std::unique_ptr<Command> validate_command();
 std::unique_ptr<Command> plan_command();
 std::unique_ptr<Command> fuzz_command();
 std::unique_ptr<Command> review_command();
+std::unique_ptr<Command> suite_command();
 std::unique_ptr<Command> diagnose_command();
 std::unique_ptr<Command> tell_apart_command();
 std::unique_ptr<Command> mistakes_command();

@@ -115,7 +115,7 @@ const std::array<MakersOfGroup, 5> command_groups{
      {"Work by hand", {check_command, sheet_command, exercise_command}},
      {"Test a renderer",
       {diff_command, review_command, diagnose_command, tell_apart_command, mistakes_command,
-       fuzz_command}},
+       fuzz_command, suite_command}},
      {"Error and time", {stress_command, report_command}},
      {"Files and pages",
       {validate_command, plan_command, scene_command, conventions_command, examples_command,

@@ -206,11 +206,16 @@ struct DiffCommand {
     DiffFormat format = DiffFormat::text;
     std::string pictures{}; ///< of markdown: the folder that they are written to
     ColorChoice color = ColorChoice::automatic;
+    bool is_quiet = false; ///< remarks on scenes are told nobody
     MethodOverrides method;
     InputLimits input;
     FrameChoice frames;
 };
 int run(const DiffCommand& command);
+
+/// What the two files do differently, by the rules of the team, with the goldens that are accepted besides. Throws a
+/// Problem.
+TraceDiff compared(const DiffCommand& command);
 
 struct ValidateCommand {
     std::vector<std::string> files;

@@ -11,6 +11,7 @@
 #include <rastertrace/trace/diagnose/diagnosis.h>
 #include <rastertrace/trace/diagnose/tell_apart.h>
 #include <rastertrace/trace/picture/picture_trace.h>
+#include <rastertrace/trace/text/in_threads.h>
 #include <rastertrace/trace/text/output.h>
 #include <rastertrace/trace/text/text.h>
 
@@ -20,7 +21,6 @@
 #include <filesystem>
 #include <memory>
 #include <string>
-#include <thread>
 #include <vector>
 
 namespace rastertrace {
@@ -329,7 +329,7 @@ public:
     }
 
     void read() override {
-        command_.options.jobs = std::max(1U, std::thread::hardware_concurrency());
+        command_.options.jobs = usual_jobs();
         if (const auto jobs = number_in_option<std::size_t>("--jobs", jobs_, 1, 1024))
             command_.options.jobs = *jobs;
         if (!meant_.empty() && meant_ != "scene" && meant_ != "any")

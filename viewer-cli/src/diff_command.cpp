@@ -41,7 +41,10 @@ namespace {
 constexpr std::string_view no_file = "/dev/null";
 
 SceneOptions options_of(const DiffCommand& command) {
-    return {.method = command.method, .limits = command.input, .frames = command.frames};
+    return {.method = command.method,
+            .limits = command.input,
+            .frames = command.frames,
+            .is_quiet = command.is_quiet};
 }
 
 /// Marks, on one side, the sentences of steps that tell something else than their numbers give, as `show` does.
@@ -192,6 +195,21 @@ TraceDiff diff_of_inputs(const std::string& path_a, const std::string& path_b,
     return diff_of_files(path_a, path_b, command);
 }
 
+/// The same with the goldens that are accepted besides the first file.
+TraceDiff diff_with_others(const DiffCommand& command) {
+    TraceDiff found = diff_of_inputs(command.files[0], command.files[1], command);
+    if (!found.is_same && found.damage.empty())
+        for (const std::string& other : other_goldens(command.files[0]))
+            if (TraceDiff accepted = diff_of_inputs(other, command.files[1], command);
+                accepted.is_same && accepted.damage.empty()) {
+                accepted.remarks.push_back(
+                    said({"{} is accepted besides {}", "{} é aceito além de {}"}, printable(other),
+                         printable(command.files[0])));
+                return accepted;
+            }
+    return found;
+}
+
 ExitStatus tell(const DiffCommand& command, const TraceDiff& found) {
     print(report_of(command, found));
     for (const Problem& problem : found.damage)
@@ -289,19 +307,13 @@ int run(const DiffCommand& command) {
     if (!asked.against.empty())
         return tell(asked, diff_of_methods(asked));
     std::optional<Progress> progress(std::in_place, reading_of("diff", asked.files));
-    TraceDiff found = diff_of_inputs(asked.files[0], asked.files[1], asked);
+    const TraceDiff found = diff_with_others(asked);
     progress.reset();
-    if (!found.is_same && found.damage.empty())
-        for (const std::string& other : other_goldens(asked.files[0]))
-            if (TraceDiff accepted = diff_of_inputs(other, asked.files[1], asked);
-                accepted.is_same && accepted.damage.empty()) {
-                accepted.remarks.push_back(
-                    said({"{} is accepted besides {}", "{} é aceito além de {}"}, printable(other),
-                         printable(asked.files[0])));
-                found = std::move(accepted);
-                break;
-            }
     return tell(asked, found);
+}
+
+TraceDiff compared(const DiffCommand& command) {
+    return diff_with_others(with_rules(command));
 }
 
 namespace {

@@ -2,6 +2,7 @@
 #include "diff_report.h"
 
 #include "explain_text.h"
+#include "junit.h"
 #include "load.h"
 #include "markdown.h"
 
@@ -41,21 +42,6 @@ constexpr std::array mark_rows{MarkRow{'#', {drawn_gray, drawn_gray, Color(150, 
                                MarkRow{'!', {drawn_gray, not_drawn, of_a}},
                                MarkRow{'?', {not_drawn, drawn_gray, of_b}},
                                MarkRow{'~', {drawn_gray, drawn_gray, Color(200, 120, 0)}}};
-
-/// `8 steps differ, 4 pixels differ`
-std::string summary(const TraceDiff& found) {
-    if (found.is_same)
-        return found.damage.empty() ? said({"the same", "iguais"})
-                                    : said({"the same, as far as they go", "iguais, até onde vão"});
-    std::vector<std::string> parts;
-    if (const std::uint64_t steps = count_steps(found); steps > 0)
-        parts.push_back(counted_differences(steps, {"step", "passo"}));
-    if (const std::uint64_t pixels = count_pixels(found); pixels > 0)
-        parts.push_back(counted_differences(pixels, {"pixel", "pixel"}));
-    if (!found.header.empty() || !found.end.empty())
-        parts.push_back(said({"the header differs", "o cabeçalho difere"}));
-    return joined(parts, ", ");
-}
 
 /// The part of the pictures that is told, each pixel a square; `shown` is the place among the colors of a mark.
 Bitmap bitmap_of_part(const PictureDifference& picture, std::size_t shown) {
@@ -104,16 +90,35 @@ std::string explanation_of_first_pixel(const TraceDiff& found, const Trace& trac
         value_or_throw(explain(trace, {.about = Topic::pixel, .pixel = pixel})));
 }
 
+std::string diff_summary(const TraceDiff& found) {
+    if (found.is_same)
+        return found.damage.empty() ? said({"the same", "iguais"})
+                                    : said({"the same, as far as they go", "iguais, até onde vão"});
+    std::vector<std::string> parts;
+    if (const std::uint64_t steps = count_steps(found); steps > 0)
+        parts.push_back(counted_differences(steps, {"step", "passo"}));
+    if (const std::uint64_t pixels = count_pixels(found); pixels > 0)
+        parts.push_back(counted_differences(pixels, {"pixel", "pixel"}));
+    if (!found.header.empty() || !found.end.empty())
+        parts.push_back(said({"the header differs", "o cabeçalho difere"}));
+    return joined(parts, ", ");
+}
+
+std::string without_kinds(const std::string& text) {
+    return text.substr(0, text.find("\n\n" + heading_of_kinds() + " ")) + "\n";
+}
+
 std::string sentence_of(const std::optional<DiffStep>& step) {
     return step ? step->sentence : said({"no such step", "não há esse passo"});
 }
 
 std::string diff_markdown(const TraceDiff& found, const std::string& picture_folder) {
-    std::string text = fmt::format(
-        "### {}\n\na: `{}`, b: `{}`\n",
-        found.is_same ? said({"No difference", "Nenhuma diferença"})
-                      : said({"Decisions differ: {}", "As decisões diferem: {}"}, summary(found)),
-        printable(found.name_a), printable(found.name_b));
+    std::string text =
+        fmt::format("### {}\n\na: `{}`, b: `{}`\n",
+                    found.is_same ? said({"No difference", "Nenhuma diferença"})
+                                  : said({"Decisions differ: {}", "As decisões diferem: {}"},
+                                         diff_summary(found)),
+                    printable(found.name_a), printable(found.name_b));
     if (found.first) {
         text += said({"\nThe first{}:\n\n", "\nA primeira{}:\n\n"},
                      found.first->primitive.empty()
@@ -130,20 +135,16 @@ std::string diff_markdown(const TraceDiff& found, const std::string& picture_fol
 
 std::string diff_junit(const TraceDiff& found) {
     const std::string name = escaped(found.name_b);
-    std::vector<std::string> lines;
-    for (const std::string& line : split_at(diff_text(found), '\n'))
-        lines.push_back(escaped(line));
     const std::string body =
         found.is_same
             ? "/>\n"
             : fmt::format(">\n      <failure message=\"{}\">{}</failure>\n    </testcase>\n",
-                          escaped(summary(found)), joined(lines, "\n"));
-    return fmt::format(
-        "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites>\n"
+                          escaped(diff_summary(found)), escaped_lines(diff_text(found)));
+    return junit_document(fmt::format(
         "  <testsuite name=\"rastertrace diff\" tests=\"1\" failures=\"{}\" errors=\"0\" "
         "skipped=\"0\">\n    <testcase classname=\"{}\" name=\"{}\"{}"
-        "  </testsuite>\n</testsuites>\n",
-        found.is_same ? 0 : 1, escaped(found.name_a), name, body);
+        "  </testsuite>\n",
+        found.is_same ? 0 : 1, escaped(found.name_a), name, body));
 }
 
 std::string diff_in_color(const std::string& text, ColorDepth colors) {

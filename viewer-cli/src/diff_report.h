@@ -17,6 +17,12 @@ namespace rastertrace {
 /// Why a trace has the first pixel that differs, or has not. There has to be one. Throws a Problem.
 std::string explanation_of_first_pixel(const TraceDiff& found, const Trace& trace);
 
+/// "8 steps differ, 4 pixels differ"
+std::string diff_summary(const TraceDiff& found);
+
+/// What diff_text says, up to its table of kinds, and a line's end.
+std::string without_kinds(const std::string& text);
+
 /// What a step says, or that there is none.
 std::string sentence_of(const std::optional<DiffStep>& step);
 

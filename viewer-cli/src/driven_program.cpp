@@ -5,6 +5,7 @@
 #include "load.h"
 #include "temporary_folder.h"
 
+#include <rastertrace/trace/compare/diff_rules.h>
 #include <rastertrace/trace/picture/picture_diff.h>
 #include <rastertrace/trace/picture/picture_trace.h>
 #include <rastertrace/trace/record/write_trace.h>
@@ -78,8 +79,14 @@ std::string first_line_of(const TraceDiff& found) {
 
 } // namespace
 
-DrivenProgram::DrivenProgram(std::vector<std::string> words, const ComparisonOptions& comparison,
-                             std::chrono::seconds time)
+std::string_view words_of(DrivenFinding::Kind kind) {
+    constexpr std::array<std::string_view, 4> words{"decides otherwise", "does not end well",
+                                                    "hangs", "gives no answer"};
+    return words[static_cast<std::size_t>(kind)];
+}
+
+DrivenProgram::DrivenProgram(std::string_view command, std::vector<std::string> words,
+                             const ComparisonOptions& comparison, std::chrono::seconds time)
     : words_(std::move(words)), options_(comparison.options()),
       asked_background_(comparison.background()), time_(time) {
     const auto has = [this](std::string_view placeholder) {
@@ -91,14 +98,14 @@ DrivenProgram::DrivenProgram(std::vector<std::string> words, const ComparisonOpt
         if (has(text.placeholder) && placeholder_.empty())
             placeholder_ = text.placeholder;
         else if (has(text.placeholder))
-            throw problem_of("",
-                             fmt::format("fuzz: expected one text of the scene, found {} and {}",
-                                         placeholder_, text.placeholder));
+            throw problem_of("", fmt::format("{}: expected one text of the scene, found {} and {}",
+                                             command, placeholder_, text.placeholder));
     if (words_.empty() || placeholder_.empty())
         throw problem_of("",
-                         "fuzz: expected a program behind --, with {scene}, {triangles} or "
-                         "{cs418} among its arguments",
-                         "like: rastertrace fuzz -- ./mine {scene}");
+                         std::string(command) +
+                             ": expected a program behind --, with {scene}, {triangles} or "
+                             "{cs418} among its arguments",
+                         fmt::format("like: rastertrace {} -- ./mine {{scene}}", command));
     has_out_ = has(out_placeholder);
     // A foreign rasterizer tells what it likes to, in the order in which it draws.
     options_.compares_common = true;
@@ -138,13 +145,17 @@ std::vector<std::string> DrivenProgram::words_for(const std::string& scene,
     return words;
 }
 
-/// Runs the program on a scene; `answer` gets what it answers, "" if it has not written its {out}.
 FinishedRun DrivenProgram::run(const FuzzScene& scene, std::string& answer) const {
     const TemporaryFolder folder("rastertrace-fuzz");
     const std::filesystem::path file = folder.path() / fmt::format("scene{}", ending());
-    const std::filesystem::path out = folder.path() / "out";
     write_file(file.string(), scene_text(scene));
-    std::vector<std::string> words = words_for(file.string(), out.string());
+    return run(file.string(), (folder.path() / "out").string(), answer);
+}
+
+/// Runs the program on a scene; `answer` gets what it answers, "" if it has not written its {out}.
+FinishedRun DrivenProgram::run(const std::string& scene_path, const std::string& out,
+                               std::string& answer) const {
+    std::vector<std::string> words = words_for(scene_path, out);
     FinishedRun finished = run_program({.path = words.front(),
                                         .words = words,
                                         .environment = own_environment(),
@@ -153,7 +164,7 @@ FinishedRun DrivenProgram::run(const FuzzScene& scene, std::string& answer) cons
                                         .has_own_group = true});
     answer = finished.out;
     if (has_out_) {
-        const auto source = read_bytes(out.string(), {});
+        const auto source = read_bytes(out, {});
         answer = source ? std::string(source.value().view()) : "";
     }
     return finished;
@@ -184,9 +195,29 @@ std::optional<Color> DrivenProgram::background() const {
 
 std::optional<DrivenFinding> DrivenProgram::difference(const FuzzScene& scene,
                                                        const std::string& reference) const {
-    using Kind = DrivenFinding::Kind;
     std::string answer;
     const FinishedRun finished = run(scene, answer);
+    return finding_of(finished, std::move(answer), reference, options_);
+}
+
+std::optional<DrivenFinding> DrivenProgram::difference_in(const std::string& scene_path,
+                                                          const std::string& reference,
+                                                          const DiffOptions& rules) const {
+    std::optional<TemporaryFolder> folder;
+    if (has_out_)
+        folder.emplace("rastertrace-suite");
+    std::string answer;
+    const FinishedRun finished =
+        run(scene_path, folder ? (folder->path() / "out").string() : "", answer);
+    return finding_of(finished, std::move(answer), reference, joined_options(rules, options_));
+}
+
+/// What is wrong with a run that has ended, and with what it answers.
+std::optional<DrivenFinding> DrivenProgram::finding_of(const FinishedRun& finished,
+                                                       std::string answer,
+                                                       const std::string& reference,
+                                                       const DiffOptions& options) const {
+    using Kind = DrivenFinding::Kind;
     if (finished.is_too_long)
         return DrivenFinding{Kind::hangs, "", fmt::format("not done after {} s", time_.count())};
     if (finished.is_too_large)
@@ -195,7 +226,7 @@ std::optional<DrivenFinding> DrivenProgram::difference(const FuzzScene& scene,
         return DrivenFinding{Kind::crashes, printable(finished.err), ending_of(finished)};
     if (has_out_ && answer.empty())
         return DrivenFinding{Kind::no_answer, "", "it has not written its {out}"};
-    return compared(reference, std::move(answer));
+    return compared(reference, std::move(answer), options);
 }
 
 std::string DrivenProgram::ignored() const {
@@ -204,16 +235,17 @@ std::string DrivenProgram::ignored() const {
 }
 
 std::optional<DrivenFinding> DrivenProgram::compared(const std::string& reference,
-                                                     std::string answer) const {
+                                                     std::string answer,
+                                                     const DiffOptions& options) const {
     using Kind = DrivenFinding::Kind;
     try {
         const TraceText expected(Source{"reference", reference, {}});
         Source theirs{"its answer", std::move(answer), {}};
         TraceDiff found;
         if (is_trace(theirs)) {
-            found = diff(expected, TraceText(std::move(theirs)), options_);
+            found = diff(expected, TraceText(std::move(theirs)), options);
         } else if (picture_format(theirs)) {
-            PictureDiffOptions how = picture_options(options_);
+            PictureDiffOptions how = picture_options(options);
             how.name = theirs.name;
             how.background = background();
             found = diff_with_picture(expected, value_or_throw(read_picture(theirs)), how);

@@ -6,30 +6,26 @@
 #include "command_words.h"
 #include "commands.h"
 #include "driven_program.h"
+#include "job_runner.h"
 #include "load.h"
 #include "option_values.h"
-#include "progress.h"
-#include "run_program.h"
 #include "shared_options.h"
 
 #include <rastertrace/core/draw/plan/stages.h>
 #include <rastertrace/trace/fuzz/shrink.h>
 #include <rastertrace/trace/text/canvas_json.h>
+#include <rastertrace/trace/text/in_threads.h>
 #include <rastertrace/trace/text/output.h>
 #include <rastertrace/trace/text/text.h>
 
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <array>
-#include <atomic>
 #include <filesystem>
-#include <functional>
 #include <memory>
 #include <mutex>
 #include <optional>
 #include <string>
-#include <thread>
 #include <utility>
 #include <vector>
 
@@ -60,22 +56,17 @@ struct FoundScene {
 class FuzzRuns {
 public:
     FuzzRuns(const FuzzCommand& command, const DrivenProgram& program)
-        : command_(command), program_(program) {}
+        : command_(command), program_(program), runner_({.doing = "fuzz",
+                                                         .unit = "scenes",
+                                                         .count = command.runs,
+                                                         .at_once = command.jobs,
+                                                         .run_programs = true}) {}
 
     /// The failing scene of the smallest seed; nothing if there is none. Throws a Problem.
     std::optional<FoundScene> run() {
-        const EndingHeldBack ending;
-        const Progress progress(
-            {.doing = "fuzz", .unit = "scenes", .total = command_.runs, .done = [this] {
-                 return std::min<std::uint64_t>(next_, command_.runs);
-             }});
-        std::vector<std::jthread> threads;
-        for (std::size_t i = 1; i < command_.jobs; ++i)
-            threads.emplace_back([this] { work(); });
-        work();
-        threads.clear();
-        if (problem_)
-            throw *problem_;
+        runner_.run([this](std::size_t number, std::size_t) {
+            try_seed(command_.first_seed + number, number);
+        });
         if (undrawn_ == command_.runs)
             throw *refusal_;
         return std::move(found_);
@@ -84,22 +75,7 @@ public:
     std::uint64_t undrawn() const { return undrawn_; }
 
 private:
-    void work() {
-        for (;;) {
-            const std::uint64_t number = next_++;
-            if (number >= last_)
-                return;
-            try {
-                try_seed(command_.first_seed + number, number);
-            } catch (const Problem& problem) {
-                const std::scoped_lock lock(mutex_);
-                problem_ = problem;
-                last_ = 0;
-            }
-        }
-    }
-
-    void try_seed(std::uint64_t seed, std::uint64_t number) {
+    void try_seed(std::uint64_t seed, std::size_t number) {
         FuzzScene scene = random_scene(seed, command_.choice);
         const auto reference = program_.reference(scene);
         auto finding = reference ? program_.difference(scene, reference.value()) : std::nullopt;
@@ -113,16 +89,14 @@ private:
         if (found_ && found_->seed < seed)
             return;
         found_ = FoundScene{seed, std::move(scene), *std::move(finding)};
-        last_ = std::min(last_.load(), number);
+        runner_.stop_before(number);
     }
 
     const FuzzCommand& command_;
     const DrivenProgram& program_;
-    std::atomic<std::uint64_t> next_ = 0;
-    std::atomic<std::uint64_t> last_ = command_.runs; ///< no run from this one on is begun
+    JobRunner runner_;
     std::mutex mutex_;
     std::optional<FoundScene> found_;
-    std::optional<Problem> problem_;
     std::optional<Problem> refusal_; ///< of a scene that we do not draw
     std::uint64_t undrawn_ = 0;
 };
@@ -173,10 +147,6 @@ std::vector<std::string> write_findings(const FuzzCommand& command, const Driven
     return written;
 }
 
-/// In the order of DrivenFinding::Kind.
-constexpr std::array<std::string_view, 4> words_of_kinds{"decides otherwise", "does not end well",
-                                                         "hangs", "gives no answer"};
-
 /// The smallest scene that fails as the one found does.
 FoundScene shrunk_finding(const FuzzCommand& command, const DrivenProgram& program,
                           FoundScene found, std::size_t& tries) {
@@ -197,7 +167,7 @@ FoundScene shrunk_finding(const FuzzCommand& command, const DrivenProgram& progr
 }
 
 ExitStatus drive(const FuzzCommand& command) {
-    const DrivenProgram program(command.words, command.comparison,
+    const DrivenProgram program("fuzz", command.words, command.comparison,
                                 std::chrono::seconds(command.seconds));
     FuzzRuns runs(command, program);
     auto found = runs.run();
@@ -218,8 +188,7 @@ ExitStatus drive(const FuzzCommand& command) {
     const std::size_t vertices = fuzz_vertices(small.scene).size();
     std::string text =
         fmt::format("seed {}: {} {}\n{}\nshrunk by {} to {}, {} {}, {}x{} pixels\n\n{}{}",
-                    small.seed, printable(command.words.front()),
-                    words_of_kinds[static_cast<std::size_t>(small.finding.kind)],
+                    small.seed, printable(command.words.front()), words_of(small.finding.kind),
                     small.finding.first, counted(tries, "run"),
                     counted(small.scene.primitives.size(), has_lines ? "line" : "triangle"),
                     vertices, vertices == 1 ? "vertex" : "vertices", small.scene.width,
@@ -285,7 +254,7 @@ public:
             if (const auto given = number_in_option(option, text, least, largest))
                 number = static_cast<Number>(*given);
         };
-        command_.jobs = std::max(1U, std::thread::hardware_concurrency());
+        command_.jobs = usual_jobs();
         read_number("--runs", runs_, command_.runs, 1, most);
         read_number("--seed", seed_, command_.first_seed, 0, most);
         read_number("--time", time_, command_.seconds, 1, 86'400);

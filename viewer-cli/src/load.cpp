@@ -96,7 +96,7 @@ PlannedScene InputFrames::scene(std::size_t frame) {
     if (!scenes_)
         refuse_trace(source_);
     PlannedScene scene = scenes_->frame(frame);
-    if (frame == first_)
+    if (frame == first_ && !options_.is_quiet)
         for (const Problem& remark : scene.remarks)
             print_error(remark);
     return scene;

@@ -39,6 +39,7 @@ struct SceneOptions {
     MethodOverrides method = {};
     InputLimits limits = {};
     FrameChoice frames = {};
+    bool is_quiet = false;    ///< remarks on scenes are told nobody
     bool tells_steps = false; ///< the sentences of wrong steps of a trace are marked
 };
 

@@ -93,7 +93,7 @@ Reviewed reviewed(const WaitingGolden& waiting) {
         if (!found.damage.empty())
             throw found.damage.front();
         const std::string whole = diff_text(found);
-        return {whole.substr(0, whole.find("\n\n" + heading_of_kinds() + " ")) + "\n", whole};
+        return {without_kinds(whole), whole};
     } catch (const Problem& problem) {
         if (problem.cause == Problem::Cause::system)
             throw;

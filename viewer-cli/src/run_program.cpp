@@ -190,7 +190,7 @@ FinishedRun run_program(ProgramRun program) {
         }
         // A key that ends this program ends the run as well, which is no mistake of its own.
         if (waiting[2].revents != 0)
-            throw problem_of("", "expected time to end what runs, found a signal");
+            throw problem_of_system("", "what runs was ended by a signal", EINTR);
         if (waiting[0].revents != 0)
             read_some(out.reader, run.out);
         if (waiting[1].revents != 0)
