@@ -3,6 +3,7 @@
 
 #include "diff_report.h"
 #include "load.h"
+#include "run_self.h"
 #include "temporary_folder.h"
 
 #include <rastertrace/trace/compare/diff_rules.h>
@@ -106,6 +107,8 @@ DrivenProgram::DrivenProgram(std::string_view command, std::vector<std::string> 
                              ": expected a program behind --, with {scene}, {triangles} or "
                              "{cs418} among its arguments",
                          fmt::format("like: rastertrace {} -- ./mine {{scene}}", command));
+    if (runs_for_page())
+        throw problem_of("", fmt::format("{}: a page can run no program", command));
     has_out_ = has(out_placeholder);
     // A foreign rasterizer tells what it likes to, in the order in which it draws.
     options_.compares_common = true;

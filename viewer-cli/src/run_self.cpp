@@ -61,4 +61,8 @@ void take_limits_of_run() {
                     .outputs = std::string(environment_variable(files_to))});
 }
 
+bool runs_for_page() {
+    return !file_rules().below.empty();
+}
+
 } // namespace rastertrace

@@ -34,4 +34,7 @@ FinishedRun run_self(const std::vector<std::string>& arguments, const RunLimits&
 /// For main: what the program that has started this one by run_self lets it do.
 void take_limits_of_run();
 
+/// True if this run may use only the files below a folder: a page has chosen its arguments.
+bool runs_for_page();
+
 } // namespace rastertrace

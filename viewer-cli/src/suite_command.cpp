@@ -7,6 +7,7 @@
 #include "job_runner.h"
 #include "load.h"
 #include "option_values.h"
+#include "run_self.h"
 #include "shared_options.h"
 #include "suite_cases.h"
 #include "suite_journal.h"
@@ -14,7 +15,6 @@
 
 #include <rastertrace/trace/text/in_threads.h>
 #include <rastertrace/trace/text/language.h>
-#include <rastertrace/trace/text/process_files.h>
 #include <rastertrace/trace/text/text.h>
 
 #include <fmt/core.h>
@@ -191,9 +191,8 @@ public:
             throw problem_of(
                 "", "suite: expected a program behind --, with {scene} among its arguments",
                 "like: rastertrace suite tests -- ./mine {scene}");
-        const bool is_on_page = !file_rules().below.empty() || !file_rules().outputs.empty();
-        if (is_on_page && (!command_.program.empty() || !command_.journal.empty()))
-            throw problem_of("", "suite: a page can run no program, and keep no journal");
+        if (runs_for_page() && !command_.journal.empty())
+            throw problem_of("", "suite: a page can keep no journal");
     }
 
     int run() override {
