@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""Prints the table of docs/performance.md, "Reading a trace": what whole processes take to read a large trace, over
-`wc -l` of the file, and the memory of their own (RssAnon) at most.
+"""Prints the table of docs/performance.md, "Reading a trace": what whole processes take to read a large trace, also over
+`wc -l` of the file, with one thread and with one for each core; and the memory of their own (RssAnon) at most.
 
 usage: scripts/reading-table.py PROGRAM [RUNS]
 """
@@ -16,25 +16,29 @@ import time
 CALLS = ["show --last", "validate", "stats", "explain --pixel 300,300"]
 
 
-def measure(words, runs):
-    """The least processor time of some runs in seconds, and the most memory in MB."""
-    seconds, memory = [], 0
+def least_time(words, runs):
+    """In seconds, of some runs."""
+    times = []
     for _ in range(runs):
-        process = subprocess.Popen(words, stdout=subprocess.DEVNULL)
-        while True:
-            try:
-                with open(f"/proc/{process.pid}/status") as status:
-                    anonymous = [line for line in status if line.startswith("RssAnon")]
-                if anonymous:
-                    memory = max(memory, int(anonymous[0].split()[1]) / 1024)
-            except OSError:
-                pass
-            pid, _, usage = os.wait4(process.pid, os.WNOHANG)
-            if pid:
-                break
-            time.sleep(0.002)
-        seconds.append(usage.ru_utime + usage.ru_stime)
-    return min(seconds), memory
+        begin = time.monotonic()
+        subprocess.run(words, stdout=subprocess.DEVNULL)
+        times.append(time.monotonic() - begin)
+    return min(times)
+
+
+def most_memory(words):
+    """In MB, of one run."""
+    process, memory = subprocess.Popen(words, stdout=subprocess.DEVNULL), 0
+    while process.poll() is None:
+        try:
+            with open(f"/proc/{process.pid}/status") as status:
+                anonymous = [line for line in status if line.startswith("RssAnon")]
+            if anonymous:
+                memory = max(memory, int(anonymous[0].split()[1]) / 1024)
+        except OSError:
+            pass
+        time.sleep(0.002)
+    return memory
 
 
 def main():
@@ -56,12 +60,15 @@ def main():
             json.dump(scene, file)
         subprocess.run([program, "trace", "torus.json", "-o", "torus.jsonl"], check=True)
         size = os.path.getsize("torus.jsonl")
-        lines, _ = measure(["wc", "-l", "torus.jsonl"], runs)
+        lines = least_time(["wc", "-l", "torus.jsonl"], runs)
         print(f"{size / 1e6:.0f} MB; `wc -l`: {lines * 1000:.0f} ms\n")
-        print("| | processor time | over `wc -l` | memory |\n|---|---|---|---|")
+        print("| | one thread | over `wc -l` | all cores | over `wc -l` | memory |\n|---|---|---|---|---|---|")
         for call in CALLS:
-            seconds, memory = measure([program, *call.split(), "torus.jsonl"], runs)
-            print(f"| `{call}` | {seconds:.2f} s | {seconds / lines:.0f} | {memory:.0f} MB |")
+            words = [program, *call.split(), "torus.jsonl"]
+            alone = least_time([*words, "--jobs", "1"], runs)
+            together = least_time(words, runs)
+            print(f"| `{call}` | {alone:.2f} s | {alone / lines:.0f} | {together:.2f} s | {together / lines:.0f} "
+                  f"| {most_memory(words):.0f} MB |")
 
 
 main()

@@ -14,6 +14,8 @@
 #include <utility>
 #include <variant>
 
+#include <charconv>
+
 namespace rastertrace {
 
 namespace {
@@ -165,14 +167,59 @@ TracedText code_in(const StepView& step) {
     return text_field(step, key_of_code);
 }
 
+namespace {
+
+/// Takes a whole number from the front of a text; of anything else, nothing.
+std::optional<Index> take_whole(std::string_view& text) {
+    Index number = 0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+    if (error != std::errc())
+        return std::nullopt;
+    text.remove_prefix(static_cast<std::size_t>(end - text.data()));
+    return number;
+}
+
+struct PlaceInStep {
+    Index x;
+    Index y;
+};
+
+/// The pixel that a step of a pixel, a depth test or a sample begins with where StepWriter has written it; others are
+/// read as any JSON.
+std::optional<PlaceInStep> leading_pixel(std::string_view json) {
+    constexpr std::string_view before_x = R"(","x":)";
+    constexpr std::string_view before_y = R"(,"y":)";
+    constexpr std::size_t longest_name = 12;
+    if (!json.starts_with(front_of_step))
+        return std::nullopt;
+    json.remove_prefix(front_of_step.size());
+    const std::size_t name = json.substr(0, longest_name + before_x.size()).find(before_x);
+    if (name == std::string_view::npos)
+        return std::nullopt;
+    json.remove_prefix(name + before_x.size());
+    const auto x = take_whole(json);
+    if (!x || !json.starts_with(before_y))
+        return std::nullopt;
+    json.remove_prefix(before_y.size());
+    const auto y = take_whole(json);
+    const bool is_whole = y && (json.starts_with(',') || json.starts_with('}'));
+    return is_whole ? std::optional(PlaceInStep{*x, *y}) : std::nullopt;
+}
+
+} // namespace
+
 std::optional<Index> x_in(const StepView& step) {
-    const Pixel* const pixel = step.plain_pixel();
-    return pixel != nullptr ? std::optional<Index>(pixel->x) : whole_field(step, "x");
+    if (const Pixel* const pixel = step.plain_pixel())
+        return pixel->x;
+    const auto place = leading_pixel(step.json());
+    return place ? place->x : whole_field(step, "x");
 }
 
 std::optional<Index> y_in(const StepView& step) {
-    const Pixel* const pixel = step.plain_pixel();
-    return pixel != nullptr ? std::optional<Index>(pixel->y) : whole_field(step, "y");
+    if (const Pixel* const pixel = step.plain_pixel())
+        return pixel->y;
+    const auto place = leading_pixel(step.json());
+    return place ? place->y : whole_field(step, "y");
 }
 
 } // namespace rastertrace
