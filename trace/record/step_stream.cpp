@@ -23,7 +23,7 @@ namespace rastertrace {
 namespace {
 
 /// So many bytes of steps are looked at at once.
-constexpr std::size_t block_size = 1 << 20;
+constexpr std::size_t stream_block_size = 1 << 20;
 
 template <typename T> T value_of(Result<T> result) {
     if (!result)
@@ -141,7 +141,7 @@ struct StepStream::State {
             return false;
         before += std::exchange(block, {}).size();
         place = 0;
-        while (text.size() < block_size && read_more()) {
+        while (text.size() < stream_block_size && read_more()) {
         }
         WholeLines whole = whole_lines();
         while (whole.size == 0 && !whole.is_last && !has_all) { // a line longer than a block
@@ -207,7 +207,7 @@ struct StepStream::State {
 
     /// What is left is the end record, and nothing behind it.
     void read_end() {
-        while (text.size() < 16 * block_size && read_more()) {
+        while (text.size() < 16 * stream_block_size && read_more()) {
         }
         Source source{file.name(), header_line + "\n" + text, {}};
         const Trace rest = value_of(read_end_of(std::move(source)));
@@ -282,6 +282,10 @@ StepStream::~StepStream() = default;
 
 const Trace& StepStream::header() const {
     return state_->header;
+}
+
+std::string StepStream::header_json() const {
+    return state_->header_line + (state_->layout == LineLayout::document ? "]}" : "");
 }
 
 const std::optional<FileId>& StepStream::file() const {
