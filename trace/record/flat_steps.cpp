@@ -122,14 +122,14 @@ const FlatTable& flat_table() {
     return table;
 }
 
-/// Adds the nearest double of a number, or null if it has none.
-void add_double(std::string& text, std::string_view number) {
+/// Adds the nearest double of a number, if it has one.
+bool add_double(std::string& text, std::string_view number) {
     const auto value = TracedNumber(number).nearest_double();
+    if (!value || !std::isfinite(*value))
+        return false;
     std::array<char, room_for(0.0)> digits;
-    if (value && std::isfinite(*value))
-        text.append(digits.data(), format_number(digits.data(), *value));
-    else
-        text += "null";
+    text.append(digits.data(), format_number(digits.data(), *value));
+    return true;
 }
 
 /// A list whose numbers are doubles.
@@ -142,7 +142,8 @@ std::string list_of_doubles(std::string_view json) {
         if (json.empty())
             break;
         const std::size_t size = json.find('"', 1) + 1; // a number has no escape
-        add_double(text, json.substr(0, size));
+        if (!add_double(text, json.substr(0, size)))
+            text += "null";
         json.remove_prefix(size);
     }
     return text;
@@ -159,15 +160,16 @@ const std::vector<FlatColumn>& flat_columns() {
     return flat_table().columns;
 }
 
-/// A row as it is put together: for each column its value as JSON, or "" for none.
+/// A row as it is put together: the values of columns as JSON.
 class FlatSteps::Row {
 public:
     Row() : values_(flat_columns().size()) {}
 
     /// Takes a step of a trace, and forgets the one before.
     void take(std::string_view json, std::int64_t number) {
-        for (std::string& value : values_)
-            value.clear();
+        for (const std::size_t column : used_)
+            values_[column].clear();
+        used_.clear();
         put_whole(version_column, flat_version);
         put_whole(number_column, number);
         AnyStep step;
@@ -178,7 +180,9 @@ public:
             take_fields(json);
         if (values_[step_column] == R"("primitive")")
             in_ = values_[flat_table().name_column];
-        values_[in_column] = in_;
+        if (!in_.empty())
+            value_of(in_column) = in_;
+        std::ranges::sort(used_);
     }
 
     void add_to(std::string& text, FlatForm form) const {
@@ -189,9 +193,15 @@ public:
     }
 
 private:
+    /// The value of a column that has one.
+    std::string& value_of(std::size_t column) {
+        used_.push_back(column);
+        return values_[column];
+    }
+
     template <typename Step> void take_plain(const Step& step) {
         const auto kind = static_cast<std::size_t>(Step::step_kind);
-        values_[step_column].append("\"").append(step_names[kind]).append("\"");
+        value_of(step_column).append("\"").append(step_names[kind]).append("\"");
         take_table(step, flat_table().by_kind[kind].data(), typename Step::Fields{});
     }
 
@@ -206,7 +216,7 @@ private:
         JsonScanner fields(json);
         while (fields.next_field()) {
             if (fields.key() == "step")
-                values_[step_column] = fields.value();
+                value_of(step_column) = fields.value();
             else if (const auto* place = flat_table().place_for(fields.key(), fields.value()))
                 put(*place, fields.value());
             else
@@ -216,12 +226,12 @@ private:
                     .append(fields.value());
         }
         if (!others.empty())
-            values_[flat_table().other_column] = json_quoted(others + "}");
+            value_of(flat_table().other_column) = json_quoted(others + "}");
     }
 
     void put_whole(std::size_t column, std::int64_t whole) {
         std::array<char, room_for(std::int64_t{})> digits;
-        values_[column].assign(digits.data(), format_number(digits.data(), whole));
+        value_of(column).assign(digits.data(), format_number(digits.data(), whole));
     }
     void put(const FlatTable::Place& place, Index whole) { put_whole(place.column, whole); }
     void put(const FlatTable::Place& place, const std::optional<Index>& whole) {
@@ -235,54 +245,49 @@ private:
 
     /// A value as it stands in a trace.
     void put(const FlatTable::Place& place, std::string_view json) {
-        std::string& value = values_[place.column];
-        if (!place.has_numbers()) {
-            value = place.is_list() ? json_quoted(json) : json;
+        const auto as_text = [&](std::string_view value) {
+            return place.is_list() || value == "null" ? json_quoted(value) : std::string(value);
+        };
+        // Neither a string nor null.
+        const bool is_number = json.find_first_of("\"n") == std::string_view::npos;
+        if (!place.has_numbers() || is_number) {
+            value_of(place.column) = as_text(json);
             return;
         }
-        std::string& exact = values_[place.column + 1];
-        const bool is_number =
-            json.find_first_of("\"n") == std::string_view::npos; // no null either
-        if (place.is_list()) {
-            value = json_quoted(is_number ? json : list_of_doubles(json));
-            if (!is_number)
-                exact = json_quoted(json);
-        } else if (is_number) {
-            value = json;
-        } else {
-            add_double(value, json);
-            if (value == "null")
-                value.clear();
-            exact = json == "null" ? R"("null")" : json;
-        }
+        value_of(place.column + 1) = as_text(json);
+        std::string number;
+        if (place.is_list())
+            value_of(place.column) = json_quoted(list_of_doubles(json));
+        else if (add_double(number, json))
+            value_of(place.column) = number;
     }
 
     void add_object_to(std::string& text) const {
         char separator = '{';
-        for (std::size_t i = 0; i < values_.size(); ++i)
-            if (!values_[i].empty()) {
-                text += separator;
-                text.append("\"").append(flat_columns()[i].name).append("\":").append(values_[i]);
-                separator = ',';
-            }
+        for (const std::size_t column : used_) {
+            text += separator;
+            text.append("\"").append(flat_columns()[column].name).append("\":");
+            text += values_[column];
+            separator = ',';
+        }
         text += "}\n";
     }
 
     void add_csv_to(std::string& text) const {
-        for (std::size_t i = 0; i < values_.size(); ++i) {
-            if (i > 0)
-                text += ',';
-            const std::string& value = values_[i];
-            if (value.starts_with('"'))
-                text += csv_field(plain_text(value));
-            else
-                text += value;
+        std::size_t before = 0;
+        for (const std::size_t column : used_) {
+            text.append(column - before, ',');
+            before = column;
+            const std::string& value = values_[column];
+            text += value.starts_with('"') ? csv_field(plain_text(value)) : value;
         }
+        text.append(values_.size() - 1 - before, ',');
         text += "\r\n";
     }
 
-    std::vector<std::string> values_;
-    std::string in_; ///< the name of the primitive that has begun; "": none yet
+    std::vector<std::string> values_; ///< of each column
+    std::vector<std::size_t> used_;   ///< the columns that have a value, in order
+    std::string in_;                  ///< the name of the primitive that has begun; "": none yet
 };
 
 FlatSteps::FlatSteps(Output& to, FlatForm form)

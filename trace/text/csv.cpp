@@ -27,8 +27,11 @@ std::string csv_field(std::string_view text) {
     if (field.find_first_of(",\"\r\n") == std::string::npos)
         return field;
     std::string quoted = "\"";
-    for (const char c : field)
-        quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
+    for (const char c : field) {
+        if (c == '"')
+            quoted += c;
+        quoted += c;
+    }
     return quoted + '"';
 }
 
