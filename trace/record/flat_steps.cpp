@@ -249,7 +249,8 @@ private:
             return place.is_list() || value == "null" ? json_quoted(value) : std::string(value);
         };
         // Neither a string nor null.
-        const bool is_number = json.find_first_of("\"n") == std::string_view::npos;
+        const bool is_number =
+            std::ranges::none_of(json, [](char c) { return c == '"' || c == 'n'; });
         if (!place.has_numbers() || is_number) {
             value_of(place.column) = as_text(json);
             return;
