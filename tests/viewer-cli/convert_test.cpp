@@ -179,11 +179,9 @@ TEST_F(ConvertTest, EveryStepOfEveryExampleHasItsRow) {
             const Outcome outcome = shell(
                 "scene='" + entry.path().string() + "'; options='--frame 1 --scalar " + scalar +
                 "'; $rastertrace trace $scene $options -o t.json 2>no-scene || exit 9; "
-                "$rastertrace trace t.json --format jsonl >t.jsonl && "
-                "$rastertrace convert t.json --to jsonl | cmp - t.jsonl && "
-                "$rastertrace convert t.json --to flat -o flat.jsonl && "
-                "$rastertrace trace $scene $options --flat | cmp - flat.jsonl && "
-                "$rastertrace convert $scene $options --to flat | cmp - flat.jsonl && "
+                "$rastertrace convert t.json --to jsonl -o t.jsonl && "
+                "$rastertrace trace $scene $options --flat -o flat.jsonl && "
+                "$rastertrace convert t.jsonl --to flat | cmp - flat.jsonl && "
                 "$rastertrace convert - --to csv <t.jsonl >flat.csv");
             if (outcome.status == 9)
                 continue; // no scene, or none that is drawn in such numbers
@@ -240,6 +238,21 @@ TEST_F(ConvertTest, WhatNobodyKnowsIsInOther) {
     const auto records = lines_of(shell("$rastertrace convert foreign.jsonl --to csv").out);
     EXPECT_EQ(csv_fields(records[1])[2], "'=A\"\u00e9");
     EXPECT_EQ(csv_fields(records[4]).back(), R"({"y":"4"})");
+}
+
+TEST_F(ConvertTest, ItDoesNotMatterHowTheTraceIsLaidOut) {
+    EXPECT_EQ(shell("scene=$examples/t0-hidden/cube-culled.json; "
+                    "$rastertrace trace $scene -o t.json; $rastertrace trace $scene -o t.jsonl; "
+                    "tr '\\n' ' ' <t.json >one-line.json; $rastertrace trace $scene --flat >flat; "
+                    "for from in $scene t.json t.jsonl one-line.json; do "
+                    "$rastertrace convert $from --to jsonl | cmp - t.jsonl && "
+                    "$rastertrace convert $from --to flat | cmp - flat || exit 1; done; "
+                    "$rastertrace trace t.json --flat | cmp - flat && "
+                    "$rastertrace trace $scene --only face,pixel >part.json && "
+                    "$rastertrace trace part.json --flat >part && "
+                    "$rastertrace trace $scene --only face,pixel --flat | cmp - part")
+                  .status,
+              0);
 }
 
 TEST_F(ConvertTest, APackedTraceIsTheSameAndIsPackedAgain) {
