@@ -32,16 +32,6 @@ Json by_kind(const StepCounts& counts) {
     return count;
 }
 
-/// The end record: what was written, and the picture of the whole trace.
-std::string end_record(const Trace& trace, std::uint64_t steps, const StepCounts& counts) {
-    Json end{{"steps", steps}, {"count", by_kind(counts)}};
-    if (trace.end && trace.end->pixels)
-        end["pixels"] = *trace.end->pixels;
-    if (trace.end && !trace.end->frame.empty())
-        end["frame"] = trace.end->frame;
-    return R"("end":)" + end.dump();
-}
-
 /// JSON with escapes for the characters that a terminal would obey. But for blanks and the ends of lines, they can only
 /// stand in strings.
 std::string without_unsafe(std::string_view json) {
@@ -70,40 +60,90 @@ std::string line_of(const StepView& step) {
     return json.find('\n') == std::string_view::npos ? std::string(json) : Json::parse(json).dump();
 }
 
+/// A trace of steps that come one by one.
+class Excerpt {
+public:
+    /// The trace has the steps of these kinds, or all if none is named. Its header is written at once.
+    Excerpt(std::string_view header, const std::vector<std::string>& kinds, TraceLayout layout,
+            Output& output)
+        : kinds_(kinds), output_(output), is_document_(layout == TraceLayout::json) {
+        Json head = Json::parse(header);
+        head.erase("steps"); // of a document
+        head.erase("end");
+        if (!kinds.empty())
+            head["only"] = kinds;
+        std::string text = head.dump();
+        if (is_document_)
+            text.replace(text.size() - 1, 1, R"(,"steps":[)");
+        text_ = without_unsafe(text);
+    }
+
+    void add(const StepView& step, std::optional<StepKind> kind) {
+        if (!kinds_.empty() && std::ranges::find(kinds_, step.kind_name()) == kinds_.end())
+            return;
+        text_ += is_document_ && steps_ > 0 ? ",\n" : "\n";
+        text_ += without_unsafe(line_of(step));
+        counts_.add(step, kind);
+        ++steps_;
+        if (text_.size() > enough_to_write)
+            flush();
+    }
+
+    /// Writes the end record: what was written, and the picture of the whole trace.
+    void finish(const std::optional<EndRecord>& whole) {
+        Json end{{"steps", steps_}, {"count", by_kind(counts_)}};
+        if (whole && whole->pixels)
+            end["pixels"] = *whole->pixels;
+        if (whole && !whole->frame.empty())
+            end["frame"] = whole->frame;
+        const std::string record = without_unsafe(R"("end":)" + end.dump());
+        text_ += is_document_ ? "\n],\n" + record + "}\n" : "\n{" + record + "}\n";
+        flush();
+    }
+
+private:
+    static constexpr std::size_t enough_to_write = 1 << 16; ///< bytes
+
+    void flush() {
+        output_.write(text_);
+        text_.clear();
+    }
+
+    const std::vector<std::string>& kinds_;
+    Output& output_;
+    bool is_document_;
+    std::string text_; ///< not written yet
+    std::uint64_t steps_ = 0;
+    StepCounts counts_;
+};
+
+void refuse_damage(const std::vector<Problem>& damage) {
+    if (!damage.empty())
+        throw damage.front();
+}
+
 } // namespace
 
 void write_excerpt(const Trace& trace, std::string_view header,
                    const std::vector<std::string>& kinds, TraceLayout layout, Output& output) {
-    if (!trace.damage.empty())
-        throw trace.damage.front();
+    refuse_damage(trace.damage);
     for (const std::string& kind : kinds)
         if (const auto known = step_kind_named(kind); known && trace.lacks(*known))
             throw problem_of("", fmt::format("{} steps were left out of the trace", kind));
 
-    const bool is_document = layout == TraceLayout::json;
-    Json head = Json::parse(header);
-    head.erase("steps"); // of a document
-    head.erase("end");
-    if (!kinds.empty())
-        head["only"] = kinds;
-    std::string text = head.dump();
-    if (is_document)
-        text.replace(text.size() - 1, 1, R"(,"steps":[)");
-    output.write(without_unsafe(text));
+    Excerpt excerpt(header, kinds, layout, output);
+    for (std::size_t n = 1; n <= trace.size(); ++n)
+        excerpt.add(trace.step(n), trace.kind_of(n));
+    excerpt.finish(trace.end);
+}
 
-    std::uint64_t steps = 0;
-    StepCounts counts;
-    for (std::size_t n = 1; n <= trace.size(); ++n) {
-        const StepView step = trace.step(n);
-        const std::string kind = step.kind_name();
-        if (!kinds.empty() && std::find(kinds.begin(), kinds.end(), kind) == kinds.end())
-            continue;
-        output.write((is_document && steps > 0 ? ",\n" : "\n") + without_unsafe(line_of(step)));
-        counts.add(step, step_kind_named(kind));
-        ++steps;
-    }
-    const std::string end = without_unsafe(end_record(trace, steps, counts));
-    output.write(is_document ? "\n],\n" + end + "}\n" : "\n{" + end + "}\n");
+void write_all(StepStream& steps, TraceLayout layout, Output& output) {
+    const std::vector<std::string> all_kinds;
+    Excerpt excerpt(steps.header_json(), all_kinds, layout, output);
+    while (steps.next())
+        excerpt.add(steps.step(), steps.kind());
+    refuse_damage(steps.damage());
+    excerpt.finish(steps.end());
 }
 
 } // namespace rastertrace

@@ -282,6 +282,10 @@ const Trace& StepStream::header() const {
     return state_->header;
 }
 
+std::string StepStream::header_json() const {
+    return state_->header_line + (state_->layout == LineLayout::document ? "]}" : "");
+}
+
 const std::optional<FileId>& StepStream::file() const {
     return state_->file.id();
 }

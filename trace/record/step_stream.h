@@ -42,6 +42,9 @@ public:
     /// What stands in front of the steps: a trace without any.
     const Trace& header() const;
 
+    /// The same as a JSON object.
+    std::string header_json() const;
+
     /// Which file it is, if it is a regular one.
     const std::optional<FileId>& file() const;
 

@@ -10,6 +10,8 @@
 #include <rastertrace/trace/text/primitive_name.h>
 
 #include <array>
+#include <charconv>
+#include <system_error>
 #include <type_traits>
 #include <utility>
 #include <variant>
@@ -25,6 +27,28 @@ std::optional<Number> number_of(std::string_view text) {
     auto parsed = parse_number(text, NumberSize::any);
     auto* const number = std::get_if<Number>(&parsed);
     return number == nullptr ? std::nullopt : std::optional(std::move(*number));
+}
+
+/// The nearest double of "25/8" or "3", if above and below stand doubles: their division rounds once.
+std::optional<double> quotient_rounded_once(std::string_view json) {
+    constexpr Index exact_in_double = Index{1} << 53;
+    const char* at = json.data() + (json.starts_with('"') ? 1 : 0);
+    const char* const end = json.data() + json.size() - (json.ends_with('"') ? 1 : 0);
+    const auto take_whole = [&at, end]() -> std::optional<double> {
+        Index whole = 0;
+        const auto read = std::from_chars(at, end, whole);
+        at = read.ptr;
+        if (read.ec != std::errc{} || whole < -exact_in_double || whole > exact_in_double)
+            return std::nullopt;
+        return static_cast<double>(whole);
+    };
+    const auto above = take_whole();
+    if (above && at == end)
+        return above;
+    if (!above || *at++ != '/')
+        return std::nullopt;
+    const auto below = take_whole();
+    return below && *below > 0 && at == end ? std::optional(*above / *below) : std::nullopt;
 }
 
 /// What a value of this type is, and of a list, what its values are.
@@ -80,6 +104,8 @@ std::optional<Rational> TracedNumber::exact() const {
 }
 
 std::optional<double> TracedNumber::nearest_double() const {
+    if (const auto quotient = quotient_rounded_once(json()))
+        return quotient;
     const auto number = number_of(text());
     return number ? std::optional(number->nearest_double()) : std::nullopt;
 }

@@ -58,7 +58,15 @@ bool is_invisible(char32_t c) {
 std::string printable(std::string_view text) {
     std::string out;
     out.reserve(text.size());
+    const auto is_plain = [](char byte) { return ' ' <= byte && byte <= '~'; };
     while (!text.empty()) {
+        // Most text needs no second look.
+        const auto plain = static_cast<std::size_t>(
+            std::find_if_not(text.begin(), text.end(), is_plain) - text.begin());
+        out += text.substr(0, plain);
+        text.remove_prefix(plain);
+        if (text.empty())
+            break;
         const CodePoint character = first_code_point(text);
         if (character.value == not_a_character)
             out += fmt::format("<0x{:02X}>", static_cast<unsigned char>(text.front()));

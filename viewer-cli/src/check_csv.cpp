@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "check_report.h"
 
-#include "csv.h"
+#include <rastertrace/trace/text/csv.h>
 
 #include <algorithm>
 

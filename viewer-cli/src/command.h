@@ -136,6 +136,7 @@ std::unique_ptr<Command> suite_command();
 std::unique_ptr<Command> diagnose_command();
 std::unique_ptr<Command> tell_apart_command();
 std::unique_ptr<Command> mistakes_command();
+std::unique_ptr<Command> convert_command();
 std::unique_ptr<Command> scene_command();
 std::unique_ptr<Command> conventions_command();
 std::unique_ptr<Command> examples_command();

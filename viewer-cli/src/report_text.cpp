@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 // The report as text for people, and as JSON and CSV for programs.
 
-#include "csv.h"
 #include "report_file.h"
 
 #include <rastertrace/core/draw/plan/stages.h>
+#include <rastertrace/trace/text/csv.h>
 #include <rastertrace/trace/text/text.h>
 
 #include <fmt/core.h>

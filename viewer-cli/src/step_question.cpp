@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "step_question.h"
 
-#include "csv.h"
 #include "terminal_text.h"
 
 #include <rastertrace/trace/record/traced_steps.h>
 #include <rastertrace/trace/tell/describe.h>
 #include <rastertrace/trace/tell/step_text.h>
+#include <rastertrace/trace/text/csv.h>
 #include <rastertrace/trace/text/text.h>
 
 #include <fmt/core.h>

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "step_table.h"
 
-#include "csv.h"
 #include "markdown.h"
 
 #include <rastertrace/trace/record/traced_steps.h>
 #include <rastertrace/trace/tell/describe.h>
+#include <rastertrace/trace/text/csv.h>
 #include <rastertrace/trace/text/json_scanner.h>
 #include <rastertrace/trace/text/named_value.h>
 #include <rastertrace/trace/text/text.h>

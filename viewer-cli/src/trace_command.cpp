@@ -7,19 +7,15 @@
 #include "load.h"
 #include "option_values.h"
 #include "output_ending.h"
-#include "progress.h"
 #include "shared_options.h"
+#include "written_trace.h"
 
-#include <rastertrace/trace/record/excerpt.h>
-#include <rastertrace/trace/record/trace_text.h>
+#include <rastertrace/trace/record/flat_steps.h>
 #include <rastertrace/trace/text/output.h>
 #include <rastertrace/trace/text/packed.h>
-#include <rastertrace/trace/text/process_files.h>
 #include <rastertrace/trace/text/text.h>
 
 #include <fmt/core.h>
-
-#include <unistd.h>
 
 #include <algorithm>
 #include <array>
@@ -37,13 +33,19 @@ namespace {
 constexpr std::array<Ending<TraceLayout>, 2> trace_endings{
     {{".json", TraceLayout::json}, {".jsonl", TraceLayout::jsonl}}};
 
-/// By the ending of the file's name, where there is one; else a JSON document.
+/// By the ending of the file's name, where there is one; else a JSON document. Flat steps are made of lines.
 TraceLayout layout_of(const TraceCommand& command) {
+    if (command.is_flat)
+        return TraceLayout::jsonl;
     if (command.layout)
         return *command.layout;
     return format_by_ending<TraceLayout>(std::string(without_packing(command.output)),
                                          trace_endings)
         .value_or(TraceLayout::json);
+}
+
+std::optional<FlatForm> flat_form_of(const TraceCommand& command) {
+    return command.is_flat ? std::optional(FlatForm::lines) : std::nullopt;
 }
 
 void check_primitive(const TraceCommand& command, const Scene& scene) {
@@ -59,23 +61,21 @@ void check_primitive(const TraceCommand& command, const Scene& scene) {
                          did_you_mean(*name, names));
 }
 
-/// Lets somebody write to an output, packed if the name of the file says so.
-template <typename Write>
-void write_packed(const TraceCommand& command, Output& output, const Write& write) {
-    PackedOutput packed(output, packing_named(command.output));
-    write(packed);
-    packed.finish();
+/// Writes the trace of a scene, or its flat steps.
+void write_drawn(const TraceCommand& command, const PlannedScene& planned, Output& output) {
+    check_primitive(command, planned.scene);
+    const TraceOptions options{.layout = layout_of(command), .filter = command.filter};
+    write_flat(flat_form_of(command), output,
+               [&](Output& lines) { write_trace(planned.scene, planned.plan, options, lines); });
 }
 
 /// Writes a file for each frame.
-void write_frames(const TraceCommand& command, InputFrames& input, const TraceOptions& options) {
+void write_frames(const TraceCommand& command, InputFrames& input) {
     FrameFiles files(command.output, input.last());
     for (std::size_t frame = input.first(); frame <= input.last(); ++frame) {
         const PlannedScene planned = input.scene(frame);
-        check_primitive(command, planned.scene);
-        write_packed(command, files.open(frame), [&](Output& output) {
-            write_trace(planned.scene, planned.plan, options, output);
-        });
+        write_packed(command.output, files.open(frame),
+                     [&](Output& output) { write_drawn(command, planned, output); });
     }
     files.commit();
 }
@@ -90,60 +90,34 @@ void write_part(const Source& given, const TraceCommand& command, Output& output
     std::vector<std::string> kinds;
     for (const StepKind kind : command.filter.only.value_or(std::vector<StepKind>{}))
         kinds.emplace_back(name_of(kind));
-    const TraceText text(given);
-    const Trace trace = value_or_throw(read_trace(given));
-    write_excerpt(trace, text.header_json(), kinds, layout_of(command), output);
-    report_damage(trace);
+    write_flat(flat_form_of(command), output,
+               [&](Output& lines) { write_part_of(given, kinds, layout_of(command), lines); });
 }
 
 } // namespace
 
 int run(const TraceCommand& command) {
-    const TraceOptions options{.layout = layout_of(command), .filter = command.filter};
     InputFrames input(
         command.scene,
         {.method = command.method, .limits = command.input, .frames = command.frames});
-    const bool is_printed = command.output.empty() || command.output == "-";
-    std::optional<Progress> progress;
-    if (!is_printed || ::isatty(STDOUT_FILENO) == 0)
-        progress.emplace(LongWork{.doing = "trace",
-                                  .unit = "MB written",
-                                  .done = [] { return bytes_done().written; },
-                                  .one_unit = bytes_in_a_megabyte});
+    const TraceProgress progress("trace", command.output);
     if (const Source* const given = input.given_trace()) {
-        if (is_printed) {
-            DescriptorOutput output = standard_output();
-            write_part(*given, command, output);
-            return exit_fine;
-        }
-        FileOutput output(command.output, opened_files());
-        write_packed(command, output, [&](Output& packed) { write_part(*given, command, packed); });
-        output.commit();
+        write_whole(command.output, [&](Output& output) { write_part(*given, command, output); });
         return exit_fine;
     }
-    if (input.is_sequence() && is_printed)
+    if (input.is_sequence() && is_standard_output(command.output))
         throw problem_of(
             command.scene,
             fmt::format("expected one frame for standard output, found {}", input.last()),
             "--frame 1 writes the first; -o scene.json writes each to a file, "
             "scene-1.json and so on");
     if (input.is_sequence()) {
-        write_frames(command, input, options);
+        write_frames(command, input);
         return exit_fine;
     }
 
-    const auto [scene, plan, remarks] = input.scene(input.first());
-    check_primitive(command, scene);
-    if (is_printed) {
-        DescriptorOutput output = standard_output();
-        write_trace(scene, plan, options, output);
-        return exit_fine;
-    }
-    FileOutput output(command.output, opened_files());
-    write_packed(command, output, [&, &scene = scene, &plan = plan](Output& packed) {
-        write_trace(scene, plan, options, packed);
-    });
-    output.commit();
+    const PlannedScene planned = input.scene(input.first());
+    write_whole(command.output, [&](Output& output) { write_drawn(command, planned, output); });
     return exit_fine;
 }
 
@@ -166,8 +140,13 @@ public:
             "-o,--output", command_.output,
             "Write to this file (.jsonl: JSON Lines; .gz, .zst: packed) instead of standard output",
             "FILE");
-        options.option("--format", format_, "How to write it, whatever the file's name", "NAME")
-            .values({"json", "jsonl"});
+        AddedOption format =
+            options.option("--format", format_, "How to write it, whatever the file's name", "NAME")
+                .values({"json", "jsonl"});
+        options
+            .flag("--flat", command_.is_flat,
+                  "Write a row for each step, as convert --to flat does, in place of the trace")
+            .excludes(format);
         options.option("--only", only_, "Write only these kinds of step", "KIND,...")
             .values(step_kind_names());
         options.option("--region", region_, "Write only steps that touch these pixels",

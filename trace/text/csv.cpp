@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "csv.h"
 
+#include "text.h"
+
 #include <rastertrace/core/numbers/number.h>
-#include <rastertrace/trace/text/text.h>
 
 #include <string_view>
 #include <variant>
@@ -16,8 +17,8 @@ bool is_number(std::string_view text) {
     return std::holds_alternative<Number>(parse_number(text, NumberSize::any));
 }
 
-/// A field of a CSV file: in quotes if it has to be. A spreadsheet would take a name like "=1+1" for
-/// a formula and run it; behind an apostrophe it is text.
+} // namespace
+
 std::string csv_field(std::string_view text) {
     std::string field = printable(text);
     if (!field.empty() && std::string_view("=+-@").find(field.front()) != std::string_view::npos &&
@@ -26,12 +27,13 @@ std::string csv_field(std::string_view text) {
     if (field.find_first_of(",\"\r\n") == std::string::npos)
         return field;
     std::string quoted = "\"";
-    for (const char c : field)
-        quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
+    for (const char c : field) {
+        if (c == '"')
+            quoted += c;
+        quoted += c;
+    }
     return quoted + '"';
 }
-
-} // namespace
 
 void put_csv_line(std::string& text, const std::vector<std::string>& fields) {
     std::string_view separator;
