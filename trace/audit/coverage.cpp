@@ -6,6 +6,7 @@
 
 #include <rastertrace/core/numbers/number.h>
 #include <rastertrace/trace/tell/step_text.h>
+#include <rastertrace/trace/text/in_threads.h>
 #include <rastertrace/trace/text/json_scanner.h>
 #include <rastertrace/trace/text/primitive_name.h>
 
@@ -186,7 +187,9 @@ std::vector<PixelCause> causes_of(const std::vector<std::uint32_t>& outside,
     return causes;
 }
 
-Coverage coverage_of(const Cornered& triangle, const Trace& trace, const CanvasSamples& grid) {
+/// What a triangle drew, but for the causes: `outside` gets the places of the pixels that need one, in ascending order.
+Coverage coverage_of(const Cornered& triangle, const CanvasSamples& grid,
+                     std::vector<std::uint32_t>& outside) {
     const Canvas& canvas = grid.canvas;
     const auto& [a, b, c] = triangle.at;
     const auto& drawn = triangle.drawn->covering();
@@ -203,7 +206,6 @@ Coverage coverage_of(const Cornered& triangle, const Trace& trace, const CanvasS
 
     // On each of them, the gaps between the pixels drawn are missing, as far as the triangle goes.
     Coverage coverage;
-    std::vector<std::uint32_t> outside;
     for (Index row = rows.first; row <= rows.last; ++row) {
         const int y = canvas.y_of(static_cast<int>(row));
         const auto [closed, inside, within_error] = triangle.samples->row(y);
@@ -222,7 +224,6 @@ Coverage coverage_of(const Cornered& triangle, const Trace& trace, const CanvasS
         }
         add_missing(coverage, y, {next, closed.last}, inside);
     }
-    coverage.causes = causes_of(outside, *triangle.drawn, trace, grid);
     return coverage;
 }
 
@@ -368,14 +369,13 @@ PixelList drawn_by_both(const DrawnPrimitive& one, const DrawnPrimitive& other,
     return both;
 }
 
-/// Every pair of the triangles at an edge.
-void compare_at_edge(const EdgeUse& edge, const Trace& trace, const CanvasSamples& grid,
-                     Stats& stats) {
+/// Every pair of the triangles at an edge; it has no name yet.
+std::vector<SharedEdge> compared_at(const EdgeUse& edge, const CanvasSamples& grid,
+                                    const Stats& stats) {
     const Cornered& first = *edge.triangles.front();
     const ScreenPoint& from = first.at[edge.from];
     const ScreenPoint& to = first.at[edge.to];
-    const std::string name =
-        edge_name(trace.step(first.drawn->step).as<PrimitiveStep>(), edge.from, edge.to);
+    std::vector<SharedEdge> pairs;
     for (auto one = edge.triangles.begin(); one != edge.triangles.end(); ++one)
         for (auto other = one + 1; other != edge.triangles.end(); ++other) {
             const bool is_fold = lie_on_one_side(edge, **one, **other);
@@ -386,14 +386,15 @@ void compare_at_edge(const EdgeUse& edge, const Trace& trace, const CanvasSample
                                     std::array{region_at_edge(edge, **one, is_fold),
                                                region_at_edge(edge, **other, is_fold)},
                                     *(*one)->drawn, *(*other)->drawn, grid);
-            stats.edges.push_back(
-                {.name = name,
+            pairs.push_back(
+                {.name = {},
                  .one = stats.primitives[(*one)->place].name,
                  .other = stats.primitives[(*other)->place].name,
                  .twice = is_fold ? PixelList()
                                   : drawn_by_both(*(*one)->drawn, *(*other)->drawn, grid.canvas),
                  .never = pixel_list(never, grid.canvas)});
         }
+    return pairs;
 }
 
 // Vertices on edges that have no vertex there.
@@ -493,20 +494,38 @@ double one_rounding_of(const Trace& trace) {
 }
 
 /// Judges all triangles with area by the samples of a grid.
-void judge_by_samples(const CanvasSamples& grid, const Trace& trace, std::vector<Cornered>& fills,
-                      const std::vector<Cornered>& not_drawn, Stats& stats) {
+void judge_by_samples(const CanvasSamples& grid, const Trace& trace, std::size_t jobs,
+                      std::vector<Cornered>& fills, const std::vector<Cornered>& not_drawn,
+                      Stats& stats) {
     stats.edges.clear();
     stats.t_junctions.clear();
     const double one_rounding = one_rounding_of(trace);
-    for (Cornered& fill : fills) {
+    std::vector<std::vector<std::uint32_t>> outside(fills.size());
+    in_threads(fills.size(), jobs, [&](std::size_t i, std::size_t /*thread*/) {
+        Cornered& fill = fills[i];
         fill.samples.emplace(fill.at, grid, one_rounding);
         const auto& coverage =
-            stats.primitives[fill.place].coverage.emplace(coverage_of(fill, trace, grid));
+            stats.primitives[fill.place].coverage.emplace(coverage_of(fill, grid, outside[i]));
         fill.is_drawn_whole =
             coverage.holes.count == 0 && coverage.open_edge.count == 0 && fill.samples->is_clear();
+    });
+    for (std::size_t i = 0; i < fills.size(); ++i)
+        stats.primitives[fills[i].place].coverage->causes =
+            causes_of(outside[i], *fills[i].drawn, trace, grid);
+
+    const std::vector<EdgeUse> edges = shared_edges(fills);
+    std::vector<std::vector<SharedEdge>> pairs(edges.size());
+    in_threads(edges.size(), jobs, [&](std::size_t i, std::size_t /*thread*/) {
+        pairs[i] = compared_at(edges[i], grid, stats);
+    });
+    for (std::size_t i = 0; i < edges.size(); ++i) {
+        const auto step = trace.step(edges[i].triangles.front()->drawn->step).as<PrimitiveStep>();
+        const std::string name = edge_name(step, edges[i].from, edges[i].to);
+        for (SharedEdge& pair : pairs[i]) {
+            pair.name = name;
+            stats.edges.push_back(std::move(pair));
+        }
     }
-    for (const EdgeUse& edge : shared_edges(fills))
-        compare_at_edge(edge, trace, grid, stats);
     find_junctions(fills, not_drawn, trace, grid, stats);
 }
 
@@ -606,7 +625,8 @@ std::optional<std::array<ScreenPoint, 3>> positions_in(const PrimitiveStep& step
     return count == found.size() ? std::optional(found) : std::nullopt;
 }
 
-void compare_with_corners(const Trace& trace, std::span<const DrawnPrimitive> drawn, Stats& stats) {
+void compare_with_corners(const Trace& trace, std::span<const DrawnPrimitive> drawn,
+                          std::size_t jobs, Stats& stats) {
     // The triangles and the outlines whose corners are known.
     PointNumbers numbers;
     std::vector<Cornered> fills;
@@ -636,7 +656,7 @@ void compare_with_corners(const Trace& trace, std::span<const DrawnPrimitive> dr
     std::move(flat, fills.end(), std::back_inserter(not_drawn));
     fills.erase(flat, fills.end());
     const auto judge = [&](const SampleOffset<mpq_class>& offset) {
-        judge_by_samples({trace.canvas, offset}, trace, fills, not_drawn, stats);
+        judge_by_samples({trace.canvas, offset}, trace, jobs, fills, not_drawn, stats);
         return explains_all(stats);
     };
     if (tells_sample(trace)) {

@@ -5,7 +5,7 @@
 // pixels outside, edges drawn twice or not at all, T-junctions, outlines that stick out of their fill.
 //
 //     std::vector<DrawnPrimitive> drawn{{.step = 1, .pixels = {39, 55, 56}}};
-//     compare_with_corners(trace, drawn, stats);
+//     compare_with_corners(trace, drawn, 2, stats);
 
 #include "stats.h"
 #include "t_junctions.h"
@@ -46,8 +46,9 @@ std::optional<std::array<ScreenPoint, 3>> positions_in(const PrimitiveStep& step
                                                        const Trace& header);
 
 /// Fills in the coverage of stats.primitives, stats.edges, stats.t_junctions, stats.outlines and
-/// stats.sample.
+/// stats.sample, in so many threads.
 /// `drawn` are the first primitives of `stats`, one for one.
-void compare_with_corners(const Trace& trace, std::span<const DrawnPrimitive> drawn, Stats& stats);
+void compare_with_corners(const Trace& trace, std::span<const DrawnPrimitive> drawn,
+                          std::size_t jobs, Stats& stats);
 
 } // namespace rastertrace

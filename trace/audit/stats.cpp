@@ -9,6 +9,7 @@
 #include <rastertrace/trace/record/step_decoder.h>
 #include <rastertrace/trace/record/traced_steps.h>
 #include <rastertrace/trace/record/write_trace.h>
+#include <rastertrace/trace/text/in_threads.h>
 #include <rastertrace/trace/text/text.h>
 
 #include <array>
@@ -212,7 +213,7 @@ std::string names_of(const std::vector<StatsFinding>& findings) {
     return joined(names, ", ");
 }
 
-Stats stats_of(const Trace& trace) {
+Stats stats_of(const Trace& trace, std::size_t jobs) {
     // Step by step, what is drawn and by which primitive.
     Stats stats;
     stats.steps = trace.size();
@@ -225,7 +226,7 @@ Stats stats_of(const Trace& trace) {
     if (!trace.end && !drawn.empty())
         drawn.pop_back();
     if (!trace.is_partial)
-        compare_with_corners(trace, drawn, stats);
+        compare_with_corners(trace, drawn, jobs == 0 ? usual_jobs() : jobs, stats);
 
     // The picture that came of it.
     const Image& picture = counted.picture();

@@ -168,7 +168,7 @@ struct Stats {
 
 /// Counts, and compares what was drawn with what should have been. Nothing is compared in a trace
 /// that steps were left out of, nor is the last primitive of a truncated trace: pixels that are
-/// missing there were not necessarily missed.
-Stats stats_of(const Trace& trace);
+/// missing there were not necessarily missed. In so many threads; 0: as many as run at once.
+Stats stats_of(const Trace& trace, std::size_t jobs = 0);
 
 } // namespace rastertrace

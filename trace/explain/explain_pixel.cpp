@@ -59,14 +59,14 @@ private:
     /// Parts that clipping has made come between the steps of the primitive that they are parts of.
     void begin(std::size_t n) {
         close_part();
-        if (primitive_ && is_part_of(trace_.step(n).as<PrimitiveStep>(),
-                                     name_in(trace_.step(primitive_->first)).text())) {
+        PrimitiveSteps steps{.first = n, .told = trace_.step(n).as<PrimitiveStep>()};
+        if (primitive_ && is_part_of(steps.told, primitive_->told.name.text())) {
             primitive_->is_whole = true;
-            part_ = PrimitiveSteps{.first = n};
+            part_ = std::move(steps);
             return;
         }
         close_primitive();
-        primitive_ = PrimitiveSteps{.first = n};
+        primitive_ = std::move(steps);
         place_ = explanation_.why_not.size();
         part_has_drawn_ = false;
     }
@@ -200,7 +200,7 @@ private:
     void close_primitive() {
         if (!primitive_)
             return;
-        const bool has_place{trace_.step(primitive_->first).as<PrimitiveStep>().at};
+        const bool has_place{primitive_->told.at};
         primitive_->is_whole = primitive_->is_whole || (!has_place && !primitive_->clips.empty());
         if (!primitive_->has_drawn && !part_has_drawn_)
             explanation_.why_not.insert(explanation_.why_not.begin() +

@@ -213,7 +213,7 @@ WhyNot of_circle(const Trace& trace, const PrimitiveSteps& steps, Pixel pixel) {
 } // namespace
 
 WhyNot why_elsewhere(const Trace& trace, const PrimitiveSteps& steps, Pixel pixel) {
-    const auto kind = trace.step(steps.first).as<PrimitiveStep>().kind;
+    const auto kind = steps.told.kind;
     if (kind == PrimitiveKind::point)
         return of_point(trace, steps, pixel);
     if (kind == PrimitiveKind::circle)

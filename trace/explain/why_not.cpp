@@ -83,7 +83,7 @@ std::optional<StepView> find_step(const Trace& trace, const PrimitiveSteps& step
 }
 
 WhyNot why_not(const Trace& trace, const PrimitiveSteps& steps, Pixel pixel) {
-    const auto primitive = trace.step(steps.first).as<PrimitiveStep>();
+    const PrimitiveStep& primitive = steps.told;
     WhyNot why;
     if (!steps.skip.empty())
         why = why_skipped(trace, steps);

@@ -10,6 +10,7 @@
 #include <rastertrace/core/raster/canvas.h>
 #include <rastertrace/trace/record/told_samples.h>
 #include <rastertrace/trace/record/trace.h>
+#include <rastertrace/trace/record/traced_steps.h>
 
 #include <cstddef>
 #include <limits>
@@ -22,6 +23,7 @@ namespace rastertrace {
 /// The steps of one primitive, and what has been said of some of them.
 struct PrimitiveSteps {
     std::size_t first = 0; ///< its own step
+    PrimitiveStep told{};  ///< the same
     std::size_t last = 0;
     bool has_drawn = false;             ///< the pixel
     bool has_passed = false;            ///< the depth test in the pixel

@@ -25,7 +25,6 @@ struct Case {
     const Trace& trace;
     const PrimitiveSteps& steps;
     Pixel pixel;
-    PrimitiveStep told;
     Vec2 sample;
 
     /// The primitive in words, and where its corners are, exactly. Not every rule asks, and working it out takes most of
@@ -207,7 +206,7 @@ std::optional<double> distance_in_doubles(const Case& c, bool is_above) {
     const double sample = nearest_double(c.sample.y);
     std::optional<double> outermost;
     double largest = std::abs(sample);
-    for (const TracedList<TracedNumber>& corner : c.told.at.values()) {
+    for (const TracedList<TracedNumber>& corner : c.steps.told.at.values()) {
         const auto place = corner.values();
         const auto y = place.size() == 2 ? stored_double_in(place[1].text(), false) : std::nullopt;
         if (!y)
@@ -370,13 +369,13 @@ WhyNot unknown(const Case& c) {
 } // namespace
 
 WhyNot why_outside(const Trace& trace, const PrimitiveSteps& steps, Pixel pixel) {
-    const auto told = trace.step(steps.first).as<PrimitiveStep>();
+    const PrimitiveStep& told = steps.told;
     if (told.painted.is_false())
         return {.reason = "unpainted",
                 .sentence = said(
                     {"it only hides what lies behind it", "só esconde o que está atrás dele"})};
     const auto& offset = steps.samples->of(told.kind);
-    const Case c{trace, steps, pixel, told, {offset.x_of(pixel.x), offset.y_of(pixel.y)}};
+    const Case c{trace, steps, pixel, {offset.x_of(pixel.x), offset.y_of(pixel.y)}};
     for (const auto rule : {by_edge_function, by_row, by_weight, by_rows, by_box})
         if (auto why = rule(c))
             return *std::move(why);

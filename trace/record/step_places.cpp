@@ -148,6 +148,8 @@ const StepPlace& StepPlaces::found(std::size_t n, std::string_view text) const {
 }
 
 std::optional<StepKind> StepPlaces::found_kind(std::size_t n, std::string_view text) const {
+    if (n - at_hand_.first < at_hand_.count)
+        return at_hand_.places[n - at_hand_.first].kind;
     const std::size_t place = block_of(n);
     const Block& block = blocks_[place];
     if (block.form != Block::Form::measured)
