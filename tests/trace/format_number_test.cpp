@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <rastertrace/trace/record/double_texts.h>
 #include <rastertrace/trace/text/format_number.h>
 
 #include <gtest/gtest.h>
@@ -13,6 +14,7 @@
 #include <cstdint>
 #include <limits>
 #include <string>
+#include <vector>
 
 namespace rastertrace {
 namespace {
@@ -79,6 +81,25 @@ TEST(FormatNumber, WritesTheLargestFractions) {
     EXPECT_EQ(text_of(Fraction64{-25, 8}), "\"-25/8\"");
     EXPECT_EQ(text_of(Fraction64{24, 8}), "\"3\"");
     EXPECT_EQ(text_of(Fraction64{0, 8}), "\"0\"");
+}
+
+RC_GTEST_PROP(DoubleTexts, AreThoseOfFormatNumberHoweverOftenTheyComeAgain,
+              (const std::vector<std::uint64_t>& some)) {
+    DoubleTexts texts;
+    const auto write = [&texts](double value) {
+        std::array<char, room_for(0.0)> text{};
+        return std::string(text.data(), texts.append(text.data(), value));
+    };
+    // Numbers near each other, and more than there are places.
+    for (const std::uint64_t bits : some)
+        for (std::uint64_t i = 0; i < 2000; ++i) {
+            const auto value = std::bit_cast<double>(bits + i * i);
+            if (!std::isfinite(value))
+                continue;
+            RC_ASSERT(write(value) == text_of(value));
+            RC_ASSERT(write(-value) == text_of(-value));
+            RC_ASSERT(write(value) == text_of(value));
+        }
 }
 
 } // namespace

@@ -2,10 +2,12 @@
 #include "edge_scenes.h"
 #include "effort.h"
 #include "picture.h"
+#include "random_scene.h"
 #include "scene_text.h"
 #include "traces.h"
 
 #include <rastertrace/trace/record/step_writer.h>
+#include <rastertrace/trace/scene/scene_file.h>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -13,6 +15,7 @@
 
 #include <cmath>
 #include <random>
+#include <sstream>
 #include <string>
 
 namespace rastertrace {
@@ -302,6 +305,32 @@ TEST(WriteTrace, OnlySomeKinds) {
     EXPECT_NE(text.find(R"({"end":{"steps":3,"count":{"scanline":3},"pixels":6,)"),
               std::string::npos)
         << "the picture is the whole one";
+}
+
+TEST(WriteTrace, WhoTakesNoPixelsIsToldTheSameSkipsOfTheSamePicture) {
+    /// The skipped primitives of a trace, and what its end says of the picture.
+    const auto told = [](const Scene& scene, const StepFilter& filter) {
+        std::istringstream lines(
+            trace_text(scene, {.layout = TraceLayout::jsonl, .filter = filter}));
+        std::string result;
+        for (std::string line; std::getline(lines, line);)
+            if (line.starts_with(R"({"step":"skip")"))
+                result += line + "\n";
+            else if (line.starts_with(R"({"end":)"))
+                result += line.substr(line.find(R"("pixels":)"));
+        return result;
+    };
+    std::size_t skipped = 0;
+    for (std::uint64_t seed = 0; seed < random_cases(300U); ++seed) {
+        const std::string text = RandomScene(seed).text();
+        const auto read = read_scene({"random.json", text});
+        if (!read)
+            continue;
+        const std::string all = told(read.value().scene, {});
+        skipped += all.starts_with("{") ? 1 : 0;
+        ASSERT_EQ(told(read.value().scene, {.only = {{StepKind::skip}}}), all) << text;
+    }
+    EXPECT_GT(skipped, 20U);
 }
 
 TEST(WriteTrace, OnlyAPrimitiveAndItsParts) {

@@ -48,18 +48,23 @@ void StepWriter::flush() {
 void StepWriter::write_labels() {
     const std::size_t count = vertices_.size();
     const std::string_view separator = name_separator(vertices_);
-    std::vector<std::string> quoted;
-    for (const std::string_view name : vertices_)
-        quoted.push_back(json_quoted(name));
+    // The strings of the primitive before are used again.
+    quoted_.resize(count);
+    for (std::size_t i = 0; i < count; ++i) {
+        std::string& quoted = quoted_[i];
+        quoted.resize(room_for_quoted(vertices_[i]));
+        quoted.resize(
+            static_cast<std::size_t>(write_quoted(quoted.data(), vertices_[i]) - quoted.data()));
+    }
     labels_.resize(2 * count);
     for (std::size_t from = 0; from < count; ++from)
         for (const std::size_t to : {(from + 1) % count, (from + count - 1) % count}) {
             // "A" and "B" become "AB": the inner quotes give way to the separator.
             std::string& label = labels_[label_of(
                 {static_cast<std::uint16_t>(from), static_cast<std::uint16_t>(to)})];
-            label.assign(quoted[from], 0, quoted[from].size() - 1);
+            label.assign(quoted_[from], 0, quoted_[from].size() - 1);
             label += separator;
-            label.append(quoted[to], 1);
+            label.append(quoted_[to], 1);
         }
     has_labels_ = true;
 }

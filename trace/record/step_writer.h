@@ -12,6 +12,7 @@
 // output when it is full: memory does not grow with the number of steps. A step that the filter leaves out is never
 // formatted.
 
+#include "double_texts.h"
 #include "trace_options.h"
 #include "traced_steps.h"
 
@@ -392,6 +393,7 @@ private:
     template <typename Number> static char* append(char* out, const Number& number) {
         return format_number(out, number);
     }
+    char* append(char* out, double number) const { return texts_.append(out, number); }
     template <typename Integer> char* append(char* out, const Fraction<Integer>& number) const {
         return numbers_ == NumberStyle::doubles ? format_number(out, to_double(number))
                                                 : format_number(out, number);
@@ -472,8 +474,10 @@ private:
     std::string name_;       ///< of the same
     bool is_circle_ = false; ///< then each decision is about pixels in all eight octants
     std::vector<std::string_view> vertices_; ///< its vertices' names
-    std::vector<std::string> labels_;        ///< its edges' quoted names,
+    std::vector<std::string> quoted_;        ///< the same in quotes,
+    std::vector<std::string> labels_;        ///< and its edges' names in quotes,
     bool has_labels_ = false;                ///< once one was asked for
+    mutable DoubleTexts texts_;
 };
 
 } // namespace rastertrace

@@ -74,8 +74,6 @@ public:
 
     ObjMesh read() {
         at_ += size_of_mark(source_.text);
-        mesh_.vertices.reserve(lines_of_vertices());
-        mesh_.units.reserve(mesh_.vertices.capacity());
         while (at_ != end_) {
             if (at_word())
                 read_statement();
@@ -126,15 +124,6 @@ private:
         throw problem;
     }
 
-    /// How many lines start like a vertex, of those that there is room for: "v 0 0 0" and its end.
-    std::size_t lines_of_vertices() const {
-        constexpr std::string_view start = "\nv ";
-        std::size_t count = 1;
-        for (std::size_t at = 0; (at = source_.text.find(start, at)) != std::string::npos; ++at)
-            ++count;
-        return std::min(count, source_.text.size() / 8);
-    }
-
     /// The length of the line end at `p`, or 0. A carriage return counts only in front of a line
     /// feed or of the end.
     std::size_t line_end_at(const char* p) const {
@@ -155,7 +144,7 @@ private:
     }
 
     bool word_ends_at(const char* p) const {
-        return p == end_ || line_end_at(p) > 0 || blank_at(p) > 0;
+        return *p == ' ' || *p == '\n' || p == end_ || line_end_at(p) > 0 || blank_at(p) > 0;
     }
 
     /// Goes to the next word of the statement; false if there is none.
@@ -174,6 +163,11 @@ private:
 
     /// Leaves a statement that has no more words, and the comment that may stand behind it.
     void skip_line() {
+        // Nearly every statement ends with its line.
+        if (*at_ == '\n') {
+            ++at_;
+            return;
+        }
         const auto* newline =
             static_cast<const char*>(std::memchr(at_, '\n', static_cast<std::size_t>(end_ - at_)));
         at_ = newline == nullptr ? end_ : newline + 1;
@@ -216,12 +210,12 @@ private:
         std::array<std::string_view, 3> words;
         for (; at_word(); ++count) {
             const char* const begin = at_;
-            Number number = take_number();
+            TypedNumber typed = take_number();
             if (count < 3) {
-                position[count] = std::move(number);
-                unit = std::max(unit, unit_of_last_digit(text_between(begin, at_)));
+                position[count] = std::move(typed.number);
+                unit = std::max(unit, typed.unit);
             } else if (count < 6) {
-                behind[count - 3] = std::move(number);
+                behind[count - 3] = std::move(typed.number);
                 words[count - 3] = text_between(begin, at_);
             }
         }
@@ -310,17 +304,22 @@ private:
     /// The place, from 0, that an index stands for: from 1 on, or back from the last so far, -1.
     std::uint32_t take_index(const char* corner, std::size_t so_far, std::string_view of_what) {
         // Nearly every index is a few digits.
+        const char* after = at_;
+        std::uint64_t index = 0;
+        for (; is_digit(*after) && after - at_ < 18; ++after)
+            index = 10 * index + static_cast<std::uint64_t>(*after - '0');
+        if (index == 0 || index > so_far || !(*after == '/' || word_ends_at(after)))
+            return take_any_index(corner, so_far, of_what);
+        at_ = after;
+        return static_cast<std::uint32_t>(index - 1);
+    }
+
+    /// The same, whatever its form.
+    [[gnu::noinline]] std::uint32_t take_any_index(const char* corner, std::size_t so_far,
+                                                   std::string_view of_what) {
         const char* const begin = at_;
-        const char* after = begin;
         std::int64_t index = 0;
-        auto error = std::errc();
-        for (; is_digit(*after) && after - begin < 18; ++after)
-            index = 10 * index + (*after - '0');
-        if (after == begin || is_digit(*after)) {
-            const auto read = std::from_chars(begin, end_, index);
-            after = read.ptr;
-            error = read.ec;
-        }
+        const auto [after, error] = std::from_chars(begin, end_, index);
         if (error == std::errc::invalid_argument || !(*after == '/' || word_ends_at(after)))
             fail_corner(corner);
         at_ = after;
@@ -340,7 +339,13 @@ private:
         fail_expecting("a corner like 1, 1/1, 1//1 or 1/1/1", take_word());
     }
 
-    Number take_number() {
+    /// A number, and what its last digit counts: see typed_digits.h.
+    struct TypedNumber {
+        Number number;
+        float unit;
+    };
+
+    TypedNumber take_number() {
         // Nearly every number is a few digits with a point among them.
         const char* p = at_;
         const bool negative = *p == '-';
@@ -357,8 +362,10 @@ private:
 
         // 19 digits cannot overflow; Number::decimal takes 18. The rest is for parse_number.
         constexpr auto too_many_digits = static_cast<std::uint64_t>(power_of_ten(18));
-        if (count == 0 || count > 19 || digits >= too_many_digits || !word_ends_at(p))
-            return number_in(take_word());
+        if (count == 0 || count > 19 || digits >= too_many_digits || !word_ends_at(p)) {
+            const std::string_view word = take_word();
+            return {number_in(word), unit_of_last_digit(word)};
+        }
         at_ = p;
 
         // As parse_number does, zeros at the end become part of the exponent.
@@ -366,7 +373,8 @@ private:
         for (; digits != 0 && digits % 10 == 0; digits /= 10)
             ++exponent;
         const auto magnitude = static_cast<std::int64_t>(digits);
-        return Number::decimal(negative ? -magnitude : magnitude, exponent);
+        return {Number::decimal(negative ? -magnitude : magnitude, exponent),
+                unit_of_place(static_cast<int>(-behind_point))};
     }
 
     /// A word as a number, whatever its form.

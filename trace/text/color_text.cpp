@@ -67,9 +67,14 @@ std::optional<Color> parse_color(std::string_view text) {
 }
 
 std::string to_text(Color color) {
-    std::string text = fmt::format("#{:02x}{:02x}{:02x}", color.red(), color.green(), color.blue());
-    if (color.alpha() != 255)
-        text += fmt::format("{:02x}", color.alpha());
+    constexpr std::string_view digits = "0123456789abcdef";
+    std::string text = "#";
+    for (const unsigned level : {color.red(), color.green(), color.blue(), color.alpha()}) {
+        text += digits[level / 16];
+        text += digits[level % 16];
+    }
+    if (color.alpha() == 255)
+        text.resize(7);
     return text;
 }
 

@@ -112,9 +112,8 @@ inline char* format_number(char* out, int value) {
 /// Throws a Problem: JSON has no infinity, and no NaN.
 [[noreturn]] void refuse_to_format(double value);
 
-/// The shortest text that reads back to the same bits, as std::to_chars gives it; -0 is written 0.
-/// Throws a Problem if `value` is not finite: no infinity can reach a file.
-inline char* format_number(char* out, double value) {
+/// Writes what format_number does if `value` is a multiple of 1/1024 of usual size; else returns null.
+inline char* format_dyadic(char* out, double value) {
     // A multiple of 1/1024 is written from tables. In scientific notation it would only be shorter
     // if it ended in zeros before the point, as 100000 does (1e+05).
     constexpr double table_limit = 4.0e9;
@@ -138,6 +137,14 @@ inline char* format_number(char* out, double value) {
             }
         }
     }
+    return nullptr;
+}
+
+/// The shortest text that reads back to the same bits, as std::to_chars gives it; -0 is written 0.
+/// Throws a Problem if `value` is not finite: no infinity can reach a file.
+inline char* format_number(char* out, double value) {
+    if (char* const end = format_dyadic(out, value))
+        return end;
     if (!std::isfinite(value)) [[unlikely]]
         refuse_to_format(value);
     return std::to_chars(out, out + 32, value).ptr;

@@ -9,6 +9,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <system_error>
@@ -56,6 +57,7 @@ Result<InputFile> InputFile::open(const std::string& path, Kind kind) {
         return problem_of(name, "expected a file, found a pipe or a device");
     if (S_ISREG(status.st_mode)) {
         file.id_ = FileId{.device = status.st_dev, .inode = status.st_ino};
+        file.told_size_ = static_cast<std::size_t>(std::max<off_t>(status.st_size, 0));
         note_opened(*file.id_);
     }
     return file;

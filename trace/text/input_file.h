@@ -10,6 +10,7 @@
 #include "packed.h"
 #include "problem.h"
 
+#include <cstddef>
 #include <optional>
 #include <string>
 
@@ -36,6 +37,9 @@ public:
     /// Which one it is, if it is a regular file.
     const std::optional<FileId>& id() const { return id_; }
 
+    /// How many bytes the system says that a regular file has, as a hint: it may have more or fewer. Else 0.
+    std::size_t told_size() const { return told_size_; }
+
     /// Its descriptor, which stays open as long as this lives.
     int descriptor() const { return descriptor_; }
 
@@ -58,6 +62,7 @@ private:
     Descriptor file_; ///< closed for standard input
     int descriptor_;
     std::optional<FileId> id_;
+    std::size_t told_size_ = 0;
     std::optional<Unpacker> unpacker_;
     bool has_begun_ = false; ///< the beginning has been looked at
 };

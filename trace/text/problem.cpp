@@ -175,6 +175,10 @@ Result<Source> read_path(const std::string& path, InputFile::Kind kind, InputChe
         std::size_t block = 0;
         if (kind == InputFile::Kind::any) // what another file names is no trace
             source.mapped = mapped_trace(file.value());
+        // A text that need not grow is neither copied nor moved. What the system tells may be far from true.
+        constexpr std::size_t most_trusted = 64U << 20U;
+        if (!source.mapped)
+            source.text.reserve(std::min(file.value().told_size(), most_trusted));
         while (!source.mapped && file.value().read_into(source.text)) {
             if (auto fault = fault_of(source, block))
                 return *std::move(fault);

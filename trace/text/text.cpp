@@ -262,18 +262,23 @@ std::string json_quoted(std::string_view text) {
 }
 
 char* write_quoted(char* out, std::string_view text) {
-    const auto is_plain = [](char byte) {
-        return ' ' <= byte && byte <= '~' && byte != '"' && byte != '\\';
-    };
+    static constexpr auto plain = [] {
+        std::array<bool, 256> table{};
+        for (std::size_t byte = ' '; byte <= '~'; ++byte)
+            table[byte] = byte != '"' && byte != '\\';
+        return table;
+    }();
+    const auto is_plain = [](char byte) { return plain[static_cast<unsigned char>(byte)]; };
     const auto write = [&out](std::string_view part) {
         out = std::copy(part.begin(), part.end(), out);
     };
     *out++ = '"';
     while (!text.empty()) {
         // Most text needs no second look.
-        const auto end_of_plain = std::find_if_not(text.begin(), text.end(), is_plain);
-        out = std::copy(text.begin(), end_of_plain, out);
-        text.remove_prefix(static_cast<std::size_t>(end_of_plain - text.begin()));
+        std::size_t length = 0;
+        for (; length < text.size() && is_plain(text[length]); ++length)
+            *out++ = text[length];
+        text.remove_prefix(length);
         if (text.empty())
             break;
         const CodePoint character = first_code_point(text);

@@ -179,12 +179,15 @@ public:
     /// False if its pixels are neither painted nor tested.
     bool has_work() const { return stages_.is_painted || stages_.tests_depth; }
 
-    FlatPainter<> flat_painter(Image& image) const {
-        return FlatPainter<>(image, flat_, {}, stages_.tests_canvas);
+    template <typename Sink = NullSink>
+    FlatPainter<Sink> flat_painter(Image& image, const Sink& sink = {}) const {
+        return FlatPainter<Sink>(image, flat_, sink, stages_.tests_canvas);
     }
 
-    PlanePainter<Scalar> plane_painter(const SceneDrawing<Scalar, OfPixels>& drawing) const {
-        return {drawing.image, flat_, *plane_, *drawing.depth, stages_.tests_canvas};
+    template <typename Sink>
+    PlanePainter<Scalar, Sink> plane_painter(const SceneDrawing<Scalar, OfPixels>& drawing,
+                                             const Sink& sink) const {
+        return {drawing.image, flat_, *plane_, *drawing.depth, stages_.tests_canvas, sink};
     }
 
     template <typename Sink>
@@ -311,6 +314,14 @@ void draw_thin(const Piece<Scalar>& piece, SceneDrawing<Scalar, OfPixels>& drawi
     });
 }
 
+/// True if somebody takes what a piece without work tells: that it is skipped.
+constexpr bool hears_skips(const NullSink&) {
+    return false;
+}
+inline bool hears_skips(const SkipSink& sink) {
+    return sink.is_heard();
+}
+
 /// Draws a piece.
 template <typename Scalar, typename OfPixels, typename Sink>
 void draw_piece(const Piece<Scalar>& piece, SceneDrawing<Scalar, OfPixels>& drawing,
@@ -325,16 +336,16 @@ void draw_piece(const Piece<Scalar>& piece, SceneDrawing<Scalar, OfPixels>& draw
     const Triangle<Scalar> triangle{piece.positions};
     TrianglePaint<Scalar, OfPixels> paint(piece, drawing);
     if constexpr (!keeps_steps<Sink>) {
-        if (!paint.has_work())
+        if (!paint.has_work() && !hears_skips(sink))
             return;
-        if (paint.is_flat())
+        if (paint.has_work() && paint.is_flat())
             return fill(triangle, piece.colors, scene.method, drawing.grid, scene.canvas,
-                        paint.flat_painter(drawing.image));
+                        paint.flat_painter(drawing.image, sink));
         if constexpr (std::floating_point<DepthOf<OfPixels>>)
             if (scene.method.fill == Fill::top_left && paint.is_flat_in_plane(drawing))
                 return fill_top_left(triangle, drawing.grid,
                                      canvas_of_samples(scene.method, scene.canvas),
-                                     paint.plane_painter(drawing));
+                                     paint.plane_painter(drawing, sink));
     }
     fill(triangle, piece.colors, scene.method, drawing.grid, scene.canvas,
          paint.row_painter(drawing, sink));
@@ -359,19 +370,20 @@ void tell_piece(const PieceNames& names, const AFace& face, const Piece<Scalar>&
     tell_face(face, sink);
 }
 
-/// Emits what is known of a piece, and draws it.
-template <typename AList, typename AFace, typename Scalar, typename OfPixels, typename Sink>
+/// Emits what is known of a piece, and draws it. `of_pixels` is the sink of its drawing.
+template <typename AList, typename AFace, typename Scalar, typename OfPixels, typename Sink,
+          typename SinkOfPixels>
 void tell_and_draw(const AList& list, const ScreenPrimitive& one, const AFace& face,
                    const Piece<Scalar>& piece, SceneDrawing<Scalar, OfPixels>& drawing,
-                   const Sink& sink) {
+                   const Sink& sink, const SinkOfPixels& of_pixels) {
     const PieceNames names(drawing.scene, list,
                            one); // a listener may refer to them until the piece ends
     tell_piece(names, face, piece, drawing, sink);
     if (!piece.is_skipped)
-        draw_piece(piece, drawing, sink);
+        draw_piece(piece, drawing, of_pixels);
 }
 
-/// Draws the list.
+/// Draws the list. `sink` is that of pixels.
 template <typename Scalar, typename AList, typename Sink>
 void draw_list(const AList& list, SceneDrawing<Scalar>& drawing, const Listener& listener,
                const Sink& sink) {
@@ -391,19 +403,19 @@ void draw_list(const AList& list, SceneDrawing<Scalar>& drawing, const Listener&
             if (drawing.depth)
                 drawing.depth->begin(static_cast<std::uint32_t>(&one - list.primitives.data()));
     };
-    if constexpr (keeps_steps<Sink>)
+    if (!listener.takes_nothing())
         tell_all_pieces(scene, list, listener, [&](const ScreenPrimitive& one, const auto& face) {
             const auto piece = piece_in<Scalar>(piece_of(scene, list, one), plan);
             begin(one);
-            tell_and_draw(list, one, face, piece, drawing, sink);
+            tell_and_draw(list, one, face, piece, drawing, ListenerSink(listener), sink);
         });
     else
         for (std::size_t place = 0; place < count_of(scene, list); ++place) {
             const ScreenPrimitive& one = nth_of(scene, list, place);
-            const auto piece = piece_of(scene, list, one);
+            auto piece = piece_of(scene, list, one);
             begin(one);
             if (!piece.is_skipped)
-                draw_piece(piece_in<Scalar>(piece, plan), drawing, sink);
+                draw_piece(piece_in<Scalar>(std::move(piece), plan), drawing, sink);
         }
 }
 
@@ -428,10 +440,10 @@ Image draw_in(const Scene& scene, const Plan& plan, const Listener& listener,
         if constexpr (draws<Scalar, AList>) {
             if constexpr (!std::same_as<AList, TypedVertices>)
                 tell_geometry(scene, list, listener);
-            if (listener.takes_nothing())
-                draw_list(list, drawing, listener, NullSink{});
-            else
+            if (listener.takes_pixels())
                 draw_list(list, drawing, listener, ListenerSink(listener));
+            else
+                draw_list(list, drawing, listener, SkipSink(listener));
         }
     };
     std::visit(draw_all, *plan.list);

@@ -177,9 +177,10 @@ private:
             TellingUndecided telling(listener, *open);
             draw_exactly(list, one, face, Listener(telling));
         } else if constexpr (keeps_steps<Sink>) {
-            if (takes_pixels_)
-                return tell_and_draw(list, one, face, piece, filtered_,
-                                     NearestSlopes(listener, piece, exactness_));
+            if (takes_pixels_) {
+                const NearestSlopes nearest(listener, piece, exactness_);
+                return tell_and_draw(list, one, face, piece, filtered_, nearest, nearest);
+            }
             const PieceNames names(scene_, list, one);
             const ListenerSink sink(listener);
             tell_piece(names, face, piece, filtered_, sink);
@@ -194,7 +195,8 @@ private:
                       const Listener& listener) {
         ++exactness_.fallbacks.primitives;
         const auto exact = exactness_.pieces.piece(exactness_.drawn.back());
-        tell_and_draw(list, one, face, exact, exact_, sink_to<Sink>(listener));
+        const Sink sink = sink_to<Sink>(listener);
+        tell_and_draw(list, one, face, exact, exact_, sink, sink);
     }
 
     /// Takes all decisions about a piece; returns the undecided comparison, if there is one. If the
@@ -284,7 +286,10 @@ private:
 template <typename AList, typename Sink>
 void draw_list(const AList& list, SceneDrawing<Adaptive>& drawing, const Listener& listener,
                const Sink&) {
-    AdaptiveDrawing<Sink>(drawing, listener).draw(list);
+    if (listener.takes_nothing())
+        AdaptiveDrawing<NullSink>(drawing, listener).draw(list);
+    else
+        AdaptiveDrawing<ListenerSink>(drawing, listener).draw(list);
     if (drawing.depth)
         drawing.exactness->fallbacks.depths += drawing.depth->exact_tests();
 }

@@ -149,9 +149,9 @@ bool has_safe_slopes(const Piece<double>& triangle, double largest, double margi
         is_single ? double{std::numeric_limits<float>::max()} : std::numeric_limits<double>::max();
     const double least =
         is_single ? double{std::numeric_limits<float>::min()} : std::numeric_limits<double>::min();
-    const bool fits = 8 * largest * farthest < most && 8 * farthest * farthest < most &&
-                      (largest == 0 ||
-                       std::ldexp(least, 30) * farthest * farthest < margin * std::min(1.0, area2));
+    const bool fits =
+        8 * largest * farthest < most && 8 * farthest * farthest < most &&
+        (largest == 0 || least * 0x1p30 * farthest * farthest < margin * std::min(1.0, area2));
     if (!decides_exactly(method) && !fits)
         return false;
     const double error = epsilon * largest * (1 + extent * farthest / area2);
@@ -173,7 +173,7 @@ bool has_safe_depth(const Piece<Coordinate>& piece, const DepthRule<double>& rul
                               rule.larger_passes ? depth - *rule.cleared : *rule.cleared - depth);
     }
     const bool is_single = method.scalar == ScalarKind::single_precision;
-    const double epsilon = std::ldexp(1.0, is_single ? -18 : -46);
+    const double epsilon = is_single ? 0x1p-18 : 0x1p-46;
     for (const auto& depth : piece.depths)
         if (!(error_of(depth) <= epsilon * largest / 64))
             return false;

@@ -66,10 +66,13 @@ template <typename Scalar> void tell(const FaceLit<Scalar>& step, const Listener
 
 template <typename Scalar> void tell(const PrimitiveBegan<Scalar>& step, const Listener& listener) {
     std::vector<Vec<Quantity, 2>> positions;
-    positions.reserve(step.positions.size());
-    for (const Vec<Scalar, 2>& at : step.positions)
-        positions.push_back(quantities<Scalar>(at));
-    const std::vector<Quantity> depths(step.depths.begin(), step.depths.end());
+    std::vector<Quantity> depths;
+    if (listener.reads_corners()) {
+        positions.reserve(step.positions.size());
+        for (const Vec<Scalar, 2>& at : step.positions)
+            positions.push_back(quantities<Scalar>(at));
+        depths.assign(step.depths.begin(), step.depths.end());
+    }
     listener(PrimitiveBegan<Quantity>{step.kind, step.name, step.vertices, positions, step.color,
                                       step.colors, step.octant, step.is_part, depths,
                                       step.is_painted, step.radius, step.face});
@@ -126,6 +129,22 @@ public:
 
 private:
     const Listener& listener_;
+};
+
+/// A sink for what draws a piece if the listener takes no pixels (Listener::takes_pixels): tells that the piece is
+/// skipped, and leaves the drawing as fast as with a NullSink.
+class SkipSink : public NullSink {
+public:
+    explicit SkipSink(const Listener& listener) : listener_(&listener) {}
+
+    /// True if the listener takes the step.
+    bool is_heard() const { return listener_->takes<PrimitiveSkipped>(); }
+
+    using NullSink::operator();
+    void operator()(const PrimitiveSkipped& step) const { (*listener_)(step); }
+
+private:
+    const Listener* listener_;
 };
 
 } // namespace rastertrace

@@ -38,7 +38,9 @@ Scalar on_grid(const Coordinate& coordinate, const Plan& plan) {
 
 /// A piece with coordinates of type Scalar. A scene typed in pixels has no depths.
 template <typename Scalar, typename Coordinate>
-Piece<Scalar> piece_in(const Piece<Coordinate>& piece, const Plan& plan) {
+requires(!(std::floating_point<Scalar> &&
+           std::same_as<Scalar, Coordinate>)) Piece<Scalar> piece_in(const Piece<Coordinate>& piece,
+                                                                     const Plan& plan) {
     auto result = without_numbers<Scalar>(piece);
     const auto position_in = [&plan](const Vec<Coordinate, 2>& at) {
         return Vec<Scalar, 2>{on_grid<Scalar>(at.x, plan), on_grid<Scalar>(at.y, plan)};
@@ -59,6 +61,11 @@ Piece<Scalar> piece_in(const Piece<Coordinate>& piece, const Plan& plan) {
         }
     }
     return result;
+}
+
+/// Floats and doubles are drawn as they are.
+template <std::floating_point Scalar> Piece<Scalar> piece_in(Piece<Scalar> piece, const Plan&) {
+    return piece;
 }
 
 /// Where samples lie in the pixels of a scene.

@@ -38,17 +38,21 @@ template <typename Scalar>
 }
 
 /// The painter of a triangle in one color whose depths lie in a plane and are tested against faces
-/// alone. It is inlined like FlatPainter, and has no sink.
-template <typename Scalar> class PlanePainter {
+/// alone. It is inlined like FlatPainter, and its sink keeps no pixels.
+template <typename Scalar, typename Sink = NullSink>
+requires(!keeps_steps<Sink>) class PlanePainter {
 public:
     using D = DepthOf<Scalar>;
 
     PlanePainter(Image& image, Color color, const DepthPlane<D>& plane, DepthTests<D>& tests,
-                 bool tests_canvas = true)
-        : image_(image), color_(color), plane_(plane), tests_(tests), tests_canvas_(tests_canvas) {}
+                 bool tests_canvas = true, Sink sink = {})
+        : image_(image), color_(color), plane_(plane), tests_(tests), tests_canvas_(tests_canvas),
+          sink_(sink) {}
 
     template <typename Step> bool takes() const { return false; }
-    template <typename Step> void operator()(const Step&) const {}
+    template <typename Step> [[gnu::always_inline]] void operator()(const Step& step) const {
+        sink_(step);
+    }
 
     [[gnu::always_inline]] void operator()(const ScanlineSpanned<Scalar>& span) const {
         const ImageRow row = image_.row(span.y);
@@ -63,6 +67,7 @@ private:
     const DepthPlane<D>& plane_;
     DepthTests<D>& tests_;
     bool tests_canvas_;
+    [[no_unique_address]] Sink sink_;
 };
 
 /// Any triangle: takes the rows, or the samples, of a fill, finds their depths, tests these, mixes
