@@ -663,6 +663,9 @@ private:
     /// Takes the lines from `offset` on that hold steps as this program writes them, several parts of the text at once;
     /// tells where the first other line begins.
     std::size_t take_plain_lines(std::size_t offset, bool is_document) {
+        std::string_view rest = text().substr(offset);
+        if (!take_step(rest, step_))
+            return offset; // of a foreign trace, perhaps every line
         const LineScan scan{.canvas = trace_.canvas,
                             .is_document = is_document,
                             .has_changes = sums_.state.has_value()};
@@ -866,6 +869,7 @@ private:
     std::size_t end_offset_ = 0;
     std::size_t useless_steps_ = 0; ///< that are damage
     std::vector<WrongForm> wrong_forms_;
+    AnyStep step_; ///< that was looked at last
 };
 
 Result<Trace> read_written_trace(Source source) {
