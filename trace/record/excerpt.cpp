@@ -79,7 +79,8 @@ public:
     }
 
     void add(const StepView& step, std::optional<StepKind> kind) {
-        if (!kinds_.empty() && std::ranges::find(kinds_, step.kind_name()) == kinds_.end())
+        if (!kinds_.empty() &&
+            std::find(kinds_.begin(), kinds_.end(), step.kind_name()) == kinds_.end())
             return;
         text_ += is_document_ && steps_ > 0 ? ",\n" : "\n";
         text_ += without_unsafe(line_of(step));

@@ -182,7 +182,7 @@ public:
             in_ = values_[flat_table().name_column];
         if (!in_.empty())
             value_of(in_column) = in_;
-        std::ranges::sort(used_);
+        std::sort(used_.begin(), used_.end());
     }
 
     void add_to(std::string& text, FlatForm form) const {
@@ -250,7 +250,7 @@ private:
         };
         // Neither a string nor null.
         const bool is_number =
-            std::ranges::none_of(json, [](char c) { return c == '"' || c == 'n'; });
+            std::none_of(json.begin(), json.end(), [](char c) { return c == '"' || c == 'n'; });
         if (!place.has_numbers() || is_number) {
             value_of(place.column) = as_text(json);
             return;
