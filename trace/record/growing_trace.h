@@ -31,8 +31,8 @@ public:
     static std::variant<GrowingTrace, Source> open(const std::string& path,
                                                    const InputLimits& limits);
 
-    /// A trace that has been read already.
-    explicit GrowingTrace(Trace trace);
+    /// A trace that is there whole; `path`: of the file that its steps stay in, if they do. Throws a Problem.
+    explicit GrowingTrace(Trace trace, const std::string& path = {});
     GrowingTrace(GrowingTrace&&) noexcept;
     GrowingTrace& operator=(GrowingTrace&&) noexcept;
     ~GrowingTrace();
