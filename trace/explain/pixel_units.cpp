@@ -250,12 +250,12 @@ private:
     std::vector<UnitSteps> units_;
 };
 
-/// How far away a unit is, at least and at most; none: only its steps tell, or it has no distance.
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+/// How far away a unit is, at least and at most.
 struct Reach {
-    bool is_asked = true;
-    double least = 0;
-    double most = 0;
-    bool has_distance = true;
+    double least = -infinity; ///< not above 0: only its steps tell; infinite: it has no distance
+    double most = infinity;
 };
 
 /// A pixel, in the units' numbers.
@@ -284,14 +284,13 @@ Reach reach_of(const PixelUnit& unit, const Place& at) {
     const auto beyond = [](double place, double low, double high) {
         const double distance = std::max(low - place, place - high);
         const double error = rounded_by(std::abs(place) + std::abs(low) + std::abs(high));
-        return Reach{false, distance - error, distance + error};
+        return Reach{distance - error, distance + error};
     };
-    Reach reach{false};
     switch (unit.rule) {
     case UnitRule::nothing:
-        return {.is_asked = false, .has_distance = false};
-    case UnitRule::edges:
-        reach.least = reach.most = -std::numeric_limits<double>::infinity();
+        return {.least = infinity};
+    case UnitRule::edges: {
+        Reach reach{.most = -infinity};
         for (std::size_t i = 0; i < v.size(); i += 3) {
             const double along_x = double{v[i]} * at.x;
             const double along_y = double{v[i + 1]} * at.y;
@@ -301,27 +300,23 @@ Reach reach_of(const PixelUnit& unit, const Place& at) {
             reach.least = std::max(reach.least, distance - error);
             reach.most = std::max(reach.most, distance + error);
         }
-        break;
+        return reach;
+    }
     case UnitRule::rows: {
         const double y = at.pixel.y;
         const double x = at.pixel.x;
-        constexpr double from_end =
-            4; // from the end of a row to its last pixel, and on to its sample
-        if (double{v[0]} <= y && y <= double{v[1]})
-            reach = {false, std::max(double{v[2]} - x, x - double{v[3]}) - from_end,
-                     std::max(std::abs(x - double{v[2]}), std::abs(x - double{v[3]})) + from_end};
-        else
-            reach = beyond(at.y, double{v[4]}, double{v[5]});
-        break;
+        if (y < double{v[0]} || double{v[1]} < y)
+            return beyond(at.y, double{v[4]}, double{v[5]});
+        constexpr double from_end = 4; // from the end of a row to its last pixel, and its sample
+        return {std::max(double{v[2]} - x, x - double{v[3]}) - from_end,
+                std::max(std::abs(x - double{v[2]}), std::abs(x - double{v[3]})) + from_end};
     }
     default: {
         const Reach in_x = beyond(at.x, double{v[0]}, double{v[1]});
         const Reach in_y = beyond(at.y, double{v[2]}, double{v[3]});
-        reach = {false, std::max(in_x.least, in_y.least), std::max(in_x.most, in_y.most)};
+        return {std::max(in_x.least, in_y.least), std::max(in_x.most, in_y.most)};
     }
     }
-    reach.is_asked = !(reach.least > 0);
-    return reach;
 }
 
 } // namespace
@@ -361,12 +356,15 @@ std::optional<StepsToRead> steps_to_read(const Trace& trace, Pixel pixel, std::s
                    .x = nearest_double(offset.x_of(pixel.x)),
                    .y = nearest_double(offset.y_of(pixel.y))};
     const auto units = index->units();
-    std::vector<Reach> reaches(units.size());
+    std::vector<double> least;
     std::vector<double> most;
-    for (std::size_t i = 0; i < units.size(); ++i) {
-        reaches[i] = reach_of(units[i], at);
-        if (!reaches[i].is_asked && reaches[i].has_distance)
-            most.push_back(reaches[i].most);
+    least.reserve(units.size());
+    most.reserve(units.size());
+    for (const PixelUnit& unit : units) {
+        const Reach reach = reach_of(unit, at);
+        least.push_back(reach.least);
+        if (reach.least > 0 && reach.least < infinity)
+            most.push_back(reach.most);
     }
     if (most.size() <= nearest)
         return std::nullopt;
@@ -376,42 +374,43 @@ std::optional<StepsToRead> steps_to_read(const Trace& trace, Pixel pixel, std::s
     const double far = most[nearest - 1];
 
     StepsToRead chosen;
-    for (std::size_t reason = 0; reason < far_reasons; ++reason)
-        if (const std::uint64_t count = index->other_units()[reason]; count != 0)
-            chosen.others[std::string(reason_names[reason])] += count;
+    std::array<std::uint64_t, far_reasons> others = index->other_units();
+    auto& steps = chosen.steps;
     const auto loose = index->loose_steps();
-    std::set<std::size_t> steps(loose.begin(), loose.end());
+    steps.assign(loose.begin(), loose.end());
     std::set<std::string> vertices;
     const auto primitives = index->primitives();
     for (std::size_t i = 0, end = 0; i < units.size(); i = end) {
         end = i + 1;
         while (end < units.size() && units[end].is_part)
             ++end;
-        const bool is_near = std::any_of(
-            reaches.begin() + static_cast<std::ptrdiff_t>(i),
-            reaches.begin() + static_cast<std::ptrdiff_t>(end), [far](const Reach& reach) {
-                return reach.is_asked || (reach.has_distance && reach.least <= far);
-            });
+        const bool is_near = std::any_of(least.begin() + static_cast<std::ptrdiff_t>(i),
+                                         least.begin() + static_cast<std::ptrdiff_t>(end),
+                                         [far](double distance) { return distance <= far; });
         if (!is_near) {
             for (std::size_t unit = i; unit < end; ++unit)
-                ++chosen.others[std::string(
-                    reason_names[static_cast<std::size_t>(units[unit].reason)])];
+                ++others[static_cast<std::size_t>(units[unit].reason)];
             continue;
         }
         const auto next =
             std::upper_bound(primitives.begin(), primitives.end(), units[end - 1].first);
         const std::size_t behind = next == primitives.end() ? trace.size() + 1 : *next;
         for (std::size_t n = units[i].first; n < behind; ++n) {
-            steps.insert(steps.end(), n);
+            steps.push_back(n);
             if (trace.kind_of(n) == StepKind::primitive)
                 for (std::string& name : trace.step(n).as<PrimitiveStep>().vertices.texts())
                     vertices.insert(std::move(name));
         }
     }
-    for (const std::string& name : vertices)
-        for (const std::size_t n : index->vertex_steps(name))
-            steps.insert(n);
-    chosen.steps.assign(steps.begin(), steps.end());
+    for (const std::string& name : vertices) {
+        const auto of_vertex = index->vertex_steps(name);
+        steps.insert(steps.end(), of_vertex.begin(), of_vertex.end());
+    }
+    std::sort(steps.begin(), steps.end());
+    steps.erase(std::unique(steps.begin(), steps.end()), steps.end());
+    for (std::size_t reason = 0; reason < far_reasons; ++reason)
+        if (others[reason] != 0)
+            chosen.others[std::string(reason_names[reason])] = others[reason];
     return chosen;
 }
 

@@ -97,7 +97,7 @@ void StepPlaces::add_indexed(const TraceIndex& index) {
     blocks_.reserve(indexed_.size());
     for (const IndexedBlock& block : indexed_)
         blocks_.push_back({.first = block.first,
-                           .begin = block.offset,
+                           .begin = static_cast<std::size_t>(block.offset),
                            .form = Block::Form::plain,
                            .measured = 0});
     size_ = index.steps();

@@ -77,11 +77,11 @@ std::string table_of(std::vector<Try> tries) {
 /// `count`: primitives farther away, by reason.
 std::string why_not_text(std::vector<WhyNot> why_not, std::map<std::string, std::size_t> count) {
     std::string rest;
-    if (why_not.size() > most_why_not_told) {
+    if (why_not.size() > most_why_not_told || !count.empty()) {
         std::stable_sort(why_not.begin(), why_not.end(), was_nearer_to_drawing);
         for (std::size_t i = most_why_not_told; i < why_not.size(); ++i)
             ++count[why_not[i].reason];
-        why_not.resize(most_why_not_told);
+        why_not.resize(std::min(why_not.size(), most_why_not_told));
     }
     if (!count.empty()) {
         std::size_t more = 0;
