@@ -174,9 +174,7 @@ private:
     std::string_view text() const { return trace_.text(); }
 
     [[noreturn]] void refuse(const std::string& found) const {
-        throw problem_of(trace_.source_.name,
-                         "expected a trace as rastertrace writes it, found " + found,
-                         "no index is made of another one");
+        throw problem_of(path_, "expected a trace as rastertrace writes it, found " + found);
     }
 
     void read_lines() {

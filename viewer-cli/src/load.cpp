@@ -231,23 +231,23 @@ bool is_regular(const std::string& path) {
 void renew_index(const std::string& path, const InputLimits& limits) {
     if (limits.index != IndexUse::renewed || !is_regular(path))
         return;
-    auto source = value_or_throw(read_source_or_claims(path, limits));
-    if (!is_trace(source))
-        return;
+    auto source = read_source_or_claims(path, limits);
+    if (!source || !is_trace(source.value()))
+        return; // who reads it says why
     const std::string index = path_of_index(path);
     try {
-        TraceIndex::open(index, source);
+        TraceIndex::open(index, source.value());
         return;
     } catch (const Problem& problem) {
         if (is_regular(index))
             print_error(problem);
     }
+    const auto trace = read_trace(std::move(source.value()), {.jobs = limits.jobs});
     try {
         if (packing_named(path) != Packing::none)
-            throw problem_of(path, "expected a trace that is not packed, found a packed one",
-                             "no index is made of it");
-        const Trace trace = value_or_throw(read_trace(std::move(source), {.jobs = limits.jobs}));
-        write_index(trace, pixel_units_of(trace), index);
+            throw problem_of(index, "expected a trace that is not packed, found a packed one");
+        if (trace)
+            write_index(trace.value(), pixel_units_of(trace.value()), index);
     } catch (const Problem& problem) {
         if (problem.cause == Problem::Cause::system)
             throw;
@@ -256,7 +256,6 @@ void renew_index(const std::string& path, const InputLimits& limits) {
 }
 
 std::optional<Trace> indexed_trace(const std::string& path, const SceneOptions& options) {
-    renew_index(path, options.limits);
     const std::string index = path_of_index(path);
     if (options.limits.index == IndexUse::never || !is_regular(path) || !is_regular(index))
         return std::nullopt;
@@ -275,9 +274,7 @@ std::optional<Trace> indexed_trace(const std::string& path, const SceneOptions& 
     return titled(std::move(trace), path);
 }
 
-void give_up_index(const std::string& path, const InputLimits& limits) {
-    if (limits.index != IndexUse::renewed)
-        return;
+void give_up_index(const std::string& path) {
     print_error(problem_of(path_of_index(path),
                            "expected the index of " + path + ", found that of another trace"));
     std::error_code error;

@@ -146,15 +146,18 @@ void renew_index(const std::string& path, const InputLimits& limits);
 /// index that fits. Throws a Problem.
 std::optional<Trace> indexed_trace(const std::string& path, const SceneOptions& options);
 
-/// Tells that a trace is another one than was indexed, if somebody has asked for the index, and removes that.
-void give_up_index(const std::string& path, const InputLimits& limits);
+/// Tells that a trace is another one than was indexed, and removes the index.
+void give_up_index(const std::string& path);
 
 /// Runs a command that uses an index, and once more without, if the trace turns out to be another one.
 template <typename Asked, typename Run> int with_index(Asked asked, const Run& run) {
+    renew_index(asked.trace, asked.input);
+    const IndexUse use = std::exchange(asked.input.index, IndexUse::if_it_fits);
     try {
         return run(asked);
     } catch (const StaleIndex&) {
-        give_up_index(asked.trace, asked.input);
+        if (use == IndexUse::renewed)
+            give_up_index(asked.trace);
         asked.input.index = IndexUse::never;
         return run(asked);
     }

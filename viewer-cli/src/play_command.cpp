@@ -214,6 +214,8 @@ int play_all(const PlayCommand& command) {
 } // namespace
 
 int run(const PlayCommand& command) {
+    if (!command.other.empty())
+        renew_index(command.other, command.input);
     return with_index(command, play_all);
 }
 
