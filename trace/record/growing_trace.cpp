@@ -127,6 +127,11 @@ void GrowingTrace::wait_for_pipe() const {
         wait_until_readable(state_->pipe->descriptor());
 }
 
+std::size_t GrowingTrace::steps_at_first() const {
+    const Trace& trace = state_->trace;
+    return trace.index() == nullptr ? trace.size() : std::min(trace.size(), steps_in_piece);
+}
+
 double GrowingTrace::share() const {
     if (state_->is_whole)
         return 1;

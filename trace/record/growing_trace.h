@@ -47,6 +47,9 @@ public:
     /// Lets the sentences of wrong steps say what their numbers give, see Trace::numbers_give.
     void let_numbers_give(std::map<std::size_t, std::string> values_of_steps);
 
+    /// The steps so far; of a trace with an index, as many as would be there at first without.
+    std::size_t steps_at_first() const;
+
     /// Reads a piece more, some ten thousand steps; false if there is none, or none yet. What cannot be read on from
     /// is damage, and the end.
     bool read_on();

@@ -95,6 +95,7 @@ void StepPlaces::add_lines(const MeasuredLines& lines) {
 void StepPlaces::add_indexed(const TraceIndex& index) {
     indexed_ = index.blocks();
     blocks_.reserve(indexed_.size());
+    is_checked_.resize(indexed_.size());
     for (const IndexedBlock& block : indexed_)
         blocks_.push_back({.first = block.first,
                            .begin = static_cast<std::size_t>(block.offset),
@@ -146,13 +147,14 @@ void StepPlaces::find_lines(const Block& block, std::size_t count, std::string_v
 }
 
 void StepPlaces::check_indexed(std::size_t block, std::string_view text) const {
-    if (block >= indexed_.size())
+    if (block >= indexed_.size() || is_checked_[block])
         return;
     const std::size_t begin = blocks_[block].begin;
     const std::size_t end = block + 1 < blocks_.size() ? blocks_[block + 1].begin : end_of_line_;
     if (end < begin || end > text.size() ||
         checksum_of(text.substr(begin, end - begin)) != indexed_[block].checksum)
         throw StaleIndex();
+    is_checked_[block] = true;
 }
 
 const StepPlace& StepPlaces::found(std::size_t n, std::string_view text) const {

@@ -133,6 +133,7 @@ private:
     std::size_t size_ = 0;
     std::size_t end_of_line_ = 0; ///< behind the last plain step
 
+    mutable std::vector<bool> is_checked_;  ///< the text of an indexed block has been looked at
     mutable std::vector<FoundBlock> found_; ///< a block has one place here, whatever is there
     mutable AtHand at_hand_ = {};
     mutable KindsAtHand kinds_at_hand_ = {};
