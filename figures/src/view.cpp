@@ -102,10 +102,10 @@ bool larger_is_nearer(const Trace& trace) {
     return false;
 }
 
-View default_view(const Trace& trace) {
+View default_view(const Trace& trace, std::size_t most_steps) {
     std::set<std::string> faces;
     std::set<std::string> colors;
-    for (std::size_t n = 1; n <= trace.size(); ++n) {
+    for (std::size_t n = 1; n <= std::min(trace.size(), most_steps); ++n) {
         const auto kind = trace.kind_of(n);
         if (kind == StepKind::light)
             return View::shade;

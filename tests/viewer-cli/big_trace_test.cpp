@@ -270,6 +270,100 @@ TEST_F(BigTrace, RandomLinesAreTheSamePacked) {
     }
 }
 
+// --- with an index ------------------------------------------------------------------------------
+
+/// What an index may be used for, of a trace t.jsonl.
+constexpr std::array<std::string_view, 5> indexed_questions{
+    "explain t.jsonl --pixel 3,2", "explain t.jsonl --pixel 0,0", "explain t.jsonl --step 40",
+    "show t.jsonl --step 40 --bare", "play t.jsonl --step 40 --print 80x30"};
+
+class IndexedTrace : public BigTrace {
+protected:
+    /// What all questions are answered, and how they end; with an option.
+    std::string answers_to_all(const std::string& option) const {
+        std::string commands;
+        for (const std::string_view question : indexed_questions)
+            commands += "$rastertrace " + std::string(question) + option +
+                        " 2>err; echo \"status $?\"; grep -v t.jsonl.index err; ";
+        return shell(commands).out;
+    }
+
+    /// The same, where there is no index.
+    std::string answers_without_index() const {
+        shell("mv t.jsonl.index aside");
+        std::string all = answers_to_all("");
+        shell("mv aside t.jsonl.index");
+        return all;
+    }
+
+    void expect_same_as_without() const { EXPECT_EQ(answers_to_all(""), answers_without_index()); }
+};
+
+TEST_F(IndexedTrace, IsWrittenBesideATraceAndAnswersTheSame) {
+    shell("$rastertrace trace $examples/t0-hidden/two-cubes.json -o t.jsonl --index");
+    ASSERT_TRUE(fs::exists(folder_ / "t.jsonl.index"));
+    expect_same_as_without();
+
+    // Of many primitives, few are told of; their distances are all but the same, or far from that.
+    shell("$rastertrace trace $examples/t3-light/lambert.json -o t.jsonl --index");
+    const std::string ask = "for x in -24 -7 0 5 23; do for y in -20 0 3 18; do "
+                            "$rastertrace explain t.jsonl --pixel $x,$y; done; done; ";
+    const std::string by_index = shell(ask).out;
+    fs::remove(folder_ / "t.jsonl.index");
+    EXPECT_EQ(by_index, shell(ask).out);
+
+    EXPECT_EQ(shell("$rastertrace stats t.jsonl --index >stats; $rastertrace stats t.jsonl | cmp - "
+                    "stats")
+                  .status,
+              0);
+    EXPECT_TRUE(fs::exists(folder_ / "t.jsonl.index"));
+    expect_same_as_without();
+    EXPECT_EQ(shell("$rastertrace trace t.jsonl --index").status, 2);
+}
+
+TEST_F(IndexedTrace, IsToldOfOnlyWhereItWasAskedForIfItDoesNotFit) {
+    shell("$rastertrace trace $examples/t0-hidden/two-cubes.json -o other.jsonl --index; "
+          "$rastertrace trace $examples/t0-fill/first-triangle.json -o t.jsonl; "
+          "cp other.jsonl.index t.jsonl.index");
+    expect_same_as_without();
+    EXPECT_EQ(shell("$rastertrace explain t.jsonl --pixel 3,2").err, "");
+    EXPECT_EQ(shell("$rastertrace explain t.jsonl --pixel 3,2 --index").err,
+              "rastertrace: t.jsonl.index: expected the index of t.jsonl, found that of another "
+              "trace\n");
+    EXPECT_EQ(shell("$rastertrace explain t.jsonl --pixel 3,2 --index").err, ""); // made anew
+    shell("touch -d '1 hour ago' t.jsonl.index");
+    EXPECT_EQ(shell("$rastertrace explain t.jsonl --pixel 3,2 --index").err,
+              "rastertrace: t.jsonl.index: expected the index of t.jsonl, found an older one\n");
+    shell("head -c 300 other.jsonl.index > t.jsonl.index");
+    EXPECT_EQ(shell("$rastertrace explain t.jsonl --pixel 3,2 --index").err,
+              "rastertrace: t.jsonl.index: expected the index of t.jsonl, found something else\n");
+}
+
+TEST_F(IndexedTrace, AStepThatChangesUnderItIsReadWithoutIt) {
+    shell("$rastertrace trace $examples/t0-hidden/two-cubes.json -o t.jsonl --index; "
+          "sed -i 's/\"depth\",\"x\":-7,\"y\":9,/\"depth\",\"x\":-7,\"y\":8,/' t.jsonl; "
+          "touch t.jsonl.index");
+    expect_same_as_without();
+    EXPECT_EQ(shell("$rastertrace explain t.jsonl --step 40 --index").err,
+              "rastertrace: t.jsonl.index: expected the index of t.jsonl, found that of another "
+              "trace\n");
+}
+
+TEST_F(IndexedTrace, DamagedTracesAreAnsweredTheSame) {
+    const auto traces = traces_of_examples();
+    const int cases = is_long() ? 3'000 : random_cases(40);
+    for (int seed = 1; seed <= cases && !HasFailure(); ++seed) {
+        Random random(static_cast<std::uint64_t>(seed));
+        const std::string sound =
+            traces[static_cast<std::size_t>(random.whole(0, static_cast<int>(traces.size()) - 1))];
+        write("t.jsonl", sound);
+        shell("$rastertrace validate t.jsonl --index");
+        write("t.jsonl", mutated(sound, random));
+        expect_same_as_without();
+        EXPECT_EQ(answers_to_all(" --index"), answers_without_index()) << seed;
+    }
+}
+
 // --- changed while it is read -------------------------------------------------------------------
 
 /// A trace whose points have so many names.

@@ -16,6 +16,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <map>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -45,7 +46,8 @@ struct Question {
     Pixel pixel = {};   ///< of Topic::pixel; of Topic::scanline its y
     std::string text{}; ///< the name of a face, vertex or edge; `ABC,ACD` of a pair; a selector
 
-    /// So many of the primitives that have not drawn a pixel, the nearest, are told of in sentences at least.
+    /// So many of the primitives that have not drawn a pixel, the nearest, are told of in sentences at least. By an index,
+    /// the others may be counted alone.
     std::size_t most_why_not = std::numeric_limits<std::size_t>::max();
 };
 
@@ -91,9 +93,11 @@ struct PixelAlongEdge {
 
 struct Explanation {
     std::string question{};
-    std::string answer{};                 ///< one line
-    std::vector<Try> tries{};             ///< in the order of the trace
-    std::vector<WhyNot> why_not{};        ///< of a pixel: each primitive that has not drawn it
+    std::string answer{};          ///< one line
+    std::vector<Try> tries{};      ///< in the order of the trace
+    std::vector<WhyNot> why_not{}; ///< of a pixel: each primitive that has not drawn it
+    std::map<std::string, std::size_t>
+        farther{}; ///< other primitives of which an index tells only the reason: how many of each
     std::vector<PixelAlongEdge> pixels{}; ///< of a pair, from one end of their edge to the other
     std::vector<std::string> lacks{};     ///< what cannot be told, because steps were left out
 };

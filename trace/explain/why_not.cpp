@@ -21,7 +21,7 @@ namespace {
 constexpr std::array<std::string_view, 4> clipped_away{"behind the eye", "too near", "too far",
                                                        "outside the view"};
 
-bool is_clipped_away(const std::string& why) {
+bool is_clipped_away(std::string_view why) {
     return std::find(clipped_away.begin(), clipped_away.end(), why) != clipped_away.end();
 }
 
@@ -36,15 +36,16 @@ std::string corners_text(const PrimitiveText& primitive) {
 
 /// A primitive that a `skip` step says nothing is drawn of.
 WhyNot why_skipped(const Trace& trace, const PrimitiveSteps& steps) {
-    if (steps.skip == "culled")
-        return {.reason = "culled",
+    const std::string reason(reason_of_skip(steps.skip));
+    if (reason == "culled")
+        return {.reason = reason,
                 .sentence =
                     steps.face.empty()
                         ? said({"culled; the trace has no face step, which would say why",
                                 "eliminado; o rastro não tem o passo face, que diria por quê"})
                         : steps.face};
-    if (is_clipped_away(steps.skip))
-        return {.reason = "clipped",
+    if (reason == "clipped")
+        return {.reason = reason,
                 .sentence = fmt::format("{}: {}", in_language_of_steps(steps.skip),
                                         steps.clips.empty()
                                             ? said({"all of it lies outside one plane of the view",
@@ -52,7 +53,7 @@ WhyNot why_skipped(const Trace& trace, const PrimitiveSteps& steps) {
                                             : joined(steps.clips, "; "))};
     const std::string why(in_language_of_steps(steps.skip));
     const std::string corners = corners_text(primitive_in(trace.step(steps.first)));
-    return {.reason = "skipped",
+    return {.reason = reason,
             .sentence = corners.empty() ? why : fmt::format("{}: {}", why, corners)};
 }
 
@@ -70,6 +71,10 @@ WhyNot why_clipped(const PrimitiveSteps& steps) {
 }
 
 } // namespace
+
+std::string_view reason_of_skip(std::string_view why) {
+    return why == "culled" ? "culled" : is_clipped_away(why) ? "clipped" : "skipped";
+}
 
 WhyNot not_told(const PrimitiveSteps& steps, const std::string& sentence) {
     return {.reason = "unknown", .sentence = fmt::format("{}; {}", sentence, steps.may_lack)};

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "frame.h"
 
+#include "trace_index.h"
 #include "traced_steps.h"
 
 #include <algorithm>
@@ -150,9 +151,8 @@ void ReplayState::take_over(ReplayState&& other) {
 void Replay::go_to(std::size_t n) {
     if (n < step())
         start_over();
-    if (n == trace_.size() && n > step())
-        if (const auto end = trace_.take_end())
-            take_over(std::move(*end));
+    if (auto ahead = trace_.state_ahead(step(), n))
+        take_over(*std::move(ahead));
     while (step() < n)
         take(trace_.step(step() + 1), trace_.kind_of(step() + 1));
 }
@@ -170,6 +170,14 @@ std::size_t ReplayState::primitive_of(std::size_t step) const {
 
 const std::vector<std::size_t>& Replay::places_of(const std::string& vertex) const {
     auto& [by_name, steps] = *vertex_places_;
+    if (const TraceIndex* const index = trace_.index()) {
+        const auto [place, is_new] = by_name.try_emplace(vertex);
+        for (const std::size_t n :
+             is_new ? index->vertex_steps(vertex) : std::vector<std::size_t>{})
+            if (trace_.step(n).as<VertexStep>().name == vertex)
+                place->second.push_back(n);
+        return place->second;
+    }
     for (; steps < trace_.size(); ++steps)
         if (trace_.kind_of(steps + 1) == StepKind::vertex)
             by_name[trace_.step(steps + 1).as<VertexStep>().name.text()].push_back(steps + 1);

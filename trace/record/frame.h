@@ -130,6 +130,7 @@ public:
 
 protected:
     friend class Snapshots;
+    friend struct ReplayBytes;
 
     /// The current step and what it refers to: all but the frame.
     struct Place {
@@ -183,7 +184,8 @@ public:
 
     const Trace& trace() const { return trace_; }
 
-    /// Goes to step n, 0 to trace().size(). Going back starts over from the first step.
+    /// Goes to step n, 0 to trace().size(). Going back starts over: from the last keyframe, if the trace has an index,
+    /// else from the first step. A keyframe far ahead is taken, too.
     void go_to(std::size_t n);
 
     /// Goes to where another replay of the same trace and parts is.

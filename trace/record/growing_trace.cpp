@@ -49,7 +49,8 @@ struct GrowingTrace::State {
     int descriptor = -1;
     struct stat status {}; ///< when it was opened
 
-    std::optional<InputFile> pipe; ///< until its end
+    std::optional<InputFile> whole_file; ///< of a trace that is there whole
+    std::optional<InputFile> pipe;       ///< until its end
     std::string from_pipe;
     Descriptor spool;
 
@@ -79,9 +80,19 @@ GrowingTrace::GrowingTrace(GrowingTrace&&) noexcept = default;
 GrowingTrace& GrowingTrace::operator=(GrowingTrace&&) noexcept = default;
 GrowingTrace::~GrowingTrace() = default;
 
-GrowingTrace::GrowingTrace(Trace trace) : state_(std::make_unique<State>()) {
+GrowingTrace::GrowingTrace(Trace trace, const std::string& path)
+    : state_(std::make_unique<State>()) {
     state_->trace = std::move(trace);
     state_->is_whole = true;
+    state_->name = state_->path = path;
+    if (path.empty())
+        return;
+    auto file = InputFile::open(path);
+    if (!file)
+        throw file.problem();
+    state_->whole_file = std::move(file.value());
+    state_->descriptor = state_->whole_file->descriptor();
+    state_->status = status_of(state_->descriptor, path);
 }
 
 const Trace& GrowingTrace::trace() const {
@@ -114,6 +125,11 @@ int GrowingTrace::pipe() const {
 void GrowingTrace::wait_for_pipe() const {
     if (state_->pipe)
         wait_until_readable(state_->pipe->descriptor());
+}
+
+std::size_t GrowingTrace::steps_at_first() const {
+    const Trace& trace = state_->trace;
+    return trace.index() == nullptr ? trace.size() : std::min(trace.size(), steps_in_piece);
 }
 
 double GrowingTrace::share() const {
@@ -166,7 +182,7 @@ bool GrowingTrace::State::read_on() {
 }
 
 std::optional<std::string> GrowingTrace::change() const {
-    if (!state_->steps || state_->path.empty())
+    if (state_->path.empty())
         return std::nullopt;
     const auto changed = [this](const Words& what) {
         return state_->path + std::string(what.in(language_of_steps()));

@@ -2,6 +2,9 @@
 #include "step_places.h"
 
 #include "step_decoder.h"
+#include "trace_index.h"
+
+#include <rastertrace/trace/text/packed.h>
 
 #include <fmt/core.h>
 
@@ -89,6 +92,19 @@ void StepPlaces::add_lines(const MeasuredLines& lines) {
     kinds_at_hand_.count = 0;
 }
 
+void StepPlaces::add_indexed(const TraceIndex& index) {
+    indexed_ = index.blocks();
+    blocks_.reserve(indexed_.size());
+    is_checked_.resize(indexed_.size());
+    for (const IndexedBlock& block : indexed_)
+        blocks_.push_back({.first = block.first,
+                           .begin = static_cast<std::size_t>(block.offset),
+                           .form = Block::Form::plain,
+                           .measured = 0});
+    size_ = index.steps();
+    end_of_line_ = index.end_of_steps();
+}
+
 void StepPlaces::add_run(std::string& text, Pixel first, std::size_t count) {
     const std::string line = fmt::format("{} {} {}", first.x, first.y, count);
     add({.offset = text.size(),
@@ -130,6 +146,17 @@ void StepPlaces::find_lines(const Block& block, std::size_t count, std::string_v
     }
 }
 
+void StepPlaces::check_indexed(std::size_t block, std::string_view text) const {
+    if (block >= indexed_.size() || is_checked_[block])
+        return;
+    const std::size_t begin = blocks_[block].begin;
+    const std::size_t end = block + 1 < blocks_.size() ? blocks_[block + 1].begin : end_of_line_;
+    if (end < begin || end > text.size() ||
+        checksum_of(text.substr(begin, end - begin)) != indexed_[block].checksum)
+        throw StaleIndex();
+    is_checked_[block] = true;
+}
+
 const StepPlace& StepPlaces::found(std::size_t n, std::string_view text) const {
     const std::size_t place = block_of(n);
     const Block& block = blocks_[place];
@@ -142,6 +169,7 @@ const StepPlace& StepPlaces::found(std::size_t n, std::string_view text) const {
     if (known.block != place || known.places.size() < count) {
         known.block = place;
         known.places.clear();
+        check_indexed(place, text);
         find_lines(block, count, text, known.places);
     }
     return take_to_hand(place, known.places.data(), n);

@@ -17,6 +17,7 @@
 #include <cstdint>
 #include <limits>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -46,6 +47,9 @@ struct StepPlace {
     std::optional<Pixel> pixel = {}; ///< that a run of pixels has plotted, in the place of a text
 };
 
+class TraceIndex;
+struct IndexedBlock;
+
 class StepPlaces {
 public:
     StepPlaces() = default;
@@ -59,6 +63,10 @@ public:
 
     /// The next steps, plain ones in lines that follow each other.
     void add_lines(const MeasuredLines& lines);
+
+    /// All steps of a trace, found again in the blocks of its index. A block of another text throws a StaleIndex when it
+    /// is first looked at.
+    void add_indexed(const TraceIndex& index);
 
     /// The next steps: pixels of a row, plotted one after the other from left to right. Adds a line for them to the text.
     void add_run(std::string& text, Pixel first, std::size_t count);
@@ -112,17 +120,20 @@ private:
     const StepPlace& take_to_hand(std::size_t block, const StepPlace* places, std::size_t n) const;
     void find_lines(const Block& block, std::size_t count, std::string_view text,
                     std::vector<StepPlace>& places) const;
+    void check_indexed(std::size_t block, std::string_view text) const;
     std::size_t block_of(std::size_t n) const;
     void begin_block(std::size_t begin, Block::Form form);
     std::size_t end_of(std::size_t block) const;
 
     std::vector<Block> blocks_;
+    std::span<const IndexedBlock> indexed_; ///< those of an index: the same, with their checksums
     std::vector<StepPlace> kept_;
     std::vector<std::uint8_t> kinds_;  ///< of the measured lines
     std::vector<std::uint16_t> sizes_; ///< the same
     std::size_t size_ = 0;
     std::size_t end_of_line_ = 0; ///< behind the last plain step
 
+    mutable std::vector<bool> is_checked_;  ///< the text of an indexed block has been looked at
     mutable std::vector<FoundBlock> found_; ///< a block has one place here, whatever is there
     mutable AtHand at_hand_ = {};
     mutable KindsAtHand kinds_at_hand_ = {};

@@ -8,6 +8,7 @@
 #include "step_counts.h"
 #include "step_decoder.h"
 #include "step_places.h"
+#include "trace_index.h"
 #include "trace_keys.h"
 #include "trace_lines.h"
 #include "traced_steps.h"
@@ -102,8 +103,11 @@ std::optional<StepKind> Trace::kind_of(std::size_t n) const {
     return steps_->kind(n, text());
 }
 
-std::unique_ptr<ReplayState> Trace::take_end() const {
-    return std::move(end_state_);
+std::optional<ReplayState> Trace::state_ahead(std::size_t of, std::size_t n) const {
+    if (index_)
+        return index_->keyframe(n, of, canvas);
+    const auto last = n == size() && n > of ? std::move(end_state_) : nullptr;
+    return last ? std::optional(std::move(*last)) : std::nullopt;
 }
 
 bool Trace::is_plain(std::size_t n) const {
@@ -427,6 +431,8 @@ private:
 
         const std::size_t last_byte = text().find_last_not_of(" \t\r\n");
         std::size_t offset = text().find('\n');
+        if (reading_.index)
+            offset = take_indexed_steps() - 1;
         bool is_free_of_zeros = false;
         while (offset < text().size()) {
             offset = take_plain_lines(offset + 1, end_mark != '\0');
@@ -658,6 +664,18 @@ private:
         }
         return !fields.failed() &&
                (!fields.needs_full_check() || parse_json(source(), begin, size));
+    }
+
+    /// Takes all steps from the index, and tells where the line behind them begins. They are what the end record says, or
+    /// there would be no index.
+    std::size_t take_indexed_steps() {
+        const TraceIndex& index = *reading_.index;
+        trace_.index_ = reading_.index;
+        trace_.steps_->add_indexed(index);
+        sums_.counts = index.counts();
+        sums_.state.reset();
+        check_count();
+        return index.end_of_steps();
     }
 
     /// Takes the lines from `offset` on that hold steps as this program writes them, several parts of the text at once;

@@ -33,6 +33,7 @@ namespace rastertrace {
 
 class ReplayState;
 class StepPlaces;
+class TraceIndex;
 struct Plan;
 struct Scene;
 struct StepPlace;
@@ -170,8 +171,12 @@ public:
     /// True for the text of a step that an excerpt need not copy.
     bool is_in_file(std::string_view json) const;
 
-    /// What a replay is at behind the last step, if it is known from reading and nobody has taken it.
-    std::unique_ptr<ReplayState> take_end() const;
+    /// What a replay is at behind a step far ahead of another one, up to step n, if that is known: from the index; or, of
+    /// the last step, from reading, if nobody has asked for it.
+    std::optional<ReplayState> state_ahead(std::size_t of, std::size_t n) const;
+
+    /// The index that it was opened with; null: it has been read.
+    const TraceIndex* index() const { return index_.get(); }
 
     /// Adds a step to an excerpt: step `number` of the whole trace.
     void add_to_excerpt(const StepView& step, std::optional<StepKind> kind, std::size_t number);
@@ -186,6 +191,7 @@ private:
     friend class TraceReader;
     friend class GrowingTrace;
     friend class DrawnSteps;
+    friend class IndexWriter;
 
     std::string_view text() const {
         return text_of_file_.data() != nullptr ? text_of_file_ : std::string_view(source_.text);
@@ -197,6 +203,7 @@ private:
         text_of_file_; ///< of `source_`, if its file is mapped: as far as it has been read
     std::unique_ptr<StepPlaces> steps_;
     mutable std::unique_ptr<ReplayState> end_state_;
+    std::shared_ptr<const TraceIndex> index_;
     std::vector<std::size_t> numbers_; ///< of an excerpt: those of its steps in the whole trace
 };
 
@@ -204,6 +211,7 @@ private:
 struct TraceReading {
     std::size_t most_steps = std::numeric_limits<std::size_t>::max();
     std::size_t jobs = 0; ///< parts of the text that are read at once; 0: as many as run at once
+    std::shared_ptr<const TraceIndex> index = {}; ///< of the trace: its steps are not gone through
 };
 
 /// Reads a trace in either layout, found by its content. A problem comes back only if nothing can

@@ -11,6 +11,18 @@ Packing packing_of(std::string_view) {
     return Packing::none;
 }
 
+std::string packed_block(std::string_view) {
+    return {};
+}
+
+std::optional<std::string> unpacked_block(std::string_view, std::size_t) {
+    return std::nullopt;
+}
+
+std::uint32_t checksum_of(std::string_view) {
+    return 0;
+}
+
 Unpacker::Unpacker(Packing, std::string) {}
 Unpacker::Unpacker(Unpacker&&) noexcept = default;
 Unpacker& Unpacker::operator=(Unpacker&&) noexcept = default;

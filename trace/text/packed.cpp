@@ -51,7 +51,7 @@ std::string packed_by_gzip(const std::string& block) {
     return packed;
 }
 
-std::string packed_by_zstd(const std::string& block) {
+std::string packed_by_zstd(std::string_view block) {
     const std::unique_ptr<ZSTD_CCtx, decltype(&ZSTD_freeCCtx)> context(ZSTD_createCCtx(),
                                                                        ZSTD_freeCCtx);
     if (context == nullptr)
@@ -68,6 +68,22 @@ std::string packed_by_zstd(const std::string& block) {
 }
 
 } // namespace
+
+std::string packed_block(std::string_view bytes) {
+    return packed_by_zstd(bytes);
+}
+
+std::optional<std::string> unpacked_block(std::string_view packed, std::size_t size) {
+    std::string bytes(size, '\0');
+    if (ZSTD_decompress(bytes.data(), size, packed.data(), packed.size()) != size)
+        return std::nullopt;
+    return bytes;
+}
+
+std::uint32_t checksum_of(std::string_view bytes) {
+    return static_cast<std::uint32_t>(
+        crc32_z(0, reinterpret_cast<const Bytef*>(bytes.data()), bytes.size()));
+}
 
 Packing packing_of(std::string_view beginning) {
     return beginning.starts_with("\x1f\x8b\x08")       ? Packing::gzip

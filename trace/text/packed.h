@@ -18,6 +18,7 @@
 #include <deque>
 #include <future>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -36,6 +37,13 @@ Packing packing_named(std::string_view path);
 
 /// The name without that ending: of `a.jsonl.gz`, `a.jsonl`.
 std::string_view without_packing(std::string_view path);
+
+/// Bytes as one block of Zstandard; and what such a block holds, none if that is not so many bytes.
+std::string packed_block(std::string_view bytes);
+std::optional<std::string> unpacked_block(std::string_view packed, std::size_t size);
+
+/// CRC-32 (ISO 3309).
+std::uint32_t checksum_of(std::string_view bytes);
 
 /// Unpacks a file piece by piece.
 class Unpacker {

@@ -45,6 +45,7 @@ struct TraceCommand {
     std::string output; ///< empty: standard output
     std::optional<TraceLayout> layout;
     bool is_flat = false; ///< the rows of flat_steps.h
+    bool has_index = false;
     StepFilter filter;
     MethodOverrides method;
     InputLimits input;

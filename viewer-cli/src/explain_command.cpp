@@ -86,7 +86,15 @@ ExitStatus tell(const ExplainCommand& command, const Trace& trace, const Trace* 
 
 } // namespace
 
-int run(const ExplainCommand& command) {
+namespace {
+
+/// True if few of its steps have to be looked at.
+bool can_use_index(const ExplainCommand& command) {
+    const Topic about = command.question.about;
+    return about == Topic::step || (about == Topic::pixel && !command.json);
+}
+
+int answer(const ExplainCommand& command) {
     const SceneOptions options{.method = command.method,
                                .limits = command.input,
                                .frames = command.frames,
@@ -96,6 +104,9 @@ int run(const ExplainCommand& command) {
         const Trace against = trace_against(command, input);
         return tell(command, input.trace(input.first()), &against);
     }
+    if (const auto trace =
+            can_use_index(command) ? indexed_trace(command.trace, options) : std::nullopt)
+        return tell(command, *trace);
     // A pipe is read step by step, and only what the pixel needs is held.
     if (command.question.about != Topic::pixel || is_regular_file(command.trace))
         return tell(command, load_trace(command.trace, options));
@@ -104,6 +115,12 @@ int run(const ExplainCommand& command) {
         return tell(command, steps_of_pixel(*steps, command));
     InputFrames input(command.trace, std::get<Source>(std::move(opened)), options);
     return tell(command, input.trace(input.first()));
+}
+
+} // namespace
+
+int run(const ExplainCommand& command) {
+    return with_index(command, answer);
 }
 
 namespace {

@@ -4,8 +4,10 @@
 #include "progress.h"
 
 #include <rastertrace/trace/audit/redo.h>
+#include <rastertrace/trace/explain/pixel_units.h>
 #include <rastertrace/trace/picture/picture_trace.h>
 #include <rastertrace/trace/scene/scene_file.h>
+#include <rastertrace/trace/text/packed.h>
 #include <rastertrace/trace/text/process_files.h>
 #include <rastertrace/trace/text/trace_layout.h>
 
@@ -36,6 +38,7 @@ std::optional<Source> trace_of_picture(const std::string& path, const InputLimit
 
 /// Reads a file that is a scene or a trace.
 Source read_input(const std::string& path, const InputLimits& limits) {
+    renew_index(path, limits);
     if (auto trace = trace_of_picture(path, limits))
         return *std::move(trace);
     return value_or_throw(read_source(path, limits));
@@ -158,6 +161,7 @@ std::variant<StepStream, Source> open_input(const std::string& path, const Scene
         refuse_scene_options(*trace, options);
         return *std::move(trace);
     }
+    renew_index(path, options.limits);
     auto opened = open_steps(path, options.limits);
     if (std::holds_alternative<StepStream>(opened))
         refuse_scene_options({path == "-" ? "standard input" : path, {}, {}}, options);
@@ -167,6 +171,7 @@ std::variant<StepStream, Source> open_input(const std::string& path, const Scene
 OpenedTrace open_trace(const std::string& path, const InputLimits& limits) {
     if (auto trace = trace_of_picture(path, limits))
         return *std::move(trace);
+    renew_index(path, limits);
     return open_trace_text(path, limits);
 }
 
@@ -212,6 +217,68 @@ std::string shown_title(const std::string& title, const std::string& path) {
 Trace load_trace(const std::string& path, const SceneOptions& options) {
     InputFrames input(path, options);
     return input.trace(input.first());
+}
+
+namespace {
+
+bool is_regular(const std::string& path) {
+    std::error_code error;
+    return path != "-" && std::filesystem::is_regular_file(path, error);
+}
+
+} // namespace
+
+void renew_index(const std::string& path, const InputLimits& limits) {
+    if (limits.index != IndexUse::renewed || !is_regular(path))
+        return;
+    auto source = read_source_or_claims(path, limits);
+    if (!source || !is_trace(source.value()))
+        return; // who reads it says why
+    const std::string index = path_of_index(path);
+    try {
+        TraceIndex::open(index, source.value());
+        return;
+    } catch (const Problem& problem) {
+        if (is_regular(index))
+            print_error(problem);
+    }
+    const auto trace = read_trace(std::move(source.value()), {.jobs = limits.jobs});
+    try {
+        if (packing_named(path) != Packing::none)
+            throw problem_of(index, "expected a trace that is not packed, found a packed one");
+        if (trace)
+            write_index(trace.value(), pixel_units_of(trace.value()), index);
+    } catch (const Problem& problem) {
+        if (problem.cause == Problem::Cause::system)
+            throw;
+        print_error(problem);
+    }
+}
+
+std::optional<Trace> indexed_trace(const std::string& path, const SceneOptions& options) {
+    const std::string index = path_of_index(path);
+    if (options.limits.index == IndexUse::never || !is_regular(path) || !is_regular(index))
+        return std::nullopt;
+    auto source = value_or_throw(read_source_or_claims(path, options.limits));
+    std::shared_ptr<const TraceIndex> opened;
+    try {
+        opened = TraceIndex::open(index, source);
+    } catch (const Problem&) {
+        return std::nullopt;
+    }
+    refuse_scene_options(source, options);
+    const bool is_marked = options.tells_steps && source.view().size() <= largest_marked_trace;
+    Trace trace = value_or_throw(read_trace(std::move(source), {.index = std::move(opened)}));
+    if (is_marked)
+        mark_wrong_steps(trace);
+    return titled(std::move(trace), path);
+}
+
+void give_up_index(const std::string& path) {
+    print_error(problem_of(path_of_index(path),
+                           "expected the index of " + path + ", found that of another trace"));
+    std::error_code error;
+    std::filesystem::remove(path_of_index(path), error);
 }
 
 Source load_scene_trace_or_claims(const std::string& path, const InputLimits& limits) {

@@ -57,6 +57,8 @@ PlayerInput input_from(std::shared_ptr<InputFrames> frames) {
 
 /// What the file holds; a trace has a title.
 std::variant<GrowingTrace, Source> opened(const PlayCommand& command) {
+    if (auto trace = indexed_trace(command.trace, scene_options(command)))
+        return GrowingTrace(*std::move(trace), command.trace);
     auto opened = GrowingTrace::open(command.trace, command.input);
     if (auto* const trace = std::get_if<GrowingTrace>(&opened))
         trace->name_untitled(shown_title("", command.trace));
@@ -185,7 +187,9 @@ void play(Players& players, const PlayCommand& command) {
 
 } // namespace
 
-int run(const PlayCommand& command) {
+namespace {
+
+int play_all(const PlayCommand& command) {
     if (!command.screen && !TerminalSession::is_possible())
         return show_instead(command);
     if (command.trace == "-" && !command.screen)
@@ -205,6 +209,14 @@ int run(const PlayCommand& command) {
         write_file(command.answers, csv_of({}), opened_files());
     play(players, command);
     return players.report();
+}
+
+} // namespace
+
+int run(const PlayCommand& command) {
+    if (!command.other.empty())
+        renew_index(command.other, command.input);
+    return with_index(command, play_all);
 }
 
 namespace {

@@ -65,7 +65,7 @@ void Player::open(std::size_t frame) {
     if (frame != std::exchange(frame_, frame))
         bookmarks_.clear();
     if (!has_own_view_)
-        view_ = default_view(trace());
+        view_ = default_view(trace(), playback_->growing().steps_at_first());
     if (cursor_ && !trace().canvas.contains(cursor_->x, cursor_->y))
         cursor_.reset();
     set_cursor(cursor_);

@@ -59,6 +59,7 @@ private:
     std::string max_input_;
     std::string max_steps_;
     std::string jobs_;
+    bool is_indexed_ = false;
     InputLimits limits_;
 };
 

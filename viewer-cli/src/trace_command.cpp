@@ -80,6 +80,11 @@ void write_frames(const TraceCommand& command, InputFrames& input) {
     files.commit();
 }
 
+void index_output(const TraceCommand& command) {
+    if (command.has_index)
+        renew_index(command.output, {.index = IndexUse::renewed});
+}
+
 /// Writes steps of a trace that is there already.
 void write_part(const Source& given, const TraceCommand& command, Output& output) {
     if (command.filter.region || command.filter.primitive)
@@ -103,6 +108,7 @@ int run(const TraceCommand& command) {
     const TraceProgress progress("trace", command.output);
     if (const Source* const given = input.given_trace()) {
         write_whole(command.output, [&](Output& output) { write_part(*given, command, output); });
+        index_output(command);
         return exit_fine;
     }
     if (input.is_sequence() && is_standard_output(command.output))
@@ -118,6 +124,7 @@ int run(const TraceCommand& command) {
 
     const PlannedScene planned = input.scene(input.first());
     write_whole(command.output, [&](Output& output) { write_drawn(command, planned, output); });
+    index_output(command);
     return exit_fine;
 }
 
@@ -147,6 +154,8 @@ public:
             .flag("--flat", command_.is_flat,
                   "Write a row for each step, as convert --to flat does, in place of the trace")
             .excludes(format);
+        options.flag("--index", command_.has_index,
+                     "Write the index of the trace beside it, FILE.index");
         options.option("--only", only_, "Write only these kinds of step", "KIND,...")
             .values(step_kind_names());
         options.option("--region", region_, "Write only steps that touch these pixels",
@@ -166,6 +175,8 @@ public:
         if (!only_.empty())
             command_.filter.only =
                 values_of("--only", "kinds of step", only_, step_kind_names(), step_kind_named);
+        if (command_.has_index && (is_standard_output(command_.output) || command_.is_flat))
+            refuse_value("--index", "-o FILE beside it, and no --flat", command_.output);
         command_.filter.region = region_of(region_);
         drawing_.read_into(command_);
     }
