@@ -237,7 +237,7 @@ TEST_F(TraceIndexTest, AnswersAsTheTracesOfExamplesDo) {
     std::size_t by_index = 0;
     for (const fs::path& example : examples) {
         const auto scene = read_scene({example.string(), bytes_of(example.string())});
-        constexpr std::size_t largest = 300'000;
+        constexpr std::size_t largest = 100'000;
         if (!scene)
             continue;
         const std::string text = trace_text(scene.value(), in_lines);
@@ -245,7 +245,7 @@ TEST_F(TraceIndexTest, AnswersAsTheTracesOfExamplesDo) {
             continue;
         write(path_, text);
         make_index();
-        by_index += expect_same_answers(read(), opened(), 2, 7);
+        by_index += expect_same_answers(read(), opened(), 2, 8);
         ASSERT_FALSE(HasFailure()) << example;
     }
     EXPECT_GT(by_index, 100U);
@@ -259,7 +259,7 @@ TEST_F(TraceIndexTest, AnswersOfManyTrianglesWithFewOfThem) {
         ASSERT_TRUE(draw(many_triangles(method), TraceLayout::jsonl)) << method;
         const Trace trace = read();
         const Trace indexed = opened();
-        EXPECT_EQ(expect_same_answers(trace, indexed, most_why_not_told, 2), 28U * 28U) << method;
+        EXPECT_EQ(expect_same_answers(trace, indexed, most_why_not_told, 4), 14U * 14U) << method;
         ASSERT_FALSE(HasFailure()) << method;
         const auto chosen = steps_to_read(indexed, {3, 3}, 1);
         ASSERT_TRUE(chosen);
