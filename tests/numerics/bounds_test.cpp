@@ -105,7 +105,7 @@ TYPED_TEST(Bounds, IncrementalEdge) {
             const int first = static_cast<int>(std::ceil(in[1]));
             if (at->y - first < 20)
                 return std::nullopt;
-            ReseededWalk<Scalar> walk(at->edge, 1, never);
+            ReseededWalk<Scalar> walk(at->edge, 1, without_end);
             Scalar x = walk.x_on_row(first);
             double largest = 0;
             for (int y = first + 1; y <= at->y; ++y) {
@@ -153,7 +153,7 @@ template <typename Scalar> double growth(double x0) {
             const Edge<Scalar> at = edge_between(
                 Vertex<Scalar>{{static_cast<Scalar>(x0), 0}},
                 Vertex<Scalar>{{static_cast<Scalar>(x0) + dx, static_cast<Scalar>(n)}});
-            ReseededWalk<Scalar> walk(at, 1, never);
+            ReseededWalk<Scalar> walk(at, 1, without_end);
             Scalar x{};
             for (int y = 0; y <= n; ++y)
                 x = walk.x_on_row(y);
@@ -312,7 +312,7 @@ TYPED_TEST(Bounds, DepthsOfARowDirectAndAccumulated) {
                 double bound = depth_bound<Scalar>(magnitude(depth), magnitude(offset));
                 Scalar computed = row.at(to);
                 if (accumulates) {
-                    ReseededDepths<Scalar> depths(row, never);
+                    ReseededDepths<Scalar> depths(row, without_end);
                     double largest = 0;
                     computed = depths.at(from);
                     for (int x = from + 1; x <= to; ++x) {
@@ -340,7 +340,7 @@ TEST(BoundsOfDepth, AccumulatingLosesTheFarEnd) {
         const int n = 64;
         const auto far = static_cast<float>(1 / r);
         const DepthRow<float> row{0, 1, (far - 1) / n, {}};
-        ReseededDepths<float> depths(row, never);
+        ReseededDepths<float> depths(row, without_end);
         float depth = 1;
         for (int x = 0; x <= n; ++x)
             depth = depths.at(x);

@@ -23,7 +23,7 @@
 namespace rastertrace {
 
 /// An interval that never ends.
-inline constexpr int never = std::numeric_limits<int>::max();
+inline constexpr int without_end = std::numeric_limits<int>::max();
 
 // x along an edge, from row to row.
 
