@@ -556,7 +556,7 @@ TEST(Advice, WithoutAnyMeasurementThereIsNone) {
 // Knobs at their ends, against the core's own walk.
 TEST(Knobs, NeverBeginningAnewIsTheIncrementalWalkOfCore) {
     const Edge<float> edge = edge_between(Vertex<float>{{0.1F, 0.3F}}, Vertex<float>{{77.7F, 99}});
-    ReseededWalk<float> reseeded(edge, 1, never);
+    ReseededWalk<float> reseeded(edge, 1, without_end);
     EdgeWalk<float> incremental(edge, LerpForm::incremental, 1);
     for (int y = 1; y < 99; ++y)
         EXPECT_EQ(reseeded.x_on_row(y), incremental.x_on_row(y)) << y;
