@@ -378,7 +378,8 @@ TEST_F(RenewTest, CommandsUseFilesBelowTheFolderOnly) {
 // Nor does it run a program, unless somebody trusts the page.
 TEST_F(RenewTest, CommandsRunNoProgram) {
     for (const std::string command : {"fuzz --runs 1", "suite ."}) {
-        write("page.md", "```\n$ rastertrace " + command + " -- touch done {scene} # exit 2\n```\n");
+        write("page.md",
+              "```\n$ rastertrace " + command + " -- touch done '{scene}' # exit 2\n```\n");
         EXPECT_EQ(shell("$rastertrace renew page.md").status, 0);
         EXPECT_THAT(content("page.md"), HasSubstr("a page can run no program"));
         EXPECT_FALSE(fs::exists(folder_ / "done"));
