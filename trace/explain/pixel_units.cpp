@@ -259,7 +259,7 @@ struct Reach {
 };
 
 /// A pixel, in the units' numbers.
-struct Place {
+struct PixelPlace {
     Pixel pixel;
     int column;
     int row;
@@ -273,7 +273,7 @@ double rounded_by(double size) {
     return share * size + 1e-9;
 }
 
-Reach reach_of(const PixelUnit& unit, const Place& at) {
+Reach reach_of(const PixelUnit& unit, const PixelPlace& at) {
     const auto& v = unit.values;
     const auto lies_in = [](const std::array<std::int16_t, 2>& range, int place) {
         return range[0] <= place && place <= range[1];
@@ -350,11 +350,11 @@ std::optional<StepsToRead> steps_to_read(const Trace& trace, Pixel pixel, std::s
     if (index == nullptr || !index->knows_units())
         return std::nullopt;
     const auto& offset = told_samples(trace).triangles;
-    const Place at{.pixel = pixel,
-                   .column = pixel.x - trace.canvas.left(),
-                   .row = static_cast<int>(trace.canvas.row_of(pixel.y)),
-                   .x = nearest_double(offset.x_of(pixel.x)),
-                   .y = nearest_double(offset.y_of(pixel.y))};
+    const PixelPlace at{.pixel = pixel,
+                        .column = pixel.x - trace.canvas.left(),
+                        .row = static_cast<int>(trace.canvas.row_of(pixel.y)),
+                        .x = nearest_double(offset.x_of(pixel.x)),
+                        .y = nearest_double(offset.y_of(pixel.y))};
     const auto units = index->units();
     std::vector<double> least;
     std::vector<double> most;
