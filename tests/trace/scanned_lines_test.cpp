@@ -3,6 +3,7 @@
 
 #include "random_choice.h"
 #include "random_scene.h"
+#include "same_replay.h"
 #include "traces.h"
 
 #include <rastertrace/trace/record/frame.h>
@@ -21,27 +22,6 @@ namespace rastertrace {
 namespace {
 
 constexpr FrameParts all_parts{.writes = true, .depths = true};
-
-/// Everything that is remembered of the steps so far.
-void expect_same(const ReplayState& one, const ReplayState& other) {
-    EXPECT_EQ(one.step(), other.step());
-    EXPECT_TRUE(one.frame().image.colors() == other.frame().image.colors());
-    EXPECT_TRUE(one.frame().drawn_by == other.frame().drawn_by);
-    EXPECT_TRUE(one.frame().writes == other.frame().writes);
-    EXPECT_TRUE(one.frame().stored_by == other.frame().stored_by);
-    EXPECT_EQ(one.primitive(), other.primitive());
-    EXPECT_EQ(one.scanline(), other.scanline());
-    EXPECT_EQ(one.scanline_before(), other.scanline_before());
-    EXPECT_TRUE(std::ranges::equal(one.primitives(), other.primitives()));
-    EXPECT_TRUE(std::ranges::equal(one.matrices(), other.matrices()));
-    EXPECT_EQ(one.edges(), other.edges());
-    EXPECT_EQ(one.order(), other.order());
-    EXPECT_EQ(one.ray(), other.ray());
-    EXPECT_EQ(one.color(), other.color());
-    EXPECT_EQ(one.vertex_before(), other.vertex_before());
-    EXPECT_EQ(one.stored_before(), other.stored_before());
-    EXPECT_EQ(one.drew_over(), other.drew_over());
-}
 
 /// A trace with a blank in front of some of its steps, or of all: a reader of JSON reads those.
 std::string with_blanks(std::string_view text, Random& random, int one_of) {

@@ -2,6 +2,7 @@
 // A trace that is opened by its index is the trace that is read; an index of anything else is never used.
 
 #include "random_scene.h"
+#include "same_replay.h"
 #include "traces.h"
 
 #include <rastertrace/trace/explain/explain.h>
@@ -114,26 +115,6 @@ std::string many_triangles(std::string_view method) {
            R"(},"triangles":[)" + triangles + "],\"method\":{" + std::string(method) + "}}";
 }
 
-void expect_same_state(const ReplayState& one, const ReplayState& other) {
-    ASSERT_EQ(one.step(), other.step());
-    EXPECT_TRUE(one.frame().image.colors() == other.frame().image.colors());
-    EXPECT_TRUE(one.frame().drawn_by == other.frame().drawn_by);
-    EXPECT_TRUE(one.frame().writes == other.frame().writes);
-    EXPECT_TRUE(one.frame().stored_by == other.frame().stored_by);
-    EXPECT_EQ(one.primitive(), other.primitive());
-    EXPECT_EQ(one.scanline(), other.scanline());
-    EXPECT_EQ(one.scanline_before(), other.scanline_before());
-    EXPECT_TRUE(std::ranges::equal(one.primitives(), other.primitives()));
-    EXPECT_TRUE(std::ranges::equal(one.matrices(), other.matrices()));
-    EXPECT_EQ(one.edges(), other.edges());
-    EXPECT_EQ(one.order(), other.order());
-    EXPECT_EQ(one.ray(), other.ray());
-    EXPECT_EQ(one.color(), other.color());
-    EXPECT_EQ(one.vertex_before(), other.vertex_before());
-    EXPECT_EQ(one.stored_before(), other.stored_before());
-    EXPECT_EQ(one.drew_over(), other.drew_over());
-}
-
 /// What people are told: the nearest, and how many others there are.
 struct Told {
     std::string answer;
@@ -206,7 +187,7 @@ TEST_F(TraceIndexTest, HasTheStepsAndTheReplaysOfTheTrace) {
             while (straight.step() < n)
                 straight.go_to(straight.step() + 1);
             jumping.go_to(n);
-            expect_same_state(jumping, straight);
+            expect_same(jumping, straight);
             for (std::size_t step = 1; step <= whole.size(); step += 17)
                 if (whole.kind_of(step) == StepKind::vertex) {
                     const auto name = whole.step(step).as<VertexStep>().name.text();
@@ -337,7 +318,7 @@ TEST_F(TraceIndexTest, ADamagedIndexGivesNoOtherAnswer) {
             const Trace indexed = opened();
             Replay jumping(indexed, all_parts);
             jumping.go_to(whole.size() - 5);
-            expect_same_state(jumping, straight);
+            expect_same(jumping, straight);
             EXPECT_TRUE(told_of(explain(indexed, question).value(), 3) == expected);
         } catch (const Problem&) {
             ++noticed;
