@@ -3,6 +3,9 @@
 
 #include "step_decoder.h"
 
+#include <rastertrace/trace/text/in_threads.h>
+
+#include <algorithm>
 #include <variant>
 
 namespace rastertrace {
@@ -79,7 +82,22 @@ ScannedLines scan_lines(std::string_view text, std::size_t begin, std::size_t en
         sizes.push_back(static_cast<std::uint16_t>(size));
         at += size;
     }
+    lines.is_whole = at >= end;
     return lines;
+}
+
+std::vector<ScannedLines> scan_parts(std::string_view text, std::size_t begin, std::size_t end,
+                                     std::size_t part, std::size_t jobs, const LineScan& scan) {
+    std::vector<std::size_t> places{begin};
+    while (places.back() < std::min(end, text.size())) {
+        const std::size_t newline = text.find('\n', std::min(places.back() + part, end) - 1);
+        places.push_back(std::min(newline, text.size() - 1) + 1);
+    }
+    std::vector<ScannedLines> parts(places.size() - 1);
+    in_threads(parts.size(), jobs, [&](std::size_t i, std::size_t /*thread*/) {
+        parts[i] = scan_lines(text, places[i], places[i + 1], scan);
+    });
+    return parts;
 }
 
 void ScannedLines::play(ReplayState& state) const {

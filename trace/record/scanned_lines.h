@@ -25,6 +25,7 @@ namespace rastertrace {
 
 struct ScannedLines {
     MeasuredLines measured; ///< those that were taken: one step each
+    bool is_whole = true;   ///< none was left
     StepCounts counts = {};
 
     /// The first pixel that the canvas has not.
@@ -60,5 +61,9 @@ struct LineScan {
 /// one begins before `end`.
 ScannedLines scan_lines(std::string_view text, std::size_t begin, std::size_t end,
                         const LineScan& scan);
+
+/// The same in parts of so many bytes, each up to the end of a line, and in so many threads.
+std::vector<ScannedLines> scan_parts(std::string_view text, std::size_t begin, std::size_t end,
+                                     std::size_t part, std::size_t jobs, const LineScan& scan);
 
 } // namespace rastertrace

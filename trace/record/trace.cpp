@@ -689,15 +689,11 @@ private:
                             .has_changes = sums_.state.has_value()};
         const std::size_t jobs = reading_.jobs == 0 ? usual_jobs() : reading_.jobs;
         while (offset < text().size()) {
-            const std::vector<std::size_t> parts = parts_from(offset);
-            std::vector<ScannedLines> scanned(parts.size() - 1);
-            in_threads(scanned.size(), jobs, [&](std::size_t i, std::size_t /*thread*/) {
-                scanned[i] = scan_lines(text(), parts[i], parts[i + 1], scan);
-            });
-            for (std::size_t i = 0; i < scanned.size(); ++i) {
-                take(scanned[i]);
-                offset = scanned[i].measured.end;
-                if (offset < parts[i + 1]) {
+            for (const ScannedLines& part :
+                 scan_parts(text(), offset, offset + ahead_, part_size, jobs, scan)) {
+                take(part);
+                offset = part.measured.end;
+                if (!part.is_whole) {
                     ahead_ = least_ahead;
                     return offset;
                 }
@@ -705,18 +701,6 @@ private:
             ahead_ = std::min(2 * ahead_, most_ahead);
         }
         return offset;
-    }
-
-    /// Where parts of the text begin that are read next, the first at `offset`; and where the last one ends.
-    std::vector<std::size_t> parts_from(std::size_t offset) const {
-        const std::size_t end = std::min(offset + ahead_, text().size());
-        std::vector<std::size_t> parts{offset};
-        while (parts.back() < end) {
-            const std::size_t newline =
-                text().find('\n', std::min(parts.back() + part_size, end) - 1);
-            parts.push_back(std::min(newline, text().size() - 1) + 1);
-        }
-        return parts;
     }
 
     /// Takes lines of plain steps.

@@ -25,10 +25,13 @@ namespace rastertrace {
 namespace {
 
 /// "rtindex" and the version of the format.
-constexpr std::uint64_t index_magic = 0x0178656469'6e7472;
+constexpr std::uint64_t index_magic = 0x0178'6564'6e69'7472;
 
 /// Parts begin at multiples of it.
 constexpr std::size_t alignment = 8;
+
+/// So many blocks of the trace are scanned before they are taken in order.
+constexpr std::size_t blocks_at_once = 64;
 
 template <typename Item> std::string_view bytes_of(const std::vector<Item>& items) {
     static_assert(std::is_trivially_copyable_v<Item>);
@@ -190,34 +193,23 @@ private:
                             .is_document = layout_of(text().substr(0, text().find('\n'))) ==
                                            LineLayout::document};
         while (state_.step() < trace_.size()) {
-            const std::vector<std::size_t> ends = ends_of_blocks(offset);
-            std::vector<ScannedLines> scanned(ends.size() - 1);
-            in_threads(scanned.size(), usual_jobs(), [&](std::size_t i, std::size_t /*thread*/) {
-                scanned[i] = scan_lines(text(), ends[i], ends[i + 1], scan);
-            });
-            for (const ScannedLines& lines : scanned) {
-                if (lines.measured.begin != offset || lines.measured.kinds.empty())
+            const std::size_t before = offset;
+            for (const ScannedLines& block :
+                 scan_parts(text(), offset, offset + blocks_at_once * grain_.block, grain_.block,
+                            usual_jobs(), scan)) {
+                if (block.measured.kinds.empty())
                     break;
-                take(lines);
-                offset = lines.measured.end;
+                take(block);
+                offset = block.measured.end;
+                if (!block.is_whole)
+                    break;
             }
-            if (ends.front() == offset)
+            if (offset == before)
                 refuse("a line that is written otherwise");
         }
         head_.steps = trace_.size();
         head_.end_of_steps = offset;
         head_.end_checksum = checksum_of(text().substr(offset));
-    }
-
-    /// Where some blocks begin, and where the last one ends.
-    std::vector<std::size_t> ends_of_blocks(std::size_t begin) const {
-        constexpr std::size_t at_once = 64;
-        std::vector<std::size_t> ends{begin};
-        while (ends.size() <= at_once && ends.back() < text().size()) {
-            const std::size_t newline = text().find('\n', ends.back() + grain_.block - 1);
-            ends.push_back(std::min(newline, text().size() - 1) + 1);
-        }
-        return ends;
     }
 
     void take(const ScannedLines& lines) {

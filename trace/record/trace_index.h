@@ -149,7 +149,8 @@ private:
         std::uint64_t begin_of_steps = 0;
         std::uint64_t end_of_steps = 0;
         std::uint64_t steps = 0;
-        std::uint64_t far = 0; ///< a keyframe at most so many steps ahead is not worth the way
+        std::uint64_t far =
+            0; ///< a keyframe at most so many steps ahead is not unpacked: playing them is quicker
         std::uint32_t header_checksum = 0; ///< of the trace, up to its first step
         std::uint32_t end_checksum = 0;    ///< from its last step on
         std::array<std::uint64_t, step_kinds> counts{};
