@@ -5,14 +5,9 @@
 
 namespace rastertrace {
 
-/// How many of a test's random cases are looked at: a tenth under the sanitizers and in a build of type Debug, which
-/// look for other faults or count lines, and take more than ten times as long.
+/// How many of a test's random cases are looked at: as many percent as the build is set to (tests/CMakeLists.txt).
 template <typename Count> constexpr Count random_cases(Count all) {
-#ifdef RASTERTRACE_FEW_CASES
-    return all / 10;
-#else
-    return all;
-#endif
+    return static_cast<Count>(all * Count{RASTERTRACE_RANDOM_CASES} / 100);
 }
 
 } // namespace rastertrace

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The module for pages must say of a scene what the program says: the same trace, byte for byte, or the same message.
 //
-//     node check_module.js rastertrace.js PROGRAM RANDOM_SCENES EXAMPLES [COUNT]
+//     node check_module.js rastertrace.js PROGRAM RANDOM_SCENES EXAMPLES COUNT
 
 'use strict';
 const {execFileSync, spawnSync} = require('child_process');
@@ -10,8 +10,7 @@ const os = require('os');
 const path = require('path');
 const zlib = require('zlib');
 
-// About half of the random scenes lie in the plane: 2,300 make more than a thousand.
-const [module_file, program, random_scenes, examples, count = '2300'] = process.argv.slice(2);
+const [module_file, program, random_scenes, examples, count] = process.argv.slice(2);
 
 /// The scenes of a folder and those below it, as [name, text], in the order of their names.
 function scenes_in(folder) {
