@@ -859,7 +859,7 @@ void mutate(std::vector<NamelessTriangle>& triangles, Random& random) {
 TEST(Diff, PrimitivesAreFoundWhateverTheirNames) {
     Random random(42);
     std::size_t renamed = 0;
-    for (std::uint64_t round = 0; round < random_cases(500); ++round) {
+    for (std::uint64_t round = 0; round < random_cases(500U); ++round) {
         std::vector<NamelessTriangle> before;
         const int count = static_cast<int>(random.whole(2, 16));
         for (int id = 0; id < count; ++id)
