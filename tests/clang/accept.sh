@@ -1,6 +1,6 @@
 #!/bin/sh
-# accept.sh CLANGXX OPTION... -- COMPILE_COMMANDS: fails if clang++ refuses, or warns of, a public header or a source that
-# is compiled beside the tests. Runs in the project's folder. Nothing is generated, but all templates in use are instantiated.
+# accept.sh CLANGXX OPTION... -- COMPILE_COMMANDS [PART OF A PATH...]: fails if clang++ refuses, or warns of, a public header or a source that
+# is compiled beside the tests, but for those with a part in their path. Runs in the project's folder. Nothing is generated, but all templates in use are instantiated.
 set -eu
 compiler=$1
 shift
@@ -14,7 +14,10 @@ trap 'rm -rf "$folder"' EXIT
 # The options turn into "$@", and the sources into lines of a file.
 for word; do
     shift
-    if [ "${behind_options:-}" ]; then
+    if [ -f "$folder/sources" ]; then
+        grep -vF -e "$word" "$folder/sources" >"$folder/others"
+        mv "$folder/others" "$folder/sources"
+    elif [ "${behind_options:-}" ]; then
         sed -n 's/^ *"file": "\(.*\)",*$/\1/p' "$word" |
             grep -vF -e "$PWD/tests/" -e "$PWD/examples/" -e /numerics/ -e /wasm/ -e /cmake_pch. | LC_ALL=C sort >"$folder/sources"
     elif [ "$word" = -- ]; then

@@ -92,7 +92,7 @@ TEST(ExplainPixel, TheNearestAreToldOfAsAmongAll) {
                 EXPECT_EQ(count, 0) << reason << ", seed " << seed;
         }
     }
-    EXPECT_GT(without_words, random_cases(300));
+    EXPECT_GT(without_words, random_cases(200));
 }
 
 // The worked triangle of T0: AB is x = (3y - 7)/4, AC is x = (31 - 3y)/8, rows y = 5 to -3.

@@ -21,7 +21,8 @@ inline std::size_t usual_jobs() {
 /// Calls `work(i, thread)` once for each index i below `end`, in `jobs` threads, numbered from 0. `work` must not throw.
 /// It may lower `end`: then no index from there on is begun. The module for pages has one thread.
 template <typename Work>
-void in_threads(const std::atomic<std::size_t>& end, std::size_t jobs, const Work& work) {
+void in_threads(const std::atomic<std::size_t>& end, [[maybe_unused]] std::size_t jobs,
+                const Work& work) {
     std::atomic<std::size_t> next = 0;
     const auto work_on = [&](std::size_t thread) {
         for (std::size_t i = next++; i < end; i = next++)
