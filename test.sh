@@ -24,7 +24,7 @@ scripts/install-packages.sh $(cat scripts/program-packages.txt) binutils libgtes
 cmake -DRASTERTRACE_TEST_ALL="$all" -DRASTERTRACE_WASM="$all" -DRASTERTRACE_BUILD_BENCHMARKS="$all" build/test >/dev/null
 cmake --build build/test
 status=0
-ctest --preset test -j 2 "$@" || status=$?
+ctest --preset test -j 3 "$@" || status=$? # on two cores: some wait for a browser or a terminal
 if [ "$all" = OFF ]; then
     echo
     cat <<'END'

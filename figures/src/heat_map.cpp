@@ -109,6 +109,13 @@ void HeatMap::add(const StepView& step, std::optional<StepKind> kind) {
         count(step.as<DepthStep>());
 }
 
+void HeatMap::add(const HeatMap& other) {
+    steps_ += other.steps_;
+    for (std::size_t i = 0; i < levels_.size(); ++i)
+        levels_[i] =
+            is_of_two() ? std::max(levels_[i], other.levels_[i]) : levels_[i] + other.levels_[i];
+}
+
 std::uint32_t HeatMap::most() const {
     if (is_of_two())
         return equal_depths;

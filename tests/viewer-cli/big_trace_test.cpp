@@ -443,6 +443,23 @@ TEST_F(BigTrace, ALineOfAnyLengthIsRefusedInBoundedMemory) {
     EXPECT_THAT(piped.err, HasSubstr("expected lines of at most 16 MB in a trace"));
 }
 
+/// What comes from a pipe, or is packed, is read more than once, but not held in memory.
+TEST_F(BigTrace, ATraceFromAPipeIsNotHeldInMemory) {
+    shell("(echo '{\"rastertrace\":1,\"title\":\"dot\",\"canvas\":{\"width\":3,\"height\":3}}'; "
+          "yes '{\"step\":\"pixel\",\"x\":0,\"y\":0}' | head -n 8000000; echo '{\"end\":{}}') > t");
+    constexpr long most = 210'000'000;
+    ASSERT_GT(fs::file_size(folder_ / "t"), std::uintmax_t{most});
+    for (const std::string command : {"stats --json", "show --last --bare"}) {
+        const std::string answer = shell("$rastertrace " + command + " t").out;
+        const Outcome piped = shell("cat t | $rastertrace " + command + " -");
+        EXPECT_EQ(piped.status, 0) << piped.err;
+        EXPECT_EQ(piped.out, answer);
+#ifndef __SANITIZE_ADDRESS__
+        EXPECT_LT(piped.peak_memory, most) << command;
+#endif
+    }
+}
+
 /// Time and memory grow with the names and no faster: ten times as many take at most twelve times as long.
 TEST_F(BigTrace, ManyNamesAreReadInTheirTime) {
 #ifdef __SANITIZE_ADDRESS__

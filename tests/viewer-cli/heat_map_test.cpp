@@ -239,6 +239,38 @@ TEST_F(HeatMapTest, ASceneAndItsTraceHaveOneMap) {
     }
 }
 
+/// The numbers of a folder are those of its scenes and traces, added up; of depth-fights, the largest. Goldens and claims
+/// are not counted.
+TEST_F(HeatMapTest, AFolderIsCountedTogether) {
+    shell("mkdir -p all/inner; cp $examples/t0-hidden/cube-inverse-z.json all/a.json; "
+          "$rastertrace trace all/a.json --cull back --keep depth -o all/inner/b.jsonl; "
+          "$rastertrace trace all/a.json -o all/a.golden.jsonl; echo '4: 0' > all/c.claims");
+    for (const std::string name : {"overdraw", "tests", "depth-fights"}) {
+        Cells expected = cells("all/a.json", name);
+        for (const auto& [place, text] : cells("all/inner/b.jsonl", name)) {
+            const auto [at, is_new] = expected.try_emplace(place, text);
+            if (is_new)
+                continue;
+            const auto number = [](const std::string& of) {
+                return of == "=" ? 16 : std::stoi(of);
+            };
+            const int one = number(at->second);
+            const int other = number(text);
+            const int both = name == "depth-fights" ? std::max(one, other) : one + other;
+            at->second = both == 16 && name == "depth-fights" ? "=" : std::to_string(both);
+        }
+        EXPECT_EQ(cells("all/", name), expected) << name;
+    }
+    EXPECT_THAT(heat("all", "tests").out, HasSubstr(">all</text>"));
+    shell("cp $examples/t0-fill/first-triangle.json all/d.json");
+    const Outcome told = heat("all", "overdraw");
+    EXPECT_EQ(told.status, 2);
+    EXPECT_EQ(told.err,
+              "rastertrace: all/d.json: expected the canvas of all/a.json, found another one\n");
+    shell("mkdir none");
+    EXPECT_EQ(heat("none", "overdraw").status, 2);
+}
+
 TEST_F(HeatMapTest, EveryFormatOfPicturesHasIt) {
     const std::string scene = "$examples/t0-hidden/two-depths.json";
     for (const auto& [format, begin] : {std::pair<std::string, std::string>{"svg", "<svg "},

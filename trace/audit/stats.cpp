@@ -218,8 +218,12 @@ Stats stats_of(const Trace& trace, std::size_t jobs) {
     Stats stats;
     stats.steps = trace.size();
     StepsCounted counted(trace, stats);
-    for (std::size_t n = 1; n <= trace.size(); ++n)
+    constexpr std::size_t most_remembered = 1U << 20U; // steps
+    for (std::size_t n = 1; n <= trace.size(); ++n) {
         counted.take(n);
+        if (n % most_remembered == 0)
+            trace.forget_text();
+    }
 
     // Against what should have been drawn, where all of that can be there.
     std::vector<DrawnPrimitive> drawn = counted.finish();

@@ -133,6 +133,11 @@ Trace Trace::without_steps() const {
     return excerpt;
 }
 
+void Trace::forget_text() const {
+    if (source_.mapped)
+        source_.mapped->forget();
+}
+
 bool Trace::is_in_file(std::string_view json) const {
     const std::less_equal<> is_not_behind; // also of pointers to different texts
     return text_of_file_.data() != nullptr && is_not_behind(text_of_file_.data(), json.data()) &&
@@ -688,7 +693,12 @@ private:
                             .is_document = is_document,
                             .has_changes = sums_.state.has_value()};
         const std::size_t jobs = reading_.jobs == 0 ? usual_jobs() : reading_.jobs;
-        while (offset < text().size()) {
+        constexpr std::size_t most_remembered = 64U << 20U; // bytes
+        for (std::size_t remembered = offset; offset < text().size();) {
+            if (offset - remembered > most_remembered) {
+                trace_.forget_text();
+                remembered = offset;
+            }
             for (const ScannedLines& part :
                  scan_parts(text(), offset, offset + ahead_, part_size, jobs, scan)) {
                 take(part);

@@ -168,6 +168,10 @@ public:
     /// that is mapped, and copies no step from there.
     Trace without_steps() const;
 
+    /// Gives back the memory of the steps that have been looked at, if the trace's file is mapped. For who goes through many
+    /// of them: looked at again, they come from the file.
+    void forget_text() const;
+
     /// True for the text of a step that an excerpt need not copy.
     bool is_in_file(std::string_view json) const;
 

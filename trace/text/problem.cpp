@@ -1,17 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "problem.h"
 
-#include "input.h"
-#include "input_check.h"
-#include "input_file.h"
 #include "mapped_file.h"
 #include "text.h"
-#include "trace_layout.h"
 #include "zero_byte.h"
 
 #include <fmt/core.h>
-
-#include <unistd.h>
 
 #include <algorithm>
 #include <array>
@@ -135,87 +129,6 @@ Problem::Cause cause_of_open_error(int error) {
                                 ENAMETOOLONG, ENXIO,   ENODEV, EINVAL, EOVERFLOW};
     const bool is_due_to_path = std::find(errors.begin(), errors.end(), error) != errors.end();
     return is_due_to_path ? Problem::Cause::input : Problem::Cause::system;
-}
-
-namespace {
-
-/// What the first line of a text tells.
-LineLayout layout_by_first_line(std::string_view text) {
-    return layout_of(without_blanks(text.substr(0, text.find('\n'))));
-}
-
-/// A trace with a step a line, from its first byte on, whose lines are not too long; null for what is read instead: any
-/// other file, and a small one, which nobody has to look at where it is.
-std::shared_ptr<const MappedFile> mapped_trace(const InputFile& file) {
-    constexpr std::size_t smallest = 1'000'000;
-    if (!file.id() || ::lseek(file.descriptor(), 0, SEEK_CUR) != 0)
-        return nullptr;
-    auto mapped = MappedFile::of(file.descriptor(), file.name());
-    const std::string_view text = mapped->text();
-    // A file that is no text may have no end of a line for as long as it goes on.
-    const std::string_view beginning = text.substr(0, longest_line);
-    if (text.size() < smallest || layout_by_first_line(beginning) == LineLayout::other)
-        return nullptr;
-    for (std::size_t rest = text.size(), begin = 0; rest > longest_line;
-         rest = text.size() - begin) {
-        const std::size_t newline = text.rfind('\n', begin + longest_line);
-        if (newline == std::string_view::npos || newline < begin)
-            return nullptr; // who reads it says so
-        begin = newline + 1;
-    }
-    return mapped;
-}
-
-Result<Source> read_path(const std::string& path, InputFile::Kind kind, InputCheck fault_of) {
-    auto file = InputFile::open(path, kind);
-    if (!file)
-        return file.problem();
-    Source source{.name = file.value().name(), .text = {}, .file = file.value().id()};
-    try {
-        std::size_t block = 0;
-        if (kind == InputFile::Kind::any) // what another file names is no trace
-            source.mapped = mapped_trace(file.value());
-        // A text that need not grow is neither copied nor moved. What the system tells may be far from true.
-        constexpr std::size_t most_trusted = 64U << 20U;
-        if (!source.mapped)
-            source.text.reserve(std::min(file.value().told_size(), most_trusted));
-        while (!source.mapped && file.value().read_into(source.text)) {
-            if (auto fault = fault_of(source, block))
-                return *std::move(fault);
-            block = source.text.size();
-        }
-    } catch (const Problem& problem) {
-        return problem;
-    }
-    // Of a trace each whole line is used; who reads it says where it ends.
-    if (file.value().is_cut_off() && layout_by_first_line(source.text) == LineLayout::other)
-        return problem_of(source.name,
-                          "expected the end of what is packed, found the end of the file");
-    return source;
-}
-
-} // namespace
-
-Result<Source> read_source(const std::string& path) {
-    return read_source(path, InputLimits{});
-}
-
-Result<Source> read_source(const std::string& path, const InputLimits& limits) {
-    return read_path(path, InputFile::Kind::any, {InputCheck::Kind::scene_or_trace, limits});
-}
-
-Result<Source> read_source_or_claims(const std::string& path, const InputLimits& limits) {
-    return read_path(path, InputFile::Kind::any, {InputCheck::Kind::scene_trace_or_claims, limits});
-}
-
-Result<Source> read_bytes(const std::string& path, const InputLimits& limits) {
-    return read_path(path, InputFile::Kind::any, {InputCheck::Kind::bytes, limits});
-}
-
-Result<Source> read_named_file(const std::string& path, const InputLimits& limits) {
-    if (path.find('\0') != std::string::npos)
-        return problem_of(path, "expected the name of a file, found one with a zero byte");
-    return read_path(path, InputFile::Kind::regular_file, {InputCheck::Kind::other, limits});
 }
 
 } // namespace rastertrace

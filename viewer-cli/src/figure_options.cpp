@@ -70,7 +70,8 @@ public:
             .option("--heat", heat_,
                     "In the place of frames a number of each pixel, from all steps: how often it "
                     "was written, how many depth tests it had, or in how many digits the two "
-                    "nearest depths there agree",
+                    "nearest depths there agree; of a folder, all of its scenes and traces "
+                    "together",
                     "NAME")
             .values(heat_names());
         options.flag(

@@ -3,6 +3,7 @@
 
 #include "load.h"
 #include "progress.h"
+#include "suite_cases.h"
 
 #include <rastertrace/figures/heat_map.h>
 #include <rastertrace/figures/space_frames.h>
@@ -16,11 +17,15 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
+#include <filesystem>
 #include <functional>
 #include <optional>
 #include <string>
+#include <system_error>
 #include <utility>
 #include <variant>
+#include <vector>
 
 namespace rastertrace {
 
@@ -110,31 +115,68 @@ CountedTrace counted(Heat heat, const PlannedScene& planned, const std::string& 
     return *std::move(all);
 }
 
-CountedTrace counted(const FigureCommand& command) {
+CountedTrace counted(const FigureCommand& command, const std::string& path) {
     const SceneOptions options = scene_options_of(command);
     const Heat heat = *command.heat;
-    auto opened = open_input(command.trace, options);
+    auto opened = open_input(path, options);
     if (auto* const steps = std::get_if<StepStream>(&opened))
         return counted(heat, *steps);
-    InputFrames input(command.trace, std::get<Source>(std::move(opened)), options);
+    InputFrames input(path, std::get<Source>(std::move(opened)), options);
     refuse_sequence(input, "--heat");
     const std::size_t frame = input.first();
     return input.given_trace() != nullptr ? counted(heat, input.trace(frame))
-                                          : counted(heat, input.scene(frame), command.trace);
+                                          : counted(heat, input.scene(frame), path);
 }
 
-/// Refuses a map of steps that the trace has none of.
-void check_counted(const CountedTrace& trace) {
-    const std::string option = fmt::format("--heat {}", name_of(trace.map.heat()));
+/// Refuses a trace that the counted steps were left out of.
+void check_counted(const CountedTrace& trace, const std::string& file) {
     const StepKind kind = steps_for(trace.map.heat());
     if (trace.header.lacks(kind))
-        throw problem_of("", fmt::format("{}: expected a trace with its {} steps, found one that "
-                                         "they were left out of",
-                                         option, name_of(kind)));
-    if (kind == StepKind::depth && trace.map.steps() == 0)
-        throw problem_of("", option + ": expected depth tests, found none",
-                         "--depth linear-z --keep depth tests what no other triangle can hide, "
-                         "too");
+        throw problem_of(file, fmt::format("--heat {}: expected a trace with its {} steps, found "
+                                           "one that they were left out of",
+                                           name_of(trace.map.heat()), name_of(kind)));
+}
+
+/// The scenes and traces that are counted: a file, or those of a suite.
+std::vector<std::string> counted_files(const std::string& path) {
+    std::error_code error;
+    if (!std::filesystem::is_directory(path, error))
+        return {path};
+    std::vector<std::string> files;
+    for (const SuiteCase& one : cases_below(path))
+        if (!one.has_claims())
+            files.push_back(one.path);
+    if (files.empty())
+        throw problem_of(path, "expected a folder with scenes or traces, found one without");
+    return files;
+}
+
+/// One map of all of them, with the header of the first; what is wrong with any of them is told.
+CountedTrace counted_all(const FigureCommand& command, ExitStatus& status) {
+    const std::vector<std::string> files = counted_files(command.trace);
+    const Progress progress(reading_of("figure", files));
+    std::optional<CountedTrace> all;
+    for (const std::string& file : files) {
+        CountedTrace one = counted(command, file);
+        status = std::max(status, report_damage(one.header));
+        check_counted(one, files.size() > 1 ? file : "");
+        if (!all) {
+            all.emplace(std::move(one));
+            continue;
+        }
+        if (!(one.header.canvas == all->header.canvas))
+            throw problem_of(
+                file, fmt::format("expected the canvas of {}, found another one", files.front()));
+        all->map.add(one.map);
+    }
+    const HeatMap& map = all->map;
+    if (steps_for(map.heat()) == StepKind::depth && map.steps() == 0)
+        throw problem_of(
+            "", fmt::format("--heat {}: expected depth tests, found none", name_of(map.heat())),
+            "--depth linear-z --keep depth tests what no other triangle can hide, too");
+    const std::string folder = command.trace.substr(0, command.trace.find_last_not_of('/') + 1);
+    all->header.title = shown_title(files.size() > 1 ? "" : all->header.title, folder);
+    return *std::move(all);
 }
 
 } // namespace
@@ -157,13 +199,8 @@ ExitStatus write_space_frames(const FigureCommand& command, FigureFormat format)
 }
 
 ExitStatus write_heat_map(const FigureCommand& command, FigureFormat format) {
-    CountedTrace trace = [&] {
-        const Progress progress(reading_of("figure", {command.trace}));
-        return counted(command);
-    }();
-    const ExitStatus status = report_damage(trace.header);
-    check_counted(trace);
-    trace.header.title = shown_title(trace.header.title, command.trace);
+    ExitStatus status = exit_fine;
+    CountedTrace trace = counted_all(command, status);
     FigureOptions options = command.options;
     if (options.region)
         check_region(*options.region, trace.header.canvas);

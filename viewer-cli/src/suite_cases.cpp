@@ -75,7 +75,7 @@ public:
         const auto stem = without(name, scene_ending);
         if (stem && !one.is_trace)
             choose(one.golden, *stem + std::string(golden_ending), one);
-        if (!one.is_trace && !stem && !name.ends_with(claims_ending))
+        if (!one.is_trace && !stem && !one.has_claims())
             return std::nullopt;
         one.files.push_back(one.path);
         one.files.push_back((std::filesystem::path(one.path).parent_path() / rules_name).string());
@@ -192,6 +192,10 @@ SuiteResult found_in(const SuiteCase& one, const SuiteRules& rules) {
 }
 
 } // namespace
+
+bool SuiteCase::has_claims() const {
+    return name.ends_with(claims_ending);
+}
 
 std::vector<SuiteCase> cases_below(const std::string& folder) {
     const std::vector<std::string> names = files_below(folder, "cases");

@@ -24,6 +24,8 @@ struct SuiteCase {
     std::string scene{};              ///< of a trace: the scene that it is of; "" if there is none
     bool is_trace = false;            ///< by its name
     std::vector<std::string> files{}; ///< that the result depends on, whether they are there or not
+
+    bool has_claims() const; ///< by its name
 };
 
 /// The cases in a folder and its folders, by name. Throws a Problem if there are none.

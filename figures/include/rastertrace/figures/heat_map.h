@@ -48,6 +48,9 @@ public:
     /// Takes a step, in its turn. Only those of steps_for() count, on the canvas.
     void add(const StepView& step, std::optional<StepKind> kind);
 
+    /// Takes what another map of the same heat and canvas has: numbers are added up; of depth-fights, the closest counts.
+    void add(const HeatMap& other);
+
     Heat heat() const { return heat_; }
 
     /// How many steps have counted.
