@@ -446,7 +446,7 @@ TEST_F(BigTrace, ALineOfAnyLengthIsRefusedInBoundedMemory) {
 /// What comes from a pipe, or is packed, is read more than once, but not held in memory.
 TEST_F(BigTrace, ATraceFromAPipeIsNotHeldInMemory) {
     shell("(echo '{\"rastertrace\":1,\"title\":\"dot\",\"canvas\":{\"width\":3,\"height\":3}}'; "
-          "yes '{\"step\":\"pixel\",\"x\":0,\"y\":0}' | head -n 8000000; echo '{\"end\":{}}') > t");
+          "yes '{\"step\":\"pixel\",\"x\":0,\"y\":0}' | head -n 9000000; echo '{\"end\":{}}') > t");
     constexpr long most = 210'000'000;
     ASSERT_GT(fs::file_size(folder_ / "t"), std::uintmax_t{most});
     for (const std::string command : {"stats --json", "show --last --bare"}) {

@@ -18,6 +18,10 @@ namespace {
 
 constexpr std::size_t blocks_found = 256;
 
+/// Of so many steps kinds and lengths are kept. Those of the lines behind them are found again in the text: memory is
+/// bounded, for whatever a pipe may have.
+constexpr std::size_t most_measured = std::size_t{1} << 23U;
+
 /// Takes a number and the blank or the end behind it from the front of a line.
 int take_number(std::string_view& line) {
     int number = 0;
@@ -78,18 +82,23 @@ void StepPlaces::add(const StepPlace& step) {
 }
 
 void StepPlaces::add_lines(const MeasuredLines& lines) {
+    const bool are_measured = kinds_.size() + lines.kinds.size() <= most_measured;
     std::size_t offset = lines.begin;
     for (std::size_t i = 0; i < lines.kinds.size(); i += steps_in_block) {
         const std::size_t count = std::min(steps_in_block, lines.kinds.size() - i);
-        begin_block(offset, Block::Form::measured);
+        begin_block(offset, are_measured ? Block::Form::measured : Block::Form::plain);
         blocks_.back().measured += i;
         size_ += count;
         for (std::size_t line = i; line < i + count; ++line)
             offset += lines.sizes[line];
     }
+    kinds_at_hand_.count = 0;
+    if (!are_measured) {
+        end_of_line_ = lines.end - 1;
+        return;
+    }
     kinds_.insert(kinds_.end(), lines.kinds.begin(), lines.kinds.end());
     sizes_.insert(sizes_.end(), lines.sizes.begin(), lines.sizes.end());
-    kinds_at_hand_.count = 0;
 }
 
 void StepPlaces::add_indexed(const TraceIndex& index) {

@@ -61,7 +61,7 @@ public:
     /// The next step.
     void add(const StepPlace& step);
 
-    /// The next steps, plain ones in lines that follow each other.
+    /// The next steps, plain ones in lines that follow each other. They are kept as measured, if they are not too many.
     void add_lines(const MeasuredLines& lines);
 
     /// All steps of a trace, found again in the blocks of its index. A block of another text throws a StaleIndex when it
