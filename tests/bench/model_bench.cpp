@@ -177,9 +177,8 @@ void fill_box(const std::array<glm::vec3, 3>& corners, Color color, std::vector<
 
 void plain(benchmark::State& state) {
     model_path();
-    const glm::mat4 to_clip =
-        glm::perspective(glm::radians(60.0F), 1.0F, 1.0F, 20.0F) *
-        glm::lookAt(glm::vec3(0, 2, 4), glm::vec3(0), glm::vec3(0, 1, 0));
+    const glm::mat4 to_clip = glm::perspective(glm::radians(60.0F), 1.0F, 1.0F, 20.0F) *
+                              glm::lookAt(glm::vec3(0, 2, 4), glm::vec3(0), glm::vec3(0, 1, 0));
     for (auto _ : state) {
         const PlainModel model = load(model_path());
         std::vector<Color> colors(std::size_t{side} * side);
