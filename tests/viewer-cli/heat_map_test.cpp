@@ -265,8 +265,9 @@ TEST_F(HeatMapTest, AFolderIsCountedTogether) {
     shell("cp $examples/t0-fill/first-triangle.json all/d.json");
     const Outcome told = heat("all", "overdraw");
     EXPECT_EQ(told.status, 2);
-    EXPECT_EQ(told.err,
-              "rastertrace: all/d.json: expected the canvas of all/a.json, found another one\n");
+    EXPECT_EQ(told.err, "rastertrace: all/d.json: expected the canvas of all/a.json, 10 x 10 "
+                        "pixels, origin center, "
+                        "found 17 x 14 pixels, origin center\n");
     shell("mkdir none");
     EXPECT_EQ(heat("none", "overdraw").status, 2);
 }

@@ -12,6 +12,7 @@
 #include <rastertrace/trace/record/step_stream.h>
 #include <rastertrace/trace/record/traced_steps.h>
 #include <rastertrace/trace/record/write_trace.h>
+#include <rastertrace/trace/text/canvas_json.h>
 #include <rastertrace/trace/text/line_output.h>
 #include <rastertrace/trace/text/process_files.h>
 
@@ -151,6 +152,12 @@ std::vector<std::string> counted_files(const std::string& path) {
     return files;
 }
 
+/// "17 x 14 pixels, origin center"
+std::string in_words(const Canvas& canvas) {
+    return fmt::format("{} x {} pixels, origin {}", canvas.width, canvas.height,
+                       name_of(canvas.origin));
+}
+
 /// One map of all of them, with the header of the first; what is wrong with any of them is told.
 CountedTrace counted_all(const FigureCommand& command, ExitStatus& status) {
     const std::vector<std::string> files = counted_files(command.trace);
@@ -165,8 +172,9 @@ CountedTrace counted_all(const FigureCommand& command, ExitStatus& status) {
             continue;
         }
         if (!(one.header.canvas == all->header.canvas))
-            throw problem_of(
-                file, fmt::format("expected the canvas of {}, found another one", files.front()));
+            throw problem_of(file, fmt::format("expected the canvas of {}, {}, found {}",
+                                               files.front(), in_words(all->header.canvas),
+                                               in_words(one.header.canvas)));
         all->map.add(one.map);
     }
     const HeatMap& map = all->map;
