@@ -10,4 +10,15 @@ template <typename Count> constexpr Count random_cases(Count all) {
     return static_cast<Count>(all * Count{RASTERTRACE_RANDOM_CASES} / 100);
 }
 
+/// How many are looked at of cases that were chosen, or that a bound on their number or share is meant for: all; a tenth
+/// under the sanitizers and in a build of type Debug, which look for other faults or count lines, and take more than ten
+/// times as long.
+template <typename Count> constexpr Count all_cases(Count all) {
+#ifdef RASTERTRACE_FEW_CASES
+    return all / 10;
+#else
+    return all;
+#endif
+}
+
 } // namespace rastertrace

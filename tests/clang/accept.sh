@@ -1,6 +1,7 @@
 #!/bin/sh
-# accept.sh CLANGXX OPTION... -- COMPILE_COMMANDS [PART OF A PATH...]: fails if clang++ refuses, or warns of, a public header or a source that
-# is compiled beside the tests, but for those with a part in their path. Runs in the project's folder. Nothing is generated, but all templates in use are instantiated.
+# accept.sh CLANGXX OPTION... -- COMPILE_COMMANDS [PART OF A PATH...]: fails if clang++ refuses, or warns of, a public header, or
+# a source that is compiled beside the tests and has none of the parts in its path. Runs in the folder of the project. Nothing
+# is generated, but all templates in use are instantiated.
 set -eu
 compiler=$1
 shift

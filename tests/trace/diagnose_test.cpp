@@ -84,7 +84,7 @@ std::uint64_t last_seed() {
 
 /// The mistakes that are looked for: all of them, or each tenth under the sanitizers.
 std::vector<const Mistake*> looked_for() {
-    constexpr std::size_t step = 10 / random_cases<std::size_t>(10);
+    constexpr std::size_t step = 10 / all_cases<std::size_t>(10);
     std::vector<const Mistake*> some;
     for (std::size_t i = 0; i < mistakes().size(); i += step)
         some.push_back(&mistakes()[i]);

@@ -65,7 +65,7 @@ TEST(ExplainPixel, TheNearestAreToldOfAsAmongAll) {
         return why.primitive + " " + why.reason + " " + why.sentence;
     };
     int without_words = 0;
-    for (int seed = 0; seed < random_cases(300); ++seed) {
+    for (int seed = 0; seed < all_cases(300); ++seed) {
         auto scene =
             read_scene({"scene.json", RandomScene(static_cast<std::uint64_t>(seed)).text()});
         if (!scene)
@@ -92,7 +92,7 @@ TEST(ExplainPixel, TheNearestAreToldOfAsAmongAll) {
                 EXPECT_EQ(count, 0) << reason << ", seed " << seed;
         }
     }
-    EXPECT_GT(without_words, random_cases(200));
+    EXPECT_GT(without_words, all_cases(300));
 }
 
 // The worked triangle of T0: AB is x = (3y - 7)/4, AC is x = (31 - 3y)/8, rows y = 5 to -3.
@@ -412,7 +412,7 @@ TEST(ExplainPixel, EveryPixelOfEveryExample) {
     ASSERT_GT(files.size(), 30U);
     constexpr std::size_t group = 10; // of which the sanitizers look at one
     for (std::size_t i = 0; i < files.size(); ++i) {
-        if (i % group >= random_cases(group))
+        if (i % group >= all_cases(group))
             continue;
         const std::string& file = files[i];
         std::ifstream text(file);
