@@ -31,6 +31,17 @@ void for_each_placed_triangle(const Scene& scene, const Plan& plan, Visit&& visi
         *plan.list);
 }
 
+/// Those that are filled.
+template <typename Scalar>
+std::vector<Piece<Scalar>> triangles_to_fill(const Scene& scene, const Plan& plan) {
+    std::vector<Piece<Scalar>> triangles;
+    for_each_placed_triangle<Scalar>(scene, plan, [&triangles](const Piece<Scalar>& triangle) {
+        if (!triangle.is_skipped)
+            triangles.push_back(triangle);
+    });
+    return triangles;
+}
+
 /// True if these are the triangles, in order, whose pixels `spans` has. They are not if clipping, in
 /// other numbers, has cut one into more parts or fewer.
 inline bool are_those_of(const std::vector<SpansOfPiece>& spans,

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The second job of the report: which pixels the triangles of the scene have.
 
+#include "covered_pixels.h"
 #include "job_builder.h"
 #include "placed_triangles.h"
 #include "report_adaptive.h"
@@ -19,39 +20,6 @@ namespace rastertrace {
 
 namespace {
 
-/// Keeps the pixels that are drawn, and counts those that are asked for.
-struct PixelSink {
-    const Canvas& canvas;
-    std::vector<std::size_t>& pixels;
-    std::uint64_t tested = 0;
-
-    template <typename Step> void operator()(const Step&) {}
-    void operator()(const PixelPlotted& step) { pixels.push_back(canvas.offset_of(step.pixel)); }
-    template <typename Scalar> void operator()(const SampleTested<Scalar>& sample) {
-        ++tested;
-        if (sample.is_inside)
-            pixels.push_back(canvas.offset_of(sample.pixel));
-    }
-    template <typename Scalar> void operator()(const ScanlineSpanned<Scalar>& span) {
-        const Index last = std::min<Index>(span.to, canvas.right());
-        for (Index x = std::max<Index>(span.from, canvas.left()); x <= last; ++x)
-            pixels.push_back(canvas.offset_of({static_cast<int>(x), span.y}));
-    }
-
-    /// What is worked out only to be told would be counted as work.
-    template <typename Step> bool takes() const { return false; }
-};
-
-/// The pixels of each primitive, in order, each once.
-using PixelSets = std::vector<std::vector<std::size_t>>;
-
-void sort_sets(PixelSets& sets) {
-    for (auto& pixels : sets) {
-        std::sort(pixels.begin(), pixels.end());
-        pixels.erase(std::unique(pixels.begin(), pixels.end()), pixels.end());
-    }
-}
-
 /// The triangles of a scene in the numbers of its plan, ready to be filled again and again.
 template <typename Scalar> struct PlacedTriangles {
     std::vector<Piece<Scalar>> triangles;
@@ -59,23 +27,9 @@ template <typename Scalar> struct PlacedTriangles {
     SampleGrid<Scalar> grid;
 
     PlacedTriangles(const Scene& scene, const Plan& plan)
-        : image(scene.canvas), grid(sample_grid<Scalar>(scene, plan)) {
-        for_each_placed_triangle<Scalar>(scene, plan, [this](const Piece<Scalar>& triangle) {
-            if (!triangle.is_skipped)
-                triangles.push_back(triangle);
-        });
-    }
+        : triangles(triangles_to_fill<Scalar>(scene, plan)), image(scene.canvas),
+          grid(sample_grid<Scalar>(scene, plan)) {}
 };
-
-/// A triangle in numbers that count.
-template <typename Number, typename Scalar>
-Triangle<Number> counting_copy_of(const Piece<Scalar>& triangle) {
-    Triangle<Number> result;
-    for (std::size_t i = 0; i < 3; ++i)
-        result.vertices[i] = {as_counted(triangle.positions[i].x),
-                              as_counted(triangle.positions[i].y)};
-    return result;
-}
 
 class CoverageJob {
 public:
@@ -95,7 +49,7 @@ public:
             const std::string refusal = refusal_in_words(exact);
             if (!refusal.empty())
                 return nothing_of(ReportJob::coverage, refusal);
-            exact_.push_back(pixels_of(exact, plan_for(exact)));
+            exact_.push_back(counted_pixels(exact, plan_for(exact)).pixels);
             if (size_of(exact_.back()) == 0)
                 return nothing_of(ReportJob::coverage, "no pixel of the canvas is covered");
         }
@@ -143,6 +97,10 @@ private:
         }
     }
 
+    ErrorValue wrong_pixels(const PixelSets& pixels, const PixelSets& exact) const {
+        return ErrorValue::ratio(differing(pixels, exact), perimeter_of(exact, scene_.canvas));
+    }
+
     /// Measures one scalar.
     void add(Setting setting, const Scene& scene, const ScalarSetting& scalar,
              const PixelSets& exact) {
@@ -153,11 +111,12 @@ private:
                 add_adaptive(scene, plan, setting.never_errs, exact);
             } else {
                 const auto placed = std::make_shared<PlacedTriangles<Scalar>>(scene, plan);
-                PixelSets pixels = count(*placed, scene, setting.work.emplace());
-                setting.errors = {ErrorValue::ratio(differing(pixels, exact), perimeter_of(exact))};
+                const CountedPixels counted = counted_pixels(scene, plan);
+                setting.work = counted.work;
+                setting.errors = {wrong_pixels(counted.pixels, exact)};
                 if (scalar.bits)
                     setting.wrong_when_snapped =
-                        differing(pixels, pixels_when_snapped(scene, *placed));
+                        differing(counted.pixels, pixels_when_snapped(scene, plan));
                 builder_.add(
                     std::move(setting),
                     [placed, method = scene.method] {
@@ -226,7 +185,7 @@ private:
                 "filled in rationals",
                 fallbacks, filling->triangles.placed.size()));
         setting.never_errs = never_errs;
-        setting.errors = {ErrorValue::ratio(differing(pixels, exact), perimeter_of(exact))};
+        setting.errors = {wrong_pixels(pixels, exact)};
         builder_.add(
             std::move(setting),
             [filling] {
@@ -237,115 +196,6 @@ private:
                 keep(filling->image);
             },
             size_of(exact));
-    }
-
-    /// The fills that go by rows ask only for the pixels that they draw.
-    static std::uint64_t pixels_tested(const Scene& scene, const PixelSink& sink,
-                                       std::uint64_t drawn) {
-        return traits_of(scene.method.fill).tests_box ? sink.tested : drawn;
-    }
-
-    /// Fills everything in numbers that count; returns the pixels.
-    template <typename Scalar>
-    static PixelSets count(const PlacedTriangles<Scalar>& placed, const Scene& scene, Work& work) {
-        using Number = CountedOf<Scalar>;
-        const SampleOffset<Scalar>& offset = placed.grid.offset();
-        const SampleGrid<Number> grid({as_counted(offset.x()), as_counted(offset.y())},
-                                      scene.canvas);
-        PixelSets sets(scene.primitives.size());
-        for (const auto& triangle : placed.triangles) {
-            auto& pixels = sets[triangle.primitive];
-            const std::size_t before = pixels.size();
-            PixelSink sink{scene.canvas, pixels};
-            const auto counting_triangle = counting_copy_of<Number>(triangle);
-            {
-                const Counting counting(work);
-                fill(counting_triangle, triangle.colors, scene.method, grid, scene.canvas, sink);
-            }
-            work.pixels_tested += pixels_tested(scene, sink, pixels.size() - before);
-        }
-        sort_sets(sets);
-        return sets;
-    }
-
-    static PixelSets pixels_of(const Scene& scene, const Plan& plan) {
-        return with_scalar(plan, [&]<typename Scalar>() {
-            Work work;
-            if constexpr (std::same_as<Scalar, Adaptive>)
-                return PixelSets();
-            else
-                return count(PlacedTriangles<Scalar>(scene, plan), scene, work);
-        });
-    }
-
-    /// What exact arithmetic makes of triangles that have been snapped: a scene of just these.
-    template <typename Scalar>
-    static PixelSets pixels_when_snapped(const Scene& scene,
-                                         const PlacedTriangles<Scalar>& placed) {
-        Scene snapped;
-        snapped.canvas = scene.canvas;
-        snapped.method = scene.method;
-        snapped.method.scalar = ScalarKind::exact;
-        snapped.method.cull = Cull::none;
-        snapped.method.snap = Snap::none;
-        std::vector<std::size_t> numbers;
-        for (const auto& triangle : placed.triangles) {
-            const std::size_t first = snapped.vertices.size();
-            for (const auto& position : triangle.positions)
-                snapped.vertices.push_back(
-                    {.name = {}, .x = number_of(position.x), .y = number_of(position.y)});
-            snapped.primitives.push_back(
-                {.name = {}, .vertices = {first, first + 1, first + 2}, .color = {}});
-            numbers.push_back(triangle.primitive);
-        }
-        const PixelSets pieces = pixels_of(snapped, plan_for(snapped));
-        PixelSets sets(scene.primitives.size());
-        for (std::size_t i = 0; i < pieces.size(); ++i)
-            sets[numbers[i]].insert(sets[numbers[i]].end(), pieces[i].begin(), pieces[i].end());
-        sort_sets(sets);
-        return sets;
-    }
-    static Number number_of(const Rational& x) { return Number::fraction(x); }
-    template <typename Integer> static Number number_of(const Fraction<Integer>& x) {
-        return Number::fraction(exact(x));
-    }
-    static Number number_of(double x) { return Number::fraction(Rational(x)); }
-
-    static std::uint64_t size_of(const PixelSets& sets) {
-        std::uint64_t size = 0;
-        for (const auto& pixels : sets)
-            size += pixels.size();
-        return size;
-    }
-
-    /// How many pixels one has and the other has not, primitive by primitive.
-    static std::uint64_t differing(const PixelSets& a, const PixelSets& b) {
-        std::uint64_t count = 0;
-        for (std::size_t i = 0; i < a.size(); ++i) {
-            std::vector<std::size_t> difference;
-            std::set_symmetric_difference(a[i].begin(), a[i].end(), b[i].begin(), b[i].end(),
-                                          std::back_inserter(difference));
-            count += difference.size();
-        }
-        return count;
-    }
-
-    /// How many pixels of primitives have a neighbor, beside, above or below, that is not theirs.
-    std::uint64_t perimeter_of(const PixelSets& sets) const {
-        const auto width = static_cast<std::size_t>(scene_.canvas.width);
-        std::uint64_t count = 0;
-        for (const auto& pixels : sets)
-            for (const std::size_t pixel : pixels) {
-                const auto has = [&pixels](std::size_t other) {
-                    return std::binary_search(pixels.begin(), pixels.end(), other);
-                };
-                const std::size_t column = pixel % width;
-                const bool is_inner = column > 0 && column + 1 < width && pixel >= width &&
-                                      has(pixel - 1) && has(pixel + 1) && has(pixel - width) &&
-                                      has(pixel + width);
-                count += is_inner ? 0 : 1;
-            }
-        return count;
     }
 
     const Scene& scene_;

@@ -20,7 +20,7 @@ namespace rastertrace {
 namespace {
 
 constexpr int triangles = 95;
-constexpr std::size_t bytes = Snapshots::usual_bytes / 5;
+constexpr std::size_t picture_bytes = Snapshots::usual_bytes / 5;
 
 /// Random triangles over each other, in front of and behind each other.
 std::string many_triangles() {
@@ -60,7 +60,7 @@ const std::string& long_trace_path() {
 
 std::unique_ptr<Playback> opened() {
     auto trace = GrowingTrace::open(long_trace_path(), {});
-    return std::make_unique<Playback>(std::get<GrowingTrace>(std::move(trace)), bytes);
+    return std::make_unique<Playback>(std::get<GrowingTrace>(std::move(trace)), picture_bytes);
 }
 
 void play_lines(benchmark::State& state) {
@@ -105,7 +105,7 @@ Player player_at_end() {
                        [](std::size_t) {
                            return std::get<GrowingTrace>(GrowingTrace::open(long_trace_path(), {}));
                        }},
-                  {.bytes = bytes});
+                  {.bytes = picture_bytes});
     while (player.work()) {
     }
     return player;

@@ -108,7 +108,7 @@ void picture(benchmark::State& state, Scene scene, ScalarKind scalar) {
 }
 
 /// Every scalar on every scene; names say scene/scalar.
-const bool are_registered = [] {
+const bool scalars_are_registered = [] {
     struct Case {
         std::string name;
         std::function<Scene()> scene;

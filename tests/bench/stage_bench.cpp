@@ -192,7 +192,7 @@ BENCHMARK_CAPTURE(filtered, one_pixel, {.region = Region{256, 256, 256, 256}})
 BENCHMARK_CAPTURE(filtered, one_primitive, {.primitive = "T7"})->Unit(benchmark::kMicrosecond);
 BENCHMARK_CAPTURE(filtered, everything, {})->Unit(benchmark::kMicrosecond);
 
-const bool are_registered = [] {
+const bool stages_are_registered = [] {
     const std::vector<std::pair<std::string, Scene>> scenes{
         {"one triangle", one_triangle()},
         {"1000 disjoint triangles", disjoint()},

@@ -12,9 +12,17 @@ while [ "$1" != -- ]; do
     shift
 done
 shift
+# The sources among the arguments are compiled as one: what they include is read once.
+for argument; do
+    shift
+    case $argument in
+    *.cpp) echo "#include \"$argument\"" >>"$folder/sources.cpp" ;;
+    *) set -- "$@" "$argument" ;;
+    esac
+done
 while read -r compiler; do
     # shellcheck disable=SC2086  # a command with options
-    $compiler "$@" -o "$folder/program" </dev/null
+    $compiler "$folder/sources.cpp" "$@" -o "$folder/program" </dev/null
     "$folder/program" >"$folder/found"
     cmp "$folder/expected" "$folder/found" || { echo "other bytes by $compiler" >&2; exit 1; }
     echo "the same by $compiler"

@@ -70,11 +70,11 @@ void fill_box(const Triangle<Scalar>& triangle, Canvas canvas, Sink&& sink) {
                                      .right_edge = {0, 2}});
 }
 
-constexpr Canvas small_canvas{.width = 6, .height = 4, .origin = Origin::top_left};
+constexpr Canvas six_by_four{.width = 6, .height = 4, .origin = Origin::top_left};
 
 TEST(Painters, PaintTheRowsOfAnyFillAndTellItsSteps) {
     const Triangle<double> triangle{{{{3, -1}, {1, 2}, {7, 2}}}};
-    Image image(small_canvas);
+    Image image(six_by_four);
     std::string told;
     const auto listener = [&told](const auto& step) {
         using Step = std::remove_cvref_t<decltype(step)>;
@@ -87,7 +87,7 @@ TEST(Painters, PaintTheRowsOfAnyFillAndTellItsSteps) {
         else if constexpr (std::same_as<Step, PixelsRejected>)
             told += "-" + std::to_string(step.to_x) + " ";
     };
-    fill_box(triangle, small_canvas, FlatPainter(image, Color{255, 0, 0}, listener));
+    fill_box(triangle, six_by_four, FlatPainter(image, Color{255, 0, 0}, listener));
     EXPECT_EQ(picture_of(image), ".#####\n"
                                  ".#####\n"
                                  ".#####\n"
@@ -95,19 +95,19 @@ TEST(Painters, PaintTheRowsOfAnyFillAndTellItsSteps) {
     EXPECT_EQ(told, "above row 12345-7 row 12345-7 row 12345-7 ");
 
     // Nobody listens: the same picture.
-    Image plain(small_canvas);
-    fill_box(triangle, small_canvas, FlatPainter(plain, Color{255, 0, 0}));
+    Image plain(six_by_four);
+    fill_box(triangle, six_by_four, FlatPainter(plain, Color{255, 0, 0}));
     EXPECT_EQ(plain.colors(), image.colors());
 }
 
 TEST(Painters, HideWhatIsFartherThanWhatAnyFillHasDrawn) {
-    Image image(small_canvas);
+    Image image(six_by_four);
     DepthTests<double> buffer({.left = 0, .top_row = 0, .width = 6, .height = 4},
                               {.larger_passes = true, .cleared = 0});
     const auto draw_at = [&](const Triangle<double>& triangle, double z, Color color) {
         TriangleDepth<double> depth(triangle.vertices, {1 / z, 1 / z, 1 / z},
                                     buffer.larger_passes());
-        fill_box(triangle, small_canvas,
+        fill_box(triangle, six_by_four,
                  RowPainter<double>{.image = image,
                                     .stages = {.tests_depth = true},
                                     .flat = color,

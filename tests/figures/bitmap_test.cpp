@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 // What a drawing is in pixels. White is the paper, black what the shapes are painted in.
 
+#include "colors.h"
+
 #include <rastertrace/figures/bitmap.h>
 
 #include <gmock/gmock.h>
@@ -16,10 +18,6 @@
 
 namespace rastertrace {
 namespace {
-
-constexpr Color black{0, 0, 0};
-constexpr Color white{255, 255, 255};
-constexpr Color red{255, 0, 0};
 
 /// Rows of text: `#` black, `.` white, `r` red, `+` what lies between.
 std::string picture_of(const Bitmap& bitmap) {

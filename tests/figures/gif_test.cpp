@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // What giflib reads of our GIF files.
 
+#include "colors.h"
 #include "random_choice.h"
 
 #include <rastertrace/figures/gif.h>
@@ -21,9 +22,6 @@ namespace rastertrace {
 namespace {
 
 using testing::ElementsAre;
-
-constexpr Color white{255, 255, 255};
-constexpr Color black{0, 0, 0};
 
 Bitmap plain(std::size_t width, std::size_t height, Color color) {
     return {.width = width, .height = height, .colors = std::vector<Color>(width * height, color)};

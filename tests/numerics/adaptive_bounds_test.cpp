@@ -57,7 +57,7 @@ KnownTriangle known_triangle(const Inputs& in, double error) {
     return result;
 }
 
-const Rational half(1, 2);
+const Rational exact_half(1, 2);
 
 /// A pixel in the triangle, at the share of two inputs of its sides; nothing if its sample is outside.
 std::optional<Pixel> pixel_in(const KnownTriangle& triangle, const Inputs& in) {
@@ -72,7 +72,7 @@ std::optional<Pixel> pixel_in(const KnownTriangle& triangle, const Inputs& in) {
     const Barycentric<Rational> barycentric({triangle.exact});
     if (barycentric.area2() == 0)
         return std::nullopt;
-    for (const Rational& weight : barycentric.weights_at({pixel.x + half, pixel.y + half}))
+    for (const Rational& weight : barycentric.weights_at({pixel.x + exact_half, pixel.y + exact_half}))
         if (weight < 0)
             return std::nullopt;
     return pixel;
@@ -102,7 +102,7 @@ TEST_P(BoundsOfAdaptive, DepthsOfATriangle) {
             try {
                 const DepthPlane<Adaptive> about(triangle.about, triangle.numbers_about,
                                                  {Adaptive(0.5), Adaptive(0.5)});
-                const DepthPlane<Rational> exact(triangle.exact, triangle.numbers, {half, half});
+                const DepthPlane<Rational> exact(triangle.exact, triangle.numbers, {exact_half, exact_half});
                 return part_of_bound(about.on_row(pixel->y).at(pixel->x),
                                      exact.on_row(pixel->y).at(pixel->x));
             } catch (const Undecided&) {
@@ -188,7 +188,7 @@ template <bool in_perspective> double worst_level(double error) {
             const MixedColors<double> about{
                 corners, Barycentric<double>(values), {0.5, 0.5}, inverse_w};
             const MixedColors<Rational> exact{
-                corners, Barycentric<Rational>({triangle.exact}), {half, half}, triangle.numbers};
+                corners, Barycentric<Rational>({triangle.exact}), {exact_half, exact_half}, triangle.numbers};
             auto weights = about.on_screen(*pixel);
             auto exact_weights = exact.on_screen(*pixel);
             if constexpr (in_perspective) {

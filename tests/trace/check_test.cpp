@@ -359,7 +359,7 @@ const std::vector<std::string> right_sheets{
     "(3,2): on\n(4,2): off"};
 
 /// Sentences of several scenes, as `show` prints them.
-const std::vector<std::string> sentences{
+const std::vector<std::string> sheets_of_sentences{
     "  14  scanline y=2   left AB: x = 2 + 3/4 (2 - 5) = -1/4 -> floor -> -1   right AC: x = 2 - "
     "3/8 (2 - 5) = 25/8 -> "
     "floor -> 3   depth 1/3 to 1/5",
@@ -431,7 +431,7 @@ TEST(Check, AnySheetIsReadOrRefused) {
     Random random(20261128);
     const Truth truth({"scene.json", triangle}, {});
     std::vector<std::string> sheets = right_sheets;
-    sheets.insert(sheets.end(), sentences.begin(), sentences.end());
+    sheets.insert(sheets.end(), sheets_of_sentences.begin(), sheets_of_sentences.end());
     for (std::size_t i = 0; i < random_cases(4000U); ++i) {
         std::string sheet = sheets[i % sheets.size()];
         for (int changes = random.whole(1, 4); changes > 0 && !sheet.empty(); --changes)

@@ -55,9 +55,9 @@ TEST_F(ExplainTest, AnswersInPortuguese) {
     EXPECT_THAT(told, HasSubstr("\na primeira decisão que difere\n"
                                 "  como é             passo 14: linha y=2   esquerda AB"));
     // The reason is a code in JSON.
-    const auto json = nlohmann::json::parse(explain("--pixel 4,2 --language pt --json").out);
-    EXPECT_EQ(json["answer"], "não desenhado: ABC não o cobre");
-    EXPECT_EQ(json["why_not"][0]["reason"], "outside");
+    const auto answer = nlohmann::json::parse(explain("--pixel 4,2 --language pt --json").out);
+    EXPECT_EQ(answer["answer"], "não desenhado: ABC não o cobre");
+    EXPECT_EQ(answer["why_not"][0]["reason"], "outside");
     EXPECT_EQ(explain("--pixel 40,2 --language pt").err, explain("--pixel 40,2").err);
 }
 
@@ -106,11 +106,11 @@ TEST_F(ExplainTest, AgainstAnotherMethod) {
     EXPECT_THAT(told, HasSubstr("\nthe first decision that differs\n"
                                 "  as it is           step 14: scanline y=2 "));
     EXPECT_THAT(told, HasSubstr("\n  rounding=truncate  step 14: scanline y=2 "));
-    const auto json =
+    const auto answer =
         nlohmann::json::parse(explain("--pixel -1,2 --against rounding=truncate --json").out);
-    EXPECT_EQ(json["first_difference"]["here"]["from"], -1);
-    EXPECT_EQ(json["first_difference"]["there"]["from"], 0);
-    EXPECT_EQ(json["against"]["method"], "rounding=truncate");
+    EXPECT_EQ(answer["first_difference"]["here"]["from"], -1);
+    EXPECT_EQ(answer["first_difference"]["there"]["from"], 0);
+    EXPECT_EQ(answer["against"]["method"], "rounding=truncate");
 }
 
 /// Whole messages: what was expected, what was found, and what is near.
