@@ -116,7 +116,8 @@ View default_view(const Trace& trace, std::size_t most_steps) {
             return View::shade;
         if (!is_filled(primitive.kind) || primitive.painted.is_false())
             continue;
-        colors.insert(primitive.color.text());
+        if (colors.size() < 2)
+            colors.insert(primitive.color.text());
         if (faces.size() <= face_letters.size())
             faces.insert(name_of_face(primitive));
     }

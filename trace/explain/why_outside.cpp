@@ -165,9 +165,10 @@ std::optional<WhyNot> by_row(const Case& c) {
     for (std::size_t n = c.steps.first; n <= c.steps.last; ++n) {
         if (c.trace.kind_of(n) != StepKind::scanline)
             continue;
-        const auto row = c.trace.step(n).as<ScanlineStep>();
-        if (row.y != c.pixel.y)
+        const StepView step = c.trace.step(n);
+        if (y_in(step) != c.pixel.y) // told without the rest of the row
             continue;
+        const auto row = step.as<ScanlineStep>();
         const Index gap = std::max(row.from - c.pixel.x, c.pixel.x - row.to);
         if (gap <= 0)
             return WhyNot{.reason = "unknown",
@@ -229,7 +230,7 @@ std::optional<WhyNot> by_rows(const Case& c) {
     for (std::size_t n = c.steps.first; n <= c.steps.last; ++n) {
         if (c.trace.kind_of(n) != StepKind::scanline)
             continue;
-        const Index y = c.trace.step(n).as<ScanlineStep>().y;
+        const Index y = y_in(c.trace.step(n)).value_or(0);
         if (!top || canvas.row_of(y) < canvas.row_of(*top))
             top = y;
         if (!bottom || canvas.row_of(y) > canvas.row_of(*bottom))

@@ -20,7 +20,7 @@ namespace rastertrace {
 namespace {
 
 /// Of so many digits, every number fits an Index.
-constexpr std::size_t most_digits_of_index = 18;
+constexpr std::ptrdiff_t most_digits_of_index = 18;
 
 constexpr std::uint64_t in_each_byte(std::uint64_t byte) {
     return byte * 0x0101'0101'0101'0101;
@@ -56,6 +56,19 @@ std::uint64_t eight_bytes_at(const char* text) {
     return bytes;
 }
 
+/// Where digits end: inline, as most of a trace is digits.
+[[gnu::always_inline]] inline const char* end_of_digits(const char* at, const char* end) {
+    while (looks_at_eight && end - at >= 8) {
+        const std::uint64_t others = no_digits_in(eight_bytes_at(at));
+        if (others != 0)
+            return at + std::countr_zero(others) / 8;
+        at += 8;
+    }
+    while (at != end && '0' <= *at && *at <= '9')
+        ++at;
+    return at;
+}
+
 /// The place in the text that is decoded. Each take_... goes on if it finds what it looks for; else the step is left to
 /// the reader of JSON, and it does not matter where the cursor is.
 class Cursor {
@@ -71,7 +84,8 @@ public:
         return true;
     }
 
-    bool take(std::string_view literal) {
+    /// Inline, so that the compiler knows what is compared, and calls nobody for it.
+    [[gnu::always_inline]] bool take(std::string_view literal) {
         if (static_cast<std::size_t>(end_ - at_) < literal.size() ||
             std::memcmp(at_, literal.data(), literal.size()) != 0)
             return false;
@@ -81,9 +95,8 @@ public:
 
     /// Passes digits and tells how many there were.
     std::size_t pass_digits() {
-        const std::size_t count = count_digits({at_, static_cast<std::size_t>(end_ - at_)});
-        at_ += count;
-        return count;
+        const char* const begin = std::exchange(at_, end_of_digits(at_, end_));
+        return static_cast<std::size_t>(at_ - begin);
     }
 
     /// Takes a string in quotes that says what stands in it.
@@ -106,6 +119,20 @@ public:
     /// Takes digits that a number may begin with: 0, or others that do not begin with it.
     bool take_whole_part() { return take('0') || pass_digits() > 0; }
 
+    /// The same, with what they say. False if they are too many for an Index.
+    bool take_whole(Index& value) {
+        const char* const begin = at_;
+        value = 0;
+        if (take('0'))
+            return true;
+        for (; at_ != end_ && '0' <= *at_ && *at_ <= '9'; ++at_) {
+            if (at_ - begin == most_digits_of_index)
+                return false;
+            value = 10 * value + (*at_ - '0');
+        }
+        return at_ != begin;
+    }
+
 private:
     const char* at_;
     const char* end_;
@@ -113,15 +140,9 @@ private:
 
 bool take_value(Cursor& text, Index& value, FieldNeed /*need*/) {
     const bool is_negative = text.take('-');
-    const char* const begin = text.at();
-    if (!text.take_whole_part())
-        return false;
-    const auto digits = static_cast<std::size_t>(text.at() - begin);
-    if (digits > most_digits_of_index)
-        return false;
     Index magnitude = 0;
-    for (std::size_t i = 0; i < digits; ++i)
-        magnitude = 10 * magnitude + (begin[i] - '0');
+    if (!text.take_whole(magnitude))
+        return false;
     value = is_negative ? -magnitude : magnitude;
     return magnitude <= farthest_index + 1;
 }
@@ -220,14 +241,14 @@ bool take_fields(Cursor& text, Step& step, FieldTable<Rows...> /*table*/) {
     return (take_field<Rows>(text, step) && ...) && text.take('}');
 }
 
-template <typename Step> bool take_rest_of(Cursor& text, AnyStep& step) {
-    return take_fields(text, step.emplace<Step>(), typename Step::Fields{});
+/// Takes what follows front_of_step.
+template <typename Step> bool take_rest_of(Cursor& text, Step& step) {
+    return text.take(step_names[static_cast<std::size_t>(Step::step_kind)]) && text.take('"') &&
+           take_fields(text, step, typename Step::Fields{});
 }
 
-template <typename Step> bool take_whole(Cursor& text, Step& step) {
-    return text.take(front_of_step) &&
-           text.take(step_names[static_cast<std::size_t>(Step::step_kind)]) && text.take('"') &&
-           take_fields(text, step, typename Step::Fields{});
+template <typename Step> bool take_rest_of_any(Cursor& text, AnyStep& step) {
+    return take_rest_of(text, step.emplace<Step>());
 }
 
 void set(Index& value, std::string_view json) {
@@ -260,7 +281,6 @@ Step step_in(std::string_view json, FieldTable<Rows...> /*table*/) {
 /// A kind of step, found by two letters of its name.
 struct KindOfStep {
     StepKind kind{};
-    std::string_view name;
     bool (*take)(Cursor& text, AnyStep& step) = nullptr;
 };
 
@@ -272,14 +292,14 @@ constexpr std::size_t place_of(char first, char third) {
 
 template <std::size_t... kind> constexpr auto kinds_by_place(std::index_sequence<kind...> /*all*/) {
     std::array<KindOfStep, places_for_kinds> kinds{};
-    const auto add = [&kinds](KindOfStep one) {
-        auto& place = kinds[place_of(one.name[0], one.name[2])];
+    const auto add = [&kinds](std::string_view name, KindOfStep one) {
+        auto& place = kinds[place_of(name[0], name[2])];
         if (place.take != nullptr)
             throw "two kinds have one place";
         place = one;
     };
-    (add({static_cast<StepKind>(kind), step_names[kind],
-          take_rest_of<std::variant_alternative_t<kind, AnyStep>>}),
+    (add(step_names[kind], {static_cast<StepKind>(kind),
+                            take_rest_of_any<std::variant_alternative_t<kind, AnyStep>>}),
      ...);
     return kinds;
 }
@@ -296,14 +316,8 @@ std::size_t count_digits_one_by_one(std::string_view text) {
 }
 
 std::size_t count_digits(std::string_view text) {
-    std::size_t count = 0;
-    while (looks_at_eight && text.size() - count >= 8) {
-        const std::uint64_t others = no_digits_in(eight_bytes_at(text.data() + count));
-        if (others != 0)
-            return count + static_cast<std::size_t>(std::countr_zero(others) / 8);
-        count += 8;
-    }
-    return count + count_digits_one_by_one(text.substr(count));
+    const char* const end = end_of_digits(text.data(), text.data() + text.size());
+    return static_cast<std::size_t>(end - text.data());
 }
 
 StepKind kind_of_plain_step(std::string_view step) {
@@ -313,14 +327,11 @@ StepKind kind_of_plain_step(std::string_view step) {
 
 bool take_step(std::string_view& text, AnyStep& step) {
     constexpr std::size_t shortest_name = 3;
-    if (text.size() < front_of_step.size() + shortest_name || !text.starts_with(front_of_step))
+    Cursor rest(text);
+    if (text.size() < front_of_step.size() + shortest_name || !rest.take(front_of_step))
         return false;
-    const std::string_view name = text.substr(front_of_step.size());
-    const KindOfStep& kind = kinds[place_of(name[0], name[2])];
-    if (kind.take == nullptr || !name.starts_with(kind.name))
-        return false;
-    Cursor rest(name.substr(kind.name.size()));
-    if (!rest.take('"') || !kind.take(rest, step))
+    const KindOfStep& kind = kinds[place_of(rest.at()[0], rest.at()[2])];
+    if (kind.take == nullptr || !kind.take(rest, step))
         return false;
     text.remove_prefix(static_cast<std::size_t>(rest.at() - text.data()));
     return true;
@@ -332,7 +343,9 @@ template <typename Step> Step StepView::as() const {
             return {.x = pixel_.x, .y = pixel_.y, .color = {}};
     Step step;
     Cursor text(json_);
-    return take_whole(text, step) ? step : step_in<Step>(json_, typename Step::Fields{});
+    return text.take(front_of_step) && take_rest_of(text, step)
+               ? step
+               : step_in<Step>(json_, typename Step::Fields{});
 }
 
 namespace {

@@ -88,10 +88,12 @@ struct StepStream::State {
     /// The steps of some lines, as a trace of its own; what is wrong with them is damage of the whole.
     Trace trace_of(std::string_view lines, bool is_cut_off) {
         const bool is_document = layout == LineLayout::document;
-        Source source{file.name(), header_line + "\n", {}};
-        source.text += lines;
-        if (!is_cut_off)
-            source.text += is_document ? "],\"end\":{}}" : "{\"end\":{}}";
+        const std::string_view behind = is_cut_off    ? ""
+                                        : is_document ? "],\"end\":{}}"
+                                                      : "{\"end\":{}}";
+        Source source{file.name(), {}, {}};
+        source.text.reserve(header_line.size() + 1 + lines.size() + behind.size());
+        source.text.append(header_line).append("\n").append(lines).append(behind);
         const bool goes_on = tells_all && damage.size() < most_useless_steps;
         auto read = read_block(std::move(source), goes_on, jobs, sums);
         if (!read)

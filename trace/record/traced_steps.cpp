@@ -206,30 +206,33 @@ std::optional<Index> take_whole(std::string_view& text) {
 }
 
 struct PlaceInStep {
-    Index x;
+    std::optional<Index> x; ///< none of a row
     Index y;
 };
 
-/// The pixel that a step of a pixel, a depth test or a sample begins with where StepWriter has written it; others are
-/// read as any JSON.
-std::optional<PlaceInStep> leading_pixel(std::string_view json) {
-    constexpr std::string_view before_x = R"(","x":)";
+/// The pixel or row that a step begins with where StepWriter has written it; others are read as any JSON.
+std::optional<PlaceInStep> leading_place(std::string_view json) {
+    constexpr std::string_view before_x = R"(,"x":)";
     constexpr std::string_view before_y = R"(,"y":)";
-    constexpr std::size_t longest_name = 12;
-    if (!json.starts_with(front_of_step))
+    const std::size_t end_of_name = json.find('"', front_of_step.size());
+    if (!json.starts_with(front_of_step) || end_of_name == std::string_view::npos)
         return std::nullopt;
-    json.remove_prefix(front_of_step.size());
-    const std::size_t name = json.substr(0, longest_name + before_x.size()).find(before_x);
-    if (name == std::string_view::npos)
-        return std::nullopt;
-    json.remove_prefix(name + before_x.size());
-    const auto x = take_whole(json);
-    if (!x || !json.starts_with(before_y))
+    json.remove_prefix(end_of_name + 1);
+    PlaceInStep place{};
+    if (json.starts_with(before_x)) {
+        json.remove_prefix(before_x.size());
+        place.x = take_whole(json);
+        if (!place.x)
+            return std::nullopt;
+    }
+    if (!json.starts_with(before_y))
         return std::nullopt;
     json.remove_prefix(before_y.size());
     const auto y = take_whole(json);
-    const bool is_whole = y && (json.starts_with(',') || json.starts_with('}'));
-    return is_whole ? std::optional(PlaceInStep{*x, *y}) : std::nullopt;
+    if (!y || (!json.starts_with(',') && !json.starts_with('}')))
+        return std::nullopt;
+    place.y = *y;
+    return place;
 }
 
 } // namespace
@@ -237,14 +240,14 @@ std::optional<PlaceInStep> leading_pixel(std::string_view json) {
 std::optional<Index> x_in(const StepView& step) {
     if (const Pixel* const pixel = step.plain_pixel())
         return pixel->x;
-    const auto place = leading_pixel(step.json());
-    return place ? place->x : whole_field(step, "x");
+    const auto place = leading_place(step.json());
+    return place && place->x ? place->x : whole_field(step, "x");
 }
 
 std::optional<Index> y_in(const StepView& step) {
     if (const Pixel* const pixel = step.plain_pixel())
         return pixel->y;
-    const auto place = leading_pixel(step.json());
+    const auto place = leading_place(step.json());
     return place ? place->y : whole_field(step, "y");
 }
 
