@@ -5,6 +5,7 @@
 
 #include <rastertrace/core/draw/draw.h>
 
+#include <algorithm>
 #include <concepts>
 #include <cstddef>
 #include <map>
@@ -26,6 +27,12 @@ inline std::string picture_of(const Image& image) {
         text += '\n';
     }
     return text;
+}
+
+/// How many pixels have a color.
+inline std::size_t count_of(const Image& image, Color color) {
+    return static_cast<std::size_t>(
+        std::count(image.colors().begin(), image.colors().end(), color));
 }
 
 /// Pictures of one height next to each other.

@@ -115,11 +115,6 @@ Wireframe wireframe_of(const Solid& solid, const std::array<int, 3>& eye, const 
     return result;
 }
 
-std::size_t count_of(const Image& image, Color color) {
-    return static_cast<std::size_t>(
-        std::count(image.colors().begin(), image.colors().end(), color));
-}
-
 using Pixels = std::set<std::pair<int, int>>;
 
 /// The pixels that each primitive of a scene was asked to draw, and those that it drew.

@@ -61,11 +61,6 @@ Scene scene_of(const std::vector<Face3>& faces, Method method, int side = 64) {
     return scene;
 }
 
-std::size_t count_of(const Image& image, Color color) {
-    return static_cast<std::size_t>(
-        std::count(image.colors().begin(), image.colors().end(), color));
-}
-
 /// The methods whose depths are right.
 Method exact_method(Depth depth, Fill fill = Fill::top_left) {
     return {.scalar = ScalarKind::exact, .fill = fill, .depth = depth};
