@@ -72,7 +72,8 @@ std::optional<Pixel> pixel_in(const KnownTriangle& triangle, const Inputs& in) {
     const Barycentric<Rational> barycentric({triangle.exact});
     if (barycentric.area2() == 0)
         return std::nullopt;
-    for (const Rational& weight : barycentric.weights_at({pixel.x + exact_half, pixel.y + exact_half}))
+    for (const Rational& weight :
+         barycentric.weights_at({pixel.x + exact_half, pixel.y + exact_half}))
         if (weight < 0)
             return std::nullopt;
     return pixel;
@@ -102,7 +103,8 @@ TEST_P(BoundsOfAdaptive, DepthsOfATriangle) {
             try {
                 const DepthPlane<Adaptive> about(triangle.about, triangle.numbers_about,
                                                  {Adaptive(0.5), Adaptive(0.5)});
-                const DepthPlane<Rational> exact(triangle.exact, triangle.numbers, {exact_half, exact_half});
+                const DepthPlane<Rational> exact(triangle.exact, triangle.numbers,
+                                                 {exact_half, exact_half});
                 return part_of_bound(about.on_row(pixel->y).at(pixel->x),
                                      exact.on_row(pixel->y).at(pixel->x));
             } catch (const Undecided&) {
@@ -187,8 +189,10 @@ template <bool in_perspective> double worst_level(double error) {
             }
             const MixedColors<double> about{
                 corners, Barycentric<double>(values), {0.5, 0.5}, inverse_w};
-            const MixedColors<Rational> exact{
-                corners, Barycentric<Rational>({triangle.exact}), {exact_half, exact_half}, triangle.numbers};
+            const MixedColors<Rational> exact{corners,
+                                              Barycentric<Rational>({triangle.exact}),
+                                              {exact_half, exact_half},
+                                              triangle.numbers};
             auto weights = about.on_screen(*pixel);
             auto exact_weights = exact.on_screen(*pixel);
             if constexpr (in_perspective) {

@@ -137,13 +137,13 @@ TEST_F(FigureTest, ASelectorThatMatchesNothing) {
 }
 
 TEST_F(FigureTest, Parts) {
-    EXPECT_EQ(
-        refusal("--with eges -o x.svg"),
-        "rastertrace: --with: expected parts out of "
-        "grid,axes,edges,hidden-edges,vertices,coordinates,samples,row,"
-        "pixels,current,rejected,order,depths,writes,weights,owners,levels,counts,patterns,half-planes,"
-        "errors,space,plot,title,step,legend,caption,working, found \"eges\"\n"
-        "hint: did you mean edges?\n");
+    EXPECT_EQ(refusal("--with eges -o x.svg"),
+              "rastertrace: --with: expected parts out of "
+              "grid,axes,edges,hidden-edges,vertices,coordinates,samples,row,"
+              "pixels,current,rejected,order,depths,writes,weights,owners,levels,counts,patterns,"
+              "half-planes,"
+              "errors,space,plot,title,step,legend,caption,working, found \"eges\"\n"
+              "hint: did you mean edges?\n");
     EXPECT_EQ(refusal("--with grid,edges --without edges -o x.svg"),
               "rastertrace: --without: expected parts that are not in --with, found \"edges\"\n");
 }
