@@ -8,7 +8,7 @@ export GTEST_TOTAL_SHARDS=2
 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
 for shard in 0 1; do
-    GTEST_SHARD_INDEX=$shard build/test/tests/test-trace --gtest_filter='Diagnose.*' >"$folder/$shard" 2>&1 || true &
+    GTEST_SHARD_INDEX=$shard build/test/tests/test-trace --gtest_filter='Diagnose*' >"$folder/$shard" 2>&1 || true &
 done
 wait
 echo "| | of |"

@@ -26,6 +26,6 @@ foreach(suite IN LISTS suites)
   set_tests_properties(${suite} PROPERTIES ENVIRONMENT "${environment}" TIMEOUT 3600
     FAIL_REGULAR_EXPRESSION "Running 0 tests from 0 test suites")
   if(suite IN_LIST long_suites)
-    set_tests_properties(${suite} PROPERTIES COST 100) # starts first
+    set_tests_properties(${suite} PROPERTIES COST 100) # starts early
   endif()
 endforeach()

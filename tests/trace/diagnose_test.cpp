@@ -181,7 +181,7 @@ TEST(Diagnose, FindsEachMistakeInWhatItDraws) {
     EXPECT_GE(short_answers * 100, all * 85);
 }
 
-TEST(Diagnose, FindsTwoMistakesWhereNoSingleRuleDrawsThem) {
+TEST(DiagnoseTwo, FindsTwoMistakesWhereNoSingleRuleDrawsThem) {
     const int count = std::max(10, scenes_of_each() * 3 / 2);
     std::mt19937 random(43);
     int all = 0;
@@ -226,7 +226,7 @@ TEST(Diagnose, FindsTwoMistakesWhereNoSingleRuleDrawsThem) {
 
 // Mistakes that no one has made together must not end the program, nor mistakes in what a scene does not have. Vertices
 // that are not sorted have heights below 0.
-TEST(Diagnose, AnyMistakesDrawTogether) {
+TEST(DiagnoseTwo, AnyMistakesDrawTogether) {
     const Source scene{"scene.json", R"({"canvas": {"width": 9, "height": 9, "origin": "top-left"},
         "vertices": {"A": [1, 2, 3], "B": [7, 1, 2], "C": [3, 7, 4]}, "triangles": ["BAC"],
         "method": {"depth": "linear-z"}})"};
@@ -237,7 +237,7 @@ TEST(Diagnose, AnyMistakesDrawTogether) {
     EXPECT_GT(drawn, looked_for().size() * mistakes().size() / 2);
 }
 
-TEST(Diagnose, FindsAMistakeThoughAFewPixelsAreOff) {
+TEST(DiagnoseNoise, FindsAMistakeThoughAFewPixelsAreOff) {
     std::mt19937 random(7);
     int all = 0;
     int named = 0;
@@ -290,7 +290,7 @@ TEST(Diagnose, PredictsOtherScenes) {
     EXPECT_GE(right * 100, all * 95);
 }
 
-TEST(Diagnose, NamesNoMistakeInWhatAConventionDraws) {
+TEST(DiagnoseNoise, NamesNoMistakeInWhatAConventionDraws) {
     int tried = 0;
     int wrong = 0;
     for (std::uint64_t seed = 1; seed <= last_seed(); ++seed)
@@ -310,7 +310,7 @@ TEST(Diagnose, NamesNoMistakeInWhatAConventionDraws) {
     EXPECT_GT(tried, 0);
 }
 
-TEST(Diagnose, KnowsNothingOfRandomPictures) {
+TEST(DiagnoseNoise, KnowsNothingOfRandomPictures) {
     std::mt19937 random(5);
     int tried = 0;
     int wrong = 0;
