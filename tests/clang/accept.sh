@@ -20,7 +20,7 @@ for word; do
         mv "$folder/others" "$folder/sources"
     elif [ "${behind_options:-}" ]; then
         sed -n 's/^ *"file": "\(.*\)",*$/\1/p' "$word" |
-            grep -vF -e "$PWD/tests/" -e "$PWD/examples/" -e /numerics/ -e /wasm/ -e /cmake_pch. | LC_ALL=C sort >"$folder/sources"
+            grep -vF -e "$PWD/tests/" -e "$(dirname "$word")/tests/" -e "$PWD/examples/" -e /numerics/ -e /wasm/ -e /cmake_pch. | LC_ALL=C sort >"$folder/sources"
     elif [ "$word" = -- ]; then
         behind_options=yes
     else
