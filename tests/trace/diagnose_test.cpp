@@ -272,7 +272,7 @@ TEST(Diagnose, PredictsOtherScenes) {
     for (std::size_t i = 0; i < mistakes().size(); i += every) {
         const Mistake& mistake = mistakes()[i];
         const Rule rule{{}, {&mistake}};
-        const auto others = scenes_changed_by(rule, seed_of(mistake) + 70'000, 10);
+        const auto others = scenes_changed_by(rule, seed_of(mistake) + 70'000, all_cases(10));
         for (const ChangedScene& scene :
              scenes_changed_by(rule, seed_of(mistake) + 90'000, scenes_of_each())) {
             const Diagnosis found = diagnosis_of(scene.text, scene.drawn);
