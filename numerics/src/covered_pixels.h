@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Which pixels the triangles of a scene have, and how many two answers differ by.
+// Which pixels the triangles of a scene cover, and in how many pixels two such results differ.
 
 #include "job_builder.h"
 
@@ -47,7 +47,7 @@ using PixelSets = std::vector<std::vector<std::size_t>>;
 
 void sort_sets(PixelSets& sets);
 
-/// The pixels by the scene's fill, in the numbers of its plan but not in `adaptive`, and the work it takes.
+/// The pixels that the scene's fill covers in the scalar of its plan, and the operations it takes; nothing if that is `adaptive`.
 struct CountedPixels {
     PixelSets pixels;
     Work work;

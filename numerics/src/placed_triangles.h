@@ -31,7 +31,7 @@ void for_each_placed_triangle(const Scene& scene, const Plan& plan, Visit&& visi
         *plan.list);
 }
 
-/// Those that are filled.
+/// The placed triangles that are filled: neither culled nor skipped for another reason.
 template <typename Scalar>
 std::vector<Piece<Scalar>> triangles_to_fill(const Scene& scene, const Plan& plan) {
     std::vector<Piece<Scalar>> triangles;

@@ -383,7 +383,7 @@ TEST_F(BigTrace, ATraceThatShrinksWhileItIsReadIsToldOf) {
     shell(std::string(write_names) + "names 60000 > whole");
     const std::vector<std::string> sizes{"0", "1000", "4000000"};
     const int rounds = is_long() ? 20 : 2;
-    // A command takes some tenths of a second, or seconds: some of the times fall into its reading.
+    // A command takes tenths of a second, under the sanitizer seconds: some of the cuts fall into its reading.
 #ifdef __SANITIZE_ADDRESS__
     const std::string unit = "0.";
 #else

@@ -166,7 +166,7 @@ std::optional<WhyNot> by_row(const Case& c) {
         if (c.trace.kind_of(n) != StepKind::scanline)
             continue;
         const StepView step = c.trace.step(n);
-        if (y_in(step) != c.pixel.y) // told without the rest of the row
+        if (y_in(step) != c.pixel.y) // read without decoding the whole row
             continue;
         const auto row = step.as<ScanlineStep>();
         const Index gap = std::max(row.from - c.pixel.x, c.pixel.x - row.to);

@@ -206,7 +206,7 @@ std::optional<Index> take_whole(std::string_view& text) {
 }
 
 struct PlaceInStep {
-    std::optional<Index> x; ///< none of a row
+    std::optional<Index> x; ///< a scanline has none
     Index y;
 };
 
