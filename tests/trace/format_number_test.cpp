@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
+#include <rastertrace/core/numbers/number.h>
 #include <rastertrace/trace/record/double_texts.h>
+#include <rastertrace/trace/record/traced_steps.h>
 #include <rastertrace/trace/text/format_number.h>
 
 #include <gtest/gtest.h>
@@ -7,12 +9,14 @@
 #include <rapidcheck.h>
 #include <rapidcheck/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <charconv>
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -100,6 +104,26 @@ RC_GTEST_PROP(DoubleTexts, AreThoseOfFormatNumberHoweverOftenTheyComeAgain,
             RC_ASSERT(write(-value) == text_of(-value));
             RC_ASSERT(write(value) == text_of(value));
         }
+}
+
+// Decimals between two doubles, however small, large or long; fractions; 0 without a sign.
+RC_GTEST_PROP(TracedNumbers, AreReadAsTheDoubleNearestToWhatIsWritten,
+              (std::uint64_t bits, std::string more)) {
+    const auto value = std::bit_cast<double>(bits);
+    if (!std::isfinite(value))
+        return;
+    for (char& digit : more)
+        digit = static_cast<char>('0' + static_cast<unsigned char>(digit) % 10);
+    std::string text = shortest(value);
+    if (const std::size_t exponent = text.find('e'); text.find('.') != text.npos)
+        text.insert(std::min(exponent, text.size()), more);
+    for (const std::string& json : {text, '"' + text + '"', text + "/3"}) {
+        const TracedNumber number(json);
+        const auto exact = number.exact();
+        RC_ASSERT(number.nearest_double() ==
+                  (exact ? std::optional(nearest_double(*exact)) : std::nullopt));
+    }
+    RC_ASSERT(std::signbit(*TracedNumber("-0.0").nearest_double()) == false);
 }
 
 } // namespace

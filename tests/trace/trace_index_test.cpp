@@ -57,7 +57,7 @@ protected:
     /// Many blocks and keyframes, however small the trace is.
     void make_index() const {
         const Trace trace = read();
-        write_index(trace, pixel_units_of(trace), index_,
+        write_index(trace, contents_of(trace).known, index_,
                     {.block = 300, .keyframe = 40, .share_of_frames = 0});
     }
 
@@ -149,21 +149,25 @@ Told told_of(Explanation explanation, std::size_t most) {
     return told;
 }
 
-/// How many pixels were told of by the index alone.
+/// The nearest primitives are the same by the index, by the trace gone through in threads, and where each primitive is told
+/// of. How many pixels were told of by the index alone.
 std::size_t expect_same_answers(const Trace& read, const Trace& indexed, std::size_t most,
                                 int every) {
     std::size_t by_index = 0;
     const Canvas& canvas = read.canvas;
     for (int row = 0; row < canvas.height; row += every)
         for (int x = canvas.left(); x <= canvas.right(); x += every) {
-            const Question question{.pixel = {x, canvas.y_of(row)}, .most_why_not = most};
-            const Explanation answer = explain(indexed, question).value();
-            by_index += answer.farther.empty() ? 0 : 1;
-            const Told told = told_of(answer, most);
-            const Told expected = told_of(explain(read, question).value(), most);
-            EXPECT_EQ(told.answer, expected.answer);
-            EXPECT_EQ(told.lines, expected.lines) << expected.answer;
-            EXPECT_EQ(told.others, expected.others) << expected.answer;
+            const Pixel pixel{x, canvas.y_of(row)};
+            const Told expected = told_of(explain(read, {.pixel = pixel}).value(), most);
+            for (const Trace* const trace : {&indexed, &read}) {
+                const Explanation answer =
+                    explain(*trace, {.pixel = pixel, .most_why_not = most}).value();
+                by_index += trace == &read || answer.farther.empty() ? 0 : 1;
+                const Told told = told_of(answer, most);
+                EXPECT_EQ(told.answer, expected.answer);
+                EXPECT_EQ(told.lines, expected.lines) << expected.answer;
+                EXPECT_EQ(told.others, expected.others) << expected.answer;
+            }
             if (testing::Test::HasFailure())
                 return by_index;
         }

@@ -46,9 +46,11 @@ struct Question {
     Pixel pixel = {};   ///< of Topic::pixel; of Topic::scanline its y
     std::string text{}; ///< the name of a face, vertex or edge; `ABC,ACD` of a pair; a selector
 
-    /// So many of the primitives that have not drawn a pixel, the nearest, are told of in sentences at least. By an index,
-    /// the others may be counted alone.
+    /// So many of the primitives that have not drawn a pixel, the nearest, are told of in sentences at least. The others
+    /// may be counted alone.
     std::size_t most_why_not = std::numeric_limits<std::size_t>::max();
+
+    std::size_t jobs = 0; ///< threads that look for them; 0: as many as run at once
 };
 
 /// The question in words: `pixel (4, 2)`.
@@ -70,7 +72,7 @@ struct WhyNot {
     std::string primitive{};
     std::string
         reason{}; ///< outside, elsewhere, hidden, culled, clipped, skipped, unpainted, rejected, unknown
-    std::string sentence{}; ///< the rule and its numbers; "" of one too far away to be told of
+    std::string sentence{};           ///< the rule and its numbers
     std::optional<double> distance{}; ///< how far outside the pixel's sample lies, in pixels
     std::vector<std::string> working{};
 };
@@ -97,7 +99,7 @@ struct Explanation {
     std::vector<Try> tries{};      ///< in the order of the trace
     std::vector<WhyNot> why_not{}; ///< of a pixel: each primitive that has not drawn it
     std::map<std::string, std::size_t>
-        farther{}; ///< other primitives of which an index tells only the reason: how many of each
+        farther{}; ///< other primitives, of which only the reason is told: how many of each
     std::vector<PixelAlongEdge> pixels{}; ///< of a pair, from one end of their edge to the other
     std::vector<std::string> lacks{};     ///< what cannot be told, because steps were left out
 };

@@ -15,7 +15,6 @@
 #include <algorithm>
 #include <map>
 #include <optional>
-#include <queue>
 #include <utility>
 
 namespace rastertrace {
@@ -27,10 +26,8 @@ class PixelStory {
 public:
     /// Given the sentences of the steps, by their numbers in the whole trace, it tells neither tries nor workings,
     /// which need a replay.
-    PixelStory(const Trace& trace, const Question& question,
-               const std::vector<std::string>* sentences = nullptr)
-        : trace_(trace), pixel_(question.pixel), most_why_not_(question.most_why_not),
-          sentences_(sentences) {}
+    PixelStory(const Trace& trace, Pixel pixel, const std::vector<std::string>* sentences = nullptr)
+        : trace_(trace), pixel_(pixel), sentences_(sentences) {}
 
     /// `farther`: primitives that the trace has no steps of.
     Explanation tell(std::map<std::string, std::size_t> farther = {}) {
@@ -215,13 +212,7 @@ private:
     WhyNot why_not_of(PrimitiveSteps& steps) {
         steps.samples = &samples_;
         steps.may_lack = why_steps_may_lack(trace_, is_at_end_);
-        if (nearest_.size() == most_why_not_)
-            steps.farthest_told = nearest_.top();
         WhyNot why = why_not(trace_, steps, pixel_);
-        if (why.distance)
-            nearest_.push(*why.distance);
-        if (nearest_.size() > most_why_not_)
-            nearest_.pop();
         const bool only_hides = why.reason == "unpainted" && steps.has_passed;
         if (only_hides || why.reason == "hidden" || why.reason == "rejected")
             covering_.push_back(why);
@@ -291,8 +282,6 @@ private:
     const Trace& trace_;
     Pixel pixel_;
     ToldSamples samples_ = told_samples(trace_);
-    std::size_t most_why_not_;
-    std::priority_queue<double> nearest_; ///< so many distances, the largest on top
     const std::vector<std::string>* sentences_;
     std::optional<Replay> replay_;
     Explanation explanation_;
@@ -349,17 +338,18 @@ bool may_be_quoted(StepKind kind) {
 } // namespace
 
 Explanation explain_pixel(const Trace& trace, const Question& question) {
-    if (auto chosen = question.most_why_not < trace.size()
-                          ? steps_to_read(trace, question.pixel, question.most_why_not)
-                          : std::nullopt) {
+    if (auto chosen =
+            question.most_why_not < trace.size()
+                ? steps_to_read(trace, question.pixel, question.most_why_not, question.jobs)
+                : std::nullopt) {
         StepsOfPixel steps(trace, question.pixel);
         for (const std::size_t n : chosen->steps)
             steps.take(trace.step(n), trace.kind_of(n), trace.number_of(n));
         const Trace excerpt = std::move(steps).finish();
-        return PixelStory(excerpt, question).tell(std::move(chosen->others));
+        return PixelStory(excerpt, question.pixel).tell(std::move(chosen->others));
     }
     const Trace excerpt = steps_about(trace, question.pixel);
-    return PixelStory(excerpt, question).tell();
+    return PixelStory(excerpt, question.pixel).tell();
 }
 
 PixelExplainer::PixelExplainer(const Trace& trace) : trace_(trace) {
@@ -379,7 +369,7 @@ Explanation PixelExplainer::explain(Pixel pixel) {
         row_ = steps_about_row(trace_, pixel.y);
     y_ = pixel.y;
     const Trace excerpt = steps_about(*row_, pixel);
-    return PixelStory(excerpt, {.pixel = pixel}, &sentences_).tell();
+    return PixelStory(excerpt, pixel, &sentences_).tell();
 }
 
 } // namespace rastertrace

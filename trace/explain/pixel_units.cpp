@@ -9,11 +9,11 @@
 #include <rastertrace/trace/tell/formula.h>
 #include <rastertrace/trace/tell/sheet.h>
 #include <rastertrace/trace/tell/step_text.h>
+#include <rastertrace/trace/text/in_threads.h>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <set>
 #include <string_view>
 #include <utility>
 
@@ -21,16 +21,22 @@ namespace rastertrace {
 
 namespace {
 
-constexpr std::array<std::string_view, far_reasons> reason_names{"outside", "unpainted", "culled",
-                                                                 "clipped", "skipped",   "unknown"};
-
 FarReason far_reason_named(std::string_view name) {
-    const auto found = std::find(reason_names.begin(), reason_names.end(), name);
-    return static_cast<FarReason>(found - reason_names.begin());
+    const auto found = std::find(far_reason_names.begin(), far_reason_names.end(), name);
+    return static_cast<FarReason>(found - far_reason_names.begin());
 }
 
 /// Whole numbers that a float holds.
 constexpr Index most_in_float = 1 << 24;
+
+/// Larger numbers are infinite as a float, or may be.
+constexpr double most_of_float = 1e38;
+
+/// A point in doubles.
+struct Place {
+    double x;
+    double y;
+};
 
 /// Collects what its steps tell of one primitive, or part.
 class UnitSteps {
@@ -72,12 +78,11 @@ public:
             return unit_;
         if (told_.painted.is_false())
             return nothing(FarReason::unpainted);
-        const auto corners = corners_of(primitive());
+        const auto corners = corners_in_doubles();
         if (told_.kind != PrimitiveKind::triangle || !corners || is_odd_)
             return unit_;
         const auto [left, right] = std::minmax({(*corners)[0].x, (*corners)[1].x, (*corners)[2].x});
         const auto [low, high] = std::minmax({(*corners)[0].y, (*corners)[1].y, (*corners)[2].y});
-        const bool is_barycentric = trace_.method_value("fill") == "barycentric";
         if (functions_ != 0) {
             unit_.rule = functions_ == 3 ? UnitRule::edges : UnitRule::ask;
         } else if (has_rows_) {
@@ -86,10 +91,10 @@ public:
                     return unit_;
             unit_.rule = UnitRule::rows;
             unit_.values = {float(low_row_), float(high_row_), float(from_),
-                            float(to_),      in_float(low),    in_float(high)};
-        } else if (is_barycentric) {
+                            float(to_),      float(low),       float(high)};
+        } else if (trace_.method_value("fill") == "barycentric") {
             unit_.rule = UnitRule::box;
-            unit_.values = {in_float(left), in_float(right), in_float(low), in_float(high)};
+            unit_.values = {float(left), float(right), float(low), float(high)};
         } else if (!has_samples_) {
             return nothing(has_fan_ || trace_.method_value("fill") == "fan" ? FarReason::outside
                                                                             : FarReason::unknown);
@@ -98,8 +103,21 @@ public:
     }
 
 private:
-    static float in_float(const Rational& number) {
-        return static_cast<float>(nearest_double(number));
+    /// Where the three corners are; `nullopt` if not each of them has a place that a float holds.
+    std::optional<std::array<Place, 3>> corners_in_doubles() const {
+        const auto places = told_.at.values();
+        if (places.size() != 3 || told_.vertices.values().size() != 3)
+            return std::nullopt;
+        std::array<Place, 3> corners;
+        for (std::size_t i = 0; i < 3; ++i) {
+            const auto place = places[i].values();
+            const auto x = place.size() < 2 ? std::nullopt : place[0].nearest_double();
+            const auto y = place.size() < 2 ? std::nullopt : place[1].nearest_double();
+            if (!x || !y || std::max(std::abs(*x), std::abs(*y)) > most_of_float)
+                return std::nullopt;
+            corners[i] = {*x, *y};
+        }
+        return corners;
     }
 
     PixelUnit nothing(FarReason reason) {
@@ -110,7 +128,7 @@ private:
 
     const PrimitiveText& primitive() {
         if (!primitive_)
-            primitive_ = primitive_in(trace_.step(unit_.first));
+            primitive_ = primitive_in(told_);
         return *primitive_;
     }
 
@@ -250,168 +268,86 @@ private:
     std::vector<UnitSteps> units_;
 };
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
-
-/// How far away a unit is, at least and at most.
-struct Reach {
-    double least = -infinity; ///< not above 0: only its steps tell; infinite: it has no distance
-    double most = infinity;
-};
-
-/// A pixel, in the units' numbers.
-struct PixelPlace {
-    Pixel pixel;
-    int column;
-    int row;
-    double x; ///< its sample
-    double y;
-};
-
-/// Numbers of this size were rounded to floats, and worked with.
-double rounded_by(double size) {
-    constexpr double share = 0x1p-21;
-    return share * size + 1e-9;
+/// Adds what is behind.
+void append(TraceContents& contents, const TraceContents& behind) {
+    contents.known.are_known = contents.known.are_known && behind.known.are_known;
+    for (std::size_t reason = 0; reason < far_reasons; ++reason)
+        contents.known.others[reason] += behind.known.others[reason];
+    const auto add = [](auto& to, const auto& from) {
+        to.insert(to.end(), from.begin(), from.end());
+    };
+    add(contents.known.units, behind.known.units);
+    add(contents.primitives, behind.primitives);
+    add(contents.loose, behind.loose);
+    add(contents.vertices, behind.vertices);
 }
 
-Reach reach_of(const PixelUnit& unit, const PixelPlace& at) {
-    const auto& v = unit.values;
-    const auto lies_in = [](const std::array<std::int16_t, 2>& range, int place) {
-        return range[0] <= place && place <= range[1];
-    };
-    if (unit.rule == UnitRule::ask ||
-        (lies_in(unit.columns, at.column) && lies_in(unit.rows, at.row)))
-        return {};
-    const auto beyond = [](double place, double low, double high) {
-        const double distance = std::max(low - place, place - high);
-        const double error = rounded_by(std::abs(place) + std::abs(low) + std::abs(high));
-        return Reach{distance - error, distance + error};
-    };
-    switch (unit.rule) {
-    case UnitRule::nothing:
-        return {.least = infinity};
-    case UnitRule::edges: {
-        Reach reach{.most = -infinity};
-        for (std::size_t i = 0; i < v.size(); i += 3) {
-            const double along_x = double{v[i]} * at.x;
-            const double along_y = double{v[i + 1]} * at.y;
-            const double distance = -(along_x + along_y + double{v[i + 2]});
-            const double error =
-                rounded_by(std::abs(along_x) + std::abs(along_y) + std::abs(double{v[i + 2]}));
-            reach.least = std::max(reach.least, distance - error);
-            reach.most = std::max(reach.most, distance + error);
+/// Of the steps from `first` to before `end`: those of whole primitives with all their parts.
+TraceContents contents_of(const Trace& trace, const StepReader& steps, std::size_t first,
+                          std::size_t end) {
+    TraceContents found{.known = {.are_known = true}};
+    Group group;
+    for (std::size_t n = first; n < end; ++n) {
+        const auto kind = steps.kind_of(n);
+        // Of another program's steps only those that are looked for are understood.
+        found.known.are_known = found.known.are_known && kind && steps.is_plain(n);
+        if (!found.known.are_known)
+            break;
+        const auto number = static_cast<std::uint32_t>(n);
+        if (kind == StepKind::vertex) {
+            found.vertices.push_back(number);
+            continue;
         }
-        return reach;
+        if (kind != StepKind::primitive) {
+            if (is_loose(*kind, first != 1 || !found.primitives.empty()))
+                found.loose.push_back(number);
+            group.take(steps.step(n), *kind);
+            continue;
+        }
+        found.primitives.push_back(number);
+        const auto told = steps.step(n).as<PrimitiveStep>();
+        if (group.takes(trace, n, told))
+            continue;
+        group.finish(found.known);
+        group.begin(trace, n, told);
     }
-    case UnitRule::rows: {
-        const double y = at.pixel.y;
-        const double x = at.pixel.x;
-        if (y < double{v[0]} || double{v[1]} < y)
-            return beyond(at.y, double{v[4]}, double{v[5]});
-        constexpr double from_end = 4; // from the end of a row to its last pixel, and its sample
-        return {std::max(double{v[2]} - x, x - double{v[3]}) - from_end,
-                std::max(std::abs(x - double{v[2]}), std::abs(x - double{v[3]})) + from_end};
-    }
-    default: {
-        const Reach in_x = beyond(at.x, double{v[0]}, double{v[1]});
-        const Reach in_y = beyond(at.y, double{v[2]}, double{v[3]});
-        return {std::max(in_x.least, in_y.least), std::max(in_x.most, in_y.most)};
-    }
-    }
+    group.finish(found.known);
+    return found;
+}
+
+/// Where the steps can be divided into parts of at least so many: before primitives that are no part of another one.
+std::vector<std::size_t> ends_of_parts(const Trace& trace, std::size_t least) {
+    std::vector<std::size_t> ends;
+    for (std::size_t n = 1 + least; n <= trace.size(); ++n)
+        if (trace.kind_of(n) == StepKind::primitive &&
+            !trace.step(n).as<PrimitiveStep>().part.is_true()) {
+            ends.push_back(n);
+            n += least;
+        }
+    ends.push_back(trace.size() + 1);
+    return ends;
 }
 
 } // namespace
 
-PixelUnits pixel_units_of(const Trace& trace) {
-    PixelUnits known{.are_known = !trace.is_partial && trace.end && trace.damage.empty()};
-    if (!known.are_known)
-        return known;
-    Group group;
-    for (std::size_t n = 1; n <= trace.size(); ++n) {
-        const auto kind = trace.kind_of(n);
-        if (!kind)
-            continue;
-        const StepView step = trace.step(n);
-        if (kind != StepKind::primitive) {
-            group.take(step, *kind);
-            continue;
-        }
-        const auto told = step.as<PrimitiveStep>();
-        if (group.takes(trace, n, told))
-            continue;
-        group.finish(known);
-        group.begin(trace, n, told);
-    }
-    group.finish(known);
-    return known;
-}
-
-std::optional<StepsToRead> steps_to_read(const Trace& trace, Pixel pixel, std::size_t nearest) {
-    const TraceIndex* const index = trace.index();
-    if (index == nullptr || !index->knows_units())
-        return std::nullopt;
-    const auto& offset = told_samples(trace).triangles;
-    const PixelPlace at{.pixel = pixel,
-                        .column = pixel.x - trace.canvas.left(),
-                        .row = static_cast<int>(trace.canvas.row_of(pixel.y)),
-                        .x = nearest_double(offset.x_of(pixel.x)),
-                        .y = nearest_double(offset.y_of(pixel.y))};
-    const auto units = index->units();
-    std::vector<double> least;
-    std::vector<double> most;
-    least.reserve(units.size());
-    most.reserve(units.size());
-    for (const PixelUnit& unit : units) {
-        const Reach reach = reach_of(unit, at);
-        least.push_back(reach.least);
-        if (reach.least > 0 && reach.least < infinity)
-            most.push_back(reach.most);
-    }
-    if (most.size() <= nearest)
-        return std::nullopt;
-    // No other one is among the nearest.
-    std::nth_element(most.begin(), most.begin() + static_cast<std::ptrdiff_t>(nearest) - 1,
-                     most.end());
-    const double far = most[nearest - 1];
-
-    StepsToRead chosen;
-    std::array<std::uint64_t, far_reasons> others = index->other_units();
-    auto& steps = chosen.steps;
-    const auto loose = index->loose_steps();
-    steps.assign(loose.begin(), loose.end());
-    std::set<std::string> vertices;
-    const auto primitives = index->primitives();
-    for (std::size_t i = 0, end = 0; i < units.size(); i = end) {
-        end = i + 1;
-        while (end < units.size() && units[end].is_part)
-            ++end;
-        const bool is_near = std::any_of(least.begin() + static_cast<std::ptrdiff_t>(i),
-                                         least.begin() + static_cast<std::ptrdiff_t>(end),
-                                         [far](double distance) { return distance <= far; });
-        if (!is_near) {
-            for (std::size_t unit = i; unit < end; ++unit)
-                ++others[static_cast<std::size_t>(units[unit].reason)];
-            continue;
-        }
-        const auto next =
-            std::upper_bound(primitives.begin(), primitives.end(), units[end - 1].first);
-        const std::size_t behind = next == primitives.end() ? trace.size() + 1 : *next;
-        for (std::size_t n = units[i].first; n < behind; ++n) {
-            steps.push_back(n);
-            if (trace.kind_of(n) == StepKind::primitive)
-                for (std::string& name : trace.step(n).as<PrimitiveStep>().vertices.texts())
-                    vertices.insert(std::move(name));
-        }
-    }
-    for (const std::string& name : vertices) {
-        const auto of_vertex = index->vertex_steps(name);
-        steps.insert(steps.end(), of_vertex.begin(), of_vertex.end());
-    }
-    std::sort(steps.begin(), steps.end());
-    steps.erase(std::unique(steps.begin(), steps.end()), steps.end());
-    for (std::size_t reason = 0; reason < far_reasons; ++reason)
-        if (others[reason] != 0)
-            chosen.others[std::string(reason_names[reason])] = others[reason];
-    return chosen;
+TraceContents contents_of(const Trace& trace, std::size_t jobs) {
+    const bool is_whole = !trace.is_partial && trace.end && trace.damage.empty() &&
+                          trace.size() < std::numeric_limits<std::uint32_t>::max();
+    if (!is_whole)
+        return {};
+    constexpr std::size_t steps_in_part = 1 << 14;
+    jobs = jobs == 0 ? usual_jobs() : jobs;
+    const std::vector<std::size_t> ends = ends_of_parts(trace, steps_in_part);
+    std::vector<TraceContents> parts(ends.size());
+    std::vector<StepReader> readers;
+    for (std::size_t i = 0; i < jobs; ++i)
+        readers.emplace_back(trace);
+    in_threads(ends.size(), jobs, [&](std::size_t i, std::size_t thread) {
+        parts[i] = contents_of(trace, readers[thread], i == 0 ? 1 : ends[i - 1], ends[i]);
+    });
+    for (std::size_t i = 1; i < parts.size(); ++i)
+        append(parts[0], parts[i]);
+    return std::move(parts[0]);
 }
 
 } // namespace rastertrace

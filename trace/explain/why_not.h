@@ -13,7 +13,6 @@
 #include <rastertrace/trace/record/traced_steps.h>
 
 #include <cstddef>
-#include <limits>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -37,8 +36,6 @@ struct PrimitiveSteps {
     std::string may_lack{};             ///< why steps of it may be missing; "" if all are there
     std::vector<std::string> working{}; ///< of its row, or its sample, in the pixel
     const ToldSamples* samples = nullptr; ///< those of the trace
-    double farthest_told =
-        std::numeric_limits<double>::infinity(); ///< in pixels; beyond, no words are needed
 };
 
 /// The first step of a kind among some.

@@ -201,28 +201,6 @@ std::size_t outermost_corner(const Case& c, bool is_top) {
     return best;
 }
 
-/// How far the row of the pixel lies from a triangle that does not reach it, as far as doubles tell it.
-std::optional<double> distance_in_doubles(const Case& c, bool is_above) {
-    const bool wants_largest = (c.trace.canvas.down() < 0) == is_above;
-    const double sample = nearest_double(c.sample.y);
-    std::optional<double> outermost;
-    double largest = std::abs(sample);
-    for (const TracedList<TracedNumber>& corner : c.steps.told.at.values()) {
-        const auto place = corner.values();
-        const auto y = place.size() == 2 ? stored_double_in(place[1].text(), false) : std::nullopt;
-        if (!y)
-            return std::nullopt;
-        outermost = !outermost      ? *y
-                    : wants_largest ? std::max(*outermost, *y)
-                                    : std::min(*outermost, *y);
-        largest = std::max(largest, std::abs(*y));
-    }
-    if (!outermost)
-        return std::nullopt;
-    constexpr double rounded = 0x1p-50; // more than three numbers are rounded by
-    return std::abs(sample - *outermost) - rounded * largest;
-}
-
 /// A row that the triangle does not reach.
 std::optional<WhyNot> by_rows(const Case& c) {
     const Canvas& canvas = c.trace.canvas;
@@ -240,10 +218,6 @@ std::optional<WhyNot> by_rows(const Case& c) {
         return std::nullopt;
     const bool is_above = canvas.row_of(c.pixel.y) < canvas.row_of(*top);
     const bool is_below = canvas.row_of(c.pixel.y) > canvas.row_of(*bottom);
-    if ((is_above || is_below) && c.steps.may_lack.empty())
-        if (const auto least = distance_in_doubles(c, is_above);
-            least && *least > c.steps.farthest_told)
-            return WhyNot{.reason = "outside", .distance = least};
     const std::string rows =
         *top == *bottom ? said({"its only row, y={}", "sua única linha, y={}"}, *top)
                         : said({"its rows, y={} to {}", "suas linhas, y={} a {}"}, *top, *bottom);

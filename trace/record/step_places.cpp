@@ -76,7 +76,7 @@ void StepPlaces::add(const StepPlace& step) {
     }
     if (blocks_.back().form == kept) {
         kept_.push_back(step);
-        at_hand_.count = 0;
+        finder_.start_over();
     }
     ++size_;
 }
@@ -92,7 +92,7 @@ void StepPlaces::add_lines(const MeasuredLines& lines) {
         for (std::size_t line = i; line < i + count; ++line)
             offset += lines.sizes[line];
     }
-    kinds_at_hand_.count = 0;
+    finder_.start_over();
     if (!are_measured) {
         end_of_line_ = lines.end - 1;
         return;
@@ -166,41 +166,41 @@ void StepPlaces::check_indexed(std::size_t block, std::string_view text) const {
     is_checked_[block] = true;
 }
 
-const StepPlace& StepPlaces::found(std::size_t n, std::string_view text) const {
-    const std::size_t place = block_of(n);
-    const Block& block = blocks_[place];
-    if (block.form == Block::Form::kept)
-        return take_to_hand(place, kept_.data() + block.begin, n);
+const StepPlace& StepFinder::found(std::size_t n, std::string_view text) {
+    const std::size_t place = steps_.block_of(n);
+    const StepPlaces::Block& block = steps_.blocks_[place];
+    if (block.form == StepPlaces::Block::Form::kept)
+        return take_to_hand(place, steps_.kept_.data() + block.begin, n);
 
-    const std::size_t count = end_of(place) - block.first;
+    const std::size_t count = steps_.end_of(place) - block.first;
     found_.resize(blocks_found);
     FoundBlock& known = found_[place % blocks_found];
     if (known.block != place || known.places.size() < count) {
         known.block = place;
         known.places.clear();
-        check_indexed(place, text);
-        find_lines(block, count, text, known.places);
+        steps_.check_indexed(place, text);
+        steps_.find_lines(block, count, text, known.places);
     }
     return take_to_hand(place, known.places.data(), n);
 }
 
-std::optional<StepKind> StepPlaces::found_kind(std::size_t n, std::string_view text) const {
+std::optional<StepKind> StepFinder::found_kind(std::size_t n, std::string_view text) {
     if (n - at_hand_.first < at_hand_.count)
         return at_hand_.places[n - at_hand_.first].kind;
-    const std::size_t place = block_of(n);
-    const Block& block = blocks_[place];
-    if (block.form != Block::Form::measured)
+    const std::size_t place = steps_.block_of(n);
+    const StepPlaces::Block& block = steps_.blocks_[place];
+    if (block.form != StepPlaces::Block::Form::measured)
         return at(n, text).kind;
     kinds_at_hand_ = {.first = block.first,
-                      .count = end_of(place) - block.first,
-                      .kinds = kinds_.data() + block.measured};
+                      .count = steps_.end_of(place) - block.first,
+                      .kinds = steps_.kinds_.data() + block.measured};
     return static_cast<StepKind>(kinds_at_hand_.kinds[n - block.first]);
 }
 
-const StepPlace& StepPlaces::take_to_hand(std::size_t block, const StepPlace* places,
-                                          std::size_t n) const {
-    at_hand_.first = blocks_[block].first;
-    at_hand_.count = end_of(block) - at_hand_.first;
+const StepPlace& StepFinder::take_to_hand(std::size_t block, const StepPlace* places,
+                                          std::size_t n) {
+    at_hand_.first = steps_.blocks_[block].first;
+    at_hand_.count = steps_.end_of(block) - at_hand_.first;
     at_hand_.places = places;
     return places[n - at_hand_.first];
 }

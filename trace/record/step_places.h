@@ -50,6 +50,61 @@ struct StepPlace {
 class TraceIndex;
 struct IndexedBlock;
 
+class StepPlaces;
+
+/// Finds steps, and remembers where the last ones were. Two threads have one each.
+class StepFinder {
+public:
+    /// No step is added to `places` while somebody else finds one there.
+    explicit StepFinder(const StepPlaces& places) : steps_(places) {}
+
+    /// Step n, from 1 on, in the text that it was added from. The reference is valid until the next call.
+    const StepPlace& at(std::size_t n, std::string_view text) {
+        return n - at_hand_.first < at_hand_.count ? at_hand_.places[n - at_hand_.first]
+                                                   : found(n, text);
+    }
+
+    /// The kind of step n.
+    std::optional<StepKind> kind(std::size_t n, std::string_view text) {
+        if (n - kinds_at_hand_.first < kinds_at_hand_.count)
+            return static_cast<StepKind>(kinds_at_hand_.kinds[n - kinds_at_hand_.first]);
+        return found_kind(n, text);
+    }
+
+    /// Steps have been added.
+    void start_over() { at_hand_.count = kinds_at_hand_.count = 0; }
+
+private:
+    /// A block whose steps have been found.
+    struct FoundBlock {
+        std::size_t block = 0;
+        std::vector<StepPlace> places = {};
+    };
+
+    /// The block that was asked of last.
+    struct AtHand {
+        std::size_t first = 0;
+        std::size_t count = 0;
+        const StepPlace* places = nullptr;
+    };
+
+    /// The kinds of measured lines that were asked of last.
+    struct KindsAtHand {
+        std::size_t first = 0;
+        std::size_t count = 0;
+        const std::uint8_t* kinds = nullptr;
+    };
+
+    const StepPlace& found(std::size_t n, std::string_view text);
+    std::optional<StepKind> found_kind(std::size_t n, std::string_view text);
+    const StepPlace& take_to_hand(std::size_t block, const StepPlace* places, std::size_t n);
+
+    const StepPlaces& steps_;
+    std::vector<FoundBlock> found_; ///< a block has one place here, whatever is there
+    AtHand at_hand_ = {};
+    KindsAtHand kinds_at_hand_ = {};
+};
+
 class StepPlaces {
 public:
     StepPlaces() = default;
@@ -73,19 +128,16 @@ public:
 
     /// Step n, from 1 to size(), in the text that it was added from. The reference is valid until the next call. Not for
     /// two threads at once.
-    const StepPlace& at(std::size_t n, std::string_view text) const {
-        return n - at_hand_.first < at_hand_.count ? at_hand_.places[n - at_hand_.first]
-                                                   : found(n, text);
-    }
+    const StepPlace& at(std::size_t n, std::string_view text) const { return finder_.at(n, text); }
 
     /// The kind of step n.
     std::optional<StepKind> kind(std::size_t n, std::string_view text) const {
-        if (n - kinds_at_hand_.first < kinds_at_hand_.count)
-            return static_cast<StepKind>(kinds_at_hand_.kinds[n - kinds_at_hand_.first]);
-        return found_kind(n, text);
+        return finder_.kind(n, text);
     }
 
 private:
+    friend class StepFinder;
+
     /// Steps one behind the other: all of them of one form.
     struct Block {
         enum class Form : std::uint8_t { kept, plain, measured };
@@ -95,29 +147,6 @@ private:
         std::size_t measured; ///< where its lines are in kinds_ and sizes_
     };
 
-    /// A block whose steps have been found.
-    struct FoundBlock {
-        std::size_t block = 0;
-        std::vector<StepPlace> places = {};
-    };
-
-    /// The block that was asked of last.
-    struct AtHand {
-        std::size_t first = 0;
-        std::size_t count = 0;
-        const StepPlace* places = nullptr;
-    };
-
-    /// The kinds of measured lines that were asked of last.
-    struct KindsAtHand {
-        std::size_t first = 0;
-        std::size_t count = 0;
-        const std::uint8_t* kinds = nullptr;
-    };
-
-    const StepPlace& found(std::size_t n, std::string_view text) const;
-    std::optional<StepKind> found_kind(std::size_t n, std::string_view text) const;
-    const StepPlace& take_to_hand(std::size_t block, const StepPlace* places, std::size_t n) const;
     void find_lines(const Block& block, std::size_t count, std::string_view text,
                     std::vector<StepPlace>& places) const;
     void check_indexed(std::size_t block, std::string_view text) const;
@@ -133,10 +162,8 @@ private:
     std::size_t size_ = 0;
     std::size_t end_of_line_ = 0; ///< behind the last plain step
 
-    mutable std::vector<bool> is_checked_;  ///< the text of an indexed block has been looked at
-    mutable std::vector<FoundBlock> found_; ///< a block has one place here, whatever is there
-    mutable AtHand at_hand_ = {};
-    mutable KindsAtHand kinds_at_hand_ = {};
+    mutable std::vector<bool> is_checked_; ///< the text of an indexed block has been looked at
+    mutable StepFinder finder_{*this};
 };
 
 } // namespace rastertrace

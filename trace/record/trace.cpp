@@ -88,10 +88,16 @@ std::size_t Trace::size() const {
     return steps_->size();
 }
 
+namespace {
+
+StepView step_at(const StepPlace& place, std::string_view text) {
+    return place.pixel ? StepView(*place.pixel) : StepView(text.substr(place.offset, place.length));
+}
+
+} // namespace
+
 StepView Trace::step(std::size_t n) const {
-    const StepPlace& place = place_of(n);
-    return place.pixel ? StepView(*place.pixel)
-                       : StepView(text().substr(place.offset, place.length));
+    return step_at(place_of(n), text());
 }
 
 std::size_t Trace::offset_of(std::size_t n) const {
@@ -101,6 +107,23 @@ std::size_t Trace::offset_of(std::size_t n) const {
 std::optional<StepKind> Trace::kind_of(std::size_t n) const {
     assert(n > 0 && n <= size());
     return steps_->kind(n, text());
+}
+
+StepReader::StepReader(const Trace& trace)
+    : trace_(trace), finder_(std::make_unique<StepFinder>(*trace.steps_)) {}
+StepReader::~StepReader() = default;
+StepReader::StepReader(StepReader&&) noexcept = default;
+
+StepView StepReader::step(std::size_t n) const {
+    return step_at(finder_->at(n, trace_.text()), trace_.text());
+}
+
+std::optional<StepKind> StepReader::kind_of(std::size_t n) const {
+    return finder_->kind(n, trace_.text());
+}
+
+bool StepReader::is_plain(std::size_t n) const {
+    return finder_->at(n, trace_.text()).is_plain;
 }
 
 std::optional<ReplayState> Trace::state_ahead(std::size_t of, std::size_t n) const {

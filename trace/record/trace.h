@@ -32,6 +32,7 @@
 namespace rastertrace {
 
 class ReplayState;
+class StepFinder;
 class StepPlaces;
 class TraceIndex;
 struct Plan;
@@ -196,6 +197,7 @@ private:
     friend class GrowingTrace;
     friend class DrawnSteps;
     friend class IndexWriter;
+    friend class StepReader;
 
     std::string_view text() const {
         return text_of_file_.data() != nullptr ? text_of_file_ : std::string_view(source_.text);
@@ -209,6 +211,23 @@ private:
     mutable std::unique_ptr<ReplayState> end_state_;
     std::shared_ptr<const TraceIndex> index_;
     std::vector<std::size_t> numbers_; ///< of an excerpt: those of its steps in the whole trace
+};
+
+/// The steps of a trace, for one of several threads: each has its own. Not of a trace with an index.
+class StepReader {
+public:
+    explicit StepReader(const Trace& trace);
+    ~StepReader();
+    StepReader(StepReader&&) noexcept;
+
+    /// The same as of the trace.
+    StepView step(std::size_t n) const;
+    std::optional<StepKind> kind_of(std::size_t n) const;
+    bool is_plain(std::size_t n) const;
+
+private:
+    const Trace& trace_;
+    std::unique_ptr<StepFinder> finder_;
 };
 
 /// How a trace is read.

@@ -228,7 +228,7 @@ private:
             else if (kind == StepKind::vertex)
                 vertices_.push_back(
                     {.name = checksum_of(name_of_vertex(offset, sizes[i])), .step = step});
-            else if (primitives_.empty() || kind == StepKind::matrix || kind == StepKind::order)
+            else if (is_loose(kind, !primitives_.empty()))
                 loose_.push_back(step);
         }
         lines.play(state_);

@@ -77,6 +77,12 @@ struct PixelUnits {
         others{}; ///< primitives about no pixel: how many of each reason
 };
 
+/// True for steps that belong to no primitive: all up to the first, and those about the whole scene. `vertex` steps
+/// are found by name.
+constexpr bool is_loose(StepKind kind, bool is_behind_primitive) {
+    return !is_behind_primitive || kind == StepKind::matrix || kind == StepKind::order;
+}
+
 /// How fine an index is. Small ones are for tests.
 struct IndexGrain {
     std::size_t block = 1 << 16;    ///< bytes of the trace

@@ -11,12 +11,11 @@
 
 #include <array>
 #include <charconv>
+#include <cmath>
 #include <system_error>
 #include <type_traits>
 #include <utility>
 #include <variant>
-
-#include <charconv>
 
 namespace rastertrace {
 
@@ -49,6 +48,20 @@ std::optional<double> quotient_rounded_once(std::string_view json) {
         return std::nullopt;
     const auto below = take_whole();
     return below && *below > 0 && at == end ? std::optional(*above / *below) : std::nullopt;
+}
+
+// The standard library for pages reads no floating-point numbers so.
+template <typename Stored>
+std::optional<double> stored_at_once([[maybe_unused]] std::string_view json) {
+#ifdef __cpp_lib_to_chars
+    Stored stored = 0;
+    const char* const end = json.data() + json.size();
+    const auto read = std::from_chars(json.data(), end, stored);
+    const bool is_number = read.ec == std::errc() && read.ptr == end && std::isfinite(stored);
+    if (is_number)
+        return static_cast<double>(stored);
+#endif
+    return std::nullopt;
 }
 
 /// What a value of this type is, and of a list, what its values are.
@@ -106,8 +119,16 @@ std::optional<Rational> TracedNumber::exact() const {
 std::optional<double> TracedNumber::nearest_double() const {
     if (const auto quotient = quotient_rounded_once(json()))
         return quotient;
+    constexpr double usual = 1e300; // others are looked at closely
+    const auto stored = stored_double_in(json(), false);
+    if (stored && (*stored == 0 || (1 / usual < std::abs(*stored) && std::abs(*stored) < usual)))
+        return *stored + 0.0; // not -0
     const auto number = number_of(text());
     return number ? std::optional(number->nearest_double()) : std::nullopt;
+}
+
+std::optional<double> stored_double_in(std::string_view json, bool is_float) {
+    return is_float ? stored_at_once<float>(json) : stored_at_once<double>(json);
 }
 
 std::string TracedValue::text() const {

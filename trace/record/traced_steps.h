@@ -83,6 +83,9 @@ public:
     std::optional<double> nearest_double() const;
 };
 
+/// What a double or, of floats, a float stores of a JSON number; nothing for what has to be looked at closely.
+std::optional<double> stored_double_in(std::string_view json, bool is_float);
+
 /// True or false.
 class TracedFlag : public TracedValue {
 public:

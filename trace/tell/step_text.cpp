@@ -12,7 +12,6 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <cstdlib>
 #include <numbers>
@@ -67,28 +66,6 @@ Rational as_stored(const Rational& number, std::string_view json, bool is_float)
     const double stored =
         is_float ? static_cast<double>(nearest_float(number)) : nearest_double(number);
     return std::isfinite(stored) ? Rational(stored) : number;
-}
-
-namespace {
-
-// The standard library for pages reads no floating-point numbers so.
-template <typename Stored>
-std::optional<double> stored_at_once([[maybe_unused]] std::string_view json) {
-#ifdef __cpp_lib_to_chars
-    Stored stored = 0;
-    const char* const end = json.data() + json.size();
-    const auto read = std::from_chars(json.data(), end, stored);
-    const bool is_number = read.ec == std::errc() && read.ptr == end && std::isfinite(stored);
-    if (is_number)
-        return static_cast<double>(stored);
-#endif
-    return std::nullopt;
-}
-
-} // namespace
-
-std::optional<double> stored_double_in(std::string_view json, bool is_float) {
-    return is_float ? stored_at_once<float>(json) : stored_at_once<double>(json);
 }
 
 std::optional<Rational> stored_number_in(std::string_view json, bool is_float) {
@@ -187,10 +164,13 @@ std::string what_numbers_give(const Trace& trace, std::size_t step) {
                              printable(found->second));
 }
 
-PrimitiveText primitive_in(const StepView& step) {
-    const auto told = step.as<PrimitiveStep>();
+PrimitiveText primitive_in(const PrimitiveStep& told) {
     return {told.kind,   told.name.text(), told.vertices.texts(), text_rows(told.at), told.depths,
             told.colors, told.radius};
+}
+
+PrimitiveText primitive_in(const StepView& step) {
+    return primitive_in(step.as<PrimitiveStep>());
 }
 
 std::string place_in_code(const Trace& trace, std::size_t step) {

@@ -67,9 +67,6 @@ std::optional<Rational> number_in(std::string_view text);
 Rational as_stored(const Rational& number, std::string_view json, bool is_float);
 std::optional<Rational> stored_number_in(std::string_view json, bool is_float);
 
-/// The same of a JSON number that a double or, of floats, a float stores; nothing for what has to be looked at closely.
-std::optional<double> stored_double_in(std::string_view json, bool is_float);
-
 /// The same for the coordinates of a point.
 using Vec2 = Vec<Rational, 2>;
 using Vec3 = Vec<Rational, 3>;
@@ -121,6 +118,7 @@ std::string what_numbers_give(const Trace& trace, std::size_t step);
 std::string place_in_code(const Trace& trace, std::size_t step);
 
 /// What a `primitive` step says.
+PrimitiveText primitive_in(const PrimitiveStep& told);
 PrimitiveText primitive_in(const StepView& step);
 
 /// AB, or A1-B1: the edge between two of its vertices.

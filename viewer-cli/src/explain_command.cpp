@@ -181,6 +181,7 @@ public:
         if (!command_.json)
             command_.question.most_why_not = most_why_not_told;
         drawing_.read_into(command_);
+        command_.question.jobs = command_.input.jobs;
     }
 
     int run() override { return rastertrace::run(command_); }

@@ -247,7 +247,7 @@ void renew_index(const std::string& path, const InputLimits& limits) {
         if (packing_named(path) != Packing::none)
             throw problem_of(index, "expected a trace that is not packed, found a packed one");
         if (trace)
-            write_index(trace.value(), pixel_units_of(trace.value()), index);
+            write_index(trace.value(), contents_of(trace.value(), limits.jobs).known, index);
     } catch (const Problem& problem) {
         if (problem.cause == Problem::Cause::system)
             throw;
