@@ -16,6 +16,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <map>
 #include <set>
@@ -102,16 +103,38 @@ bool larger_is_nearer(const Trace& trace) {
     return false;
 }
 
+namespace {
+
+/// The color of a `primitive` step that is written as StepWriter writes it, if it has but one: those of its corners would
+/// stand behind it.
+std::string_view only_color(std::string_view json) {
+    constexpr std::string_view key = R"("color)";
+    const std::size_t at = json.rfind(key);
+    const std::string_view behind = at == json.npos ? "" : json.substr(at + key.size());
+    constexpr std::string_view value = R"(":")";
+    return behind.starts_with(value)
+               ? behind.substr(value.size(), behind.find('"', value.size()) - value.size())
+               : "";
+}
+
+} // namespace
+
 View default_view(const Trace& trace, std::size_t most_steps) {
     std::set<std::string> faces;
-    std::set<std::string> colors;
+    std::set<std::string, std::less<>> colors;
     for (std::size_t n = 1; n <= std::min(trace.size(), most_steps); ++n) {
         const auto kind = trace.kind_of(n);
         if (kind == StepKind::light)
             return View::shade;
         if (kind != StepKind::primitive)
             continue;
-        const auto primitive = trace.step(n).as<PrimitiveStep>();
+        const StepView step = trace.step(n);
+        if (faces.size() > face_letters.size() &&
+            trace.is_plain(n)) // of many, most tell nothing new
+            if (const auto color = only_color(step.json());
+                !color.empty() && (colors.size() >= 2 || colors.contains(color)))
+                continue;
+        const auto primitive = step.as<PrimitiveStep>();
         if (primitive.colors)
             return View::shade;
         if (!is_filled(primitive.kind) || primitive.painted.is_false())
