@@ -21,4 +21,13 @@ template <typename Count> constexpr Count all_cases(Count all) {
 #endif
 }
 
+/// The address sanitizer needs time and memory of its own: neither is bounded then.
+#ifdef __SANITIZE_ADDRESS__
+inline constexpr bool is_sanitized = true;
+#elif defined(__has_feature)
+inline constexpr bool is_sanitized = __has_feature(address_sanitizer);
+#else
+inline constexpr bool is_sanitized = false;
+#endif
+
 } // namespace rastertrace

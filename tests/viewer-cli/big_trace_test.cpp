@@ -384,11 +384,7 @@ TEST_F(BigTrace, ATraceThatShrinksWhileItIsReadIsToldOf) {
     const std::vector<std::string> sizes{"0", "1000", "4000000"};
     const int rounds = is_long() ? 20 : 2;
     // A command takes tenths of a second, under the sanitizer seconds: some of the cuts fall into its reading.
-#ifdef __SANITIZE_ADDRESS__
-    const std::string unit = "0.";
-#else
-    const std::string unit = "0.0";
-#endif
+    const std::string unit = is_sanitized ? "0." : "0.0";
     std::size_t cut_short = 0;
     for (const std::string_view question : questions)
         for (const std::string& size : sizes)
@@ -439,9 +435,9 @@ TEST_F(BigTrace, ALineOfAnyLengthIsRefusedInBoundedMemory) {
         const Outcome told = shell("$rastertrace " + std::string(question));
         EXPECT_EQ(told.status, 2) << question;
         EXPECT_THAT(told.err, HasSubstr("expected lines of at most 16 MB in a trace")) << question;
-#ifndef __SANITIZE_ADDRESS__
-        EXPECT_LT(told.peak_memory, 150'000'000) << question;
-#endif
+        if (!is_sanitized) {
+            EXPECT_LT(told.peak_memory, 150'000'000) << question;
+        }
     }
     const Outcome piped = shell("$rastertrace stats - < t");
     EXPECT_EQ(piped.status, 2);
@@ -459,17 +455,16 @@ TEST_F(BigTrace, ATraceFromAPipeIsNotHeldInMemory) {
         const Outcome piped = shell("cat t | $rastertrace " + command + " -");
         EXPECT_EQ(piped.status, 0) << piped.err;
         EXPECT_EQ(piped.out, answer);
-#ifndef __SANITIZE_ADDRESS__
-        EXPECT_LT(piped.peak_memory, most) << command;
-#endif
+        if (!is_sanitized) {
+            EXPECT_LT(piped.peak_memory, most) << command;
+        }
     }
 }
 
 /// Time and memory grow with the names and no faster: ten times as many take at most twelve times as long.
 TEST_F(BigTrace, ManyNamesAreReadInTheirTime) {
-#ifdef __SANITIZE_ADDRESS__
-    GTEST_SKIP() << "the sanitizer needs time and memory of its own";
-#endif
+    if (is_sanitized)
+        GTEST_SKIP() << "the sanitizer needs time and memory of its own";
     const std::string many = is_long() ? "10000000" : "1000000";
     shell(std::string(write_names) + "names " + many + " > t; cp t sound");
     const long bytes = static_cast<long>(fs::file_size(folder_ / "t"));
@@ -498,9 +493,10 @@ TEST_F(BigTrace, ABombBehindAHeaderIsRefusedInBoundedMemory) {
                 const Outcome told = shell("$rastertrace " + std::string(question));
                 EXPECT_EQ(told.status, 2) << question;
                 EXPECT_THAT(told.err, HasSubstr("rastertrace: ")) << question;
-#ifndef __SANITIZE_ADDRESS__
-                EXPECT_LT(told.peak_memory, static_cast<long>(3 * size + 100'000'000)) << question;
-#endif
+                if (!is_sanitized) {
+                    EXPECT_LT(told.peak_memory, static_cast<long>(3 * size + 100'000'000))
+                        << question;
+                }
             }
         }
     }

@@ -2,6 +2,7 @@
 // `rastertrace convert` and `trace --flat` as a user calls them. Rows are compared with the trace as another reader of
 // JSON has it.
 
+#include "effort.h"
 #include "program.h"
 
 #include <gmock/gmock.h>
@@ -87,9 +88,8 @@ bool has_text(const Json& value) {
 class ConvertMemoryTest : public ProgramTest {};
 
 TEST_F(ConvertMemoryTest, DoesNotGrowWithTheTrace) {
-#ifdef __SANITIZE_ADDRESS__
-    GTEST_SKIP() << "the sanitizer needs memory of its own";
-#endif
+    if (is_sanitized)
+        GTEST_SKIP() << "the sanitizer needs memory of its own";
     write("scene.json", R"({"canvas":{"width":800,"height":800},"method":{"fill":"barycentric"},
                             "vertices":{"A":[-390,-390],"B":[390,-390],"C":[0,390]},
                             "triangles":["ABC"]})");

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // What the program says of files that it cannot read, and what it takes to read large ones.
 
+#include "effort.h"
 #include "program.h"
 
 #include <gmock/gmock.h>
@@ -264,9 +265,8 @@ TEST_F(ProgramTest, AFileOfAnySizeIsReadBlockByBlock) {
 
 // 8 bytes for each byte of input, and what the program itself needs.
 TEST_F(ProgramTest, ReadingTakesLittleMemory) {
-#ifdef __SANITIZE_ADDRESS__
-    GTEST_SKIP() << "the sanitizer needs memory of its own";
-#endif
+    if (is_sanitized)
+        GTEST_SKIP() << "the sanitizer needs memory of its own";
     constexpr long of_program = 16'000'000;
     const auto peak = [this](const std::string& name) {
         const Outcome outcome = shell("$rastertrace plan " + name);
@@ -305,9 +305,8 @@ TEST_F(ProgramTest, ReadingTakesLittleMemory) {
 // Of each pixel its color, the step that drew it, and of a bitmap in twice the size four pixels of four bytes; and 256 MB,
 // however many steps there are: pixels of a row are one step.
 TEST_F(ProgramTest, ALargeCanvasTakesBytesForItsPixelsAndNotForItsSteps) {
-#ifdef __SANITIZE_ADDRESS__
-    GTEST_SKIP() << "the sanitizer needs memory of its own";
-#endif
+    if (is_sanitized)
+        GTEST_SKIP() << "the sanitizer needs memory of its own";
     constexpr long width = 8192;
     constexpr long height = 2048;
     write("scene.json", R"({"canvas":{"width":8192,"height":2048},
