@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // A trace that is opened by its index is the trace that is read; an index of anything else is never used.
 
+#include "effort.h"
 #include "random_scene.h"
 #include "same_replay.h"
 #include "traces.h"
@@ -204,13 +205,13 @@ TEST_F(TraceIndexTest, HasTheStepsAndTheReplaysOfTheTrace) {
 
 TEST_F(TraceIndexTest, AnswersAsTheTraceDoes) {
     std::size_t by_index = 0;
-    for (std::uint64_t seed = 0; seed < 150; ++seed) {
+    for (std::uint64_t seed = 0; seed < all_cases(150U); ++seed) {
         if (!draw(RandomScene(seed).text(), TraceLayout::jsonl))
             continue;
         by_index += expect_same_answers(read(), opened(), 1 + seed % 3, 3);
         ASSERT_FALSE(HasFailure()) << "seed " << seed;
     }
-    EXPECT_GT(by_index, 100U);
+    EXPECT_GT(by_index, all_cases(100U));
 }
 
 TEST_F(TraceIndexTest, AnswersAsTheTracesOfExamplesDo) {
@@ -230,10 +231,34 @@ TEST_F(TraceIndexTest, AnswersAsTheTracesOfExamplesDo) {
             continue;
         write(path_, text);
         make_index();
-        by_index += expect_same_answers(read(), opened(), 2, 8);
+        constexpr int every = all_cases(10) == 10 ? 8 : 24;
+        by_index += expect_same_answers(read(), opened(), 2, every);
         ASSERT_FALSE(HasFailure()) << example;
     }
-    EXPECT_GT(by_index, 100U);
+    EXPECT_GT(by_index, all_cases(100U));
+}
+
+TEST_F(TraceIndexTest, ATraceInPartsHasWhatItHasAsAWhole) {
+    std::size_t with_parts_of_primitives = 0;
+    for (std::uint64_t seed = 0; seed < all_cases(150U); ++seed) {
+        if (!draw(RandomScene(seed).text(), TraceLayout::jsonl))
+            continue;
+        const Trace trace = read();
+        const TraceContents whole = contents_of(trace, 1, trace.size());
+        const TraceContents parts = contents_of(trace, 2, 1);
+        ASSERT_TRUE(whole.known.are_known);
+        EXPECT_TRUE(parts.known.are_known);
+        EXPECT_TRUE(parts.known.units == whole.known.units) << seed;
+        EXPECT_EQ(parts.known.others, whole.known.others) << seed;
+        EXPECT_EQ(parts.primitives, whole.primitives) << seed;
+        EXPECT_EQ(parts.loose, whole.loose) << seed;
+        EXPECT_EQ(parts.vertices, whole.vertices) << seed;
+        with_parts_of_primitives += std::any_of(whole.known.units.begin(), whole.known.units.end(),
+                                                [](const PixelUnit& unit) { return unit.is_part; })
+                                        ? 1
+                                        : 0;
+    }
+    EXPECT_GT(with_parts_of_primitives, all_cases(10U));
 }
 
 TEST_F(TraceIndexTest, AnswersOfManyTrianglesWithFewOfThem) {

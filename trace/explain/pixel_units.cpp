@@ -330,12 +330,11 @@ std::vector<std::size_t> ends_of_parts(const Trace& trace, std::size_t least) {
 
 } // namespace
 
-TraceContents contents_of(const Trace& trace, std::size_t jobs) {
+TraceContents contents_of(const Trace& trace, std::size_t jobs, std::size_t steps_in_part) {
     const bool is_whole = !trace.is_partial && trace.end && trace.damage.empty() &&
                           trace.size() < std::numeric_limits<std::uint32_t>::max();
     if (!is_whole)
         return {};
-    constexpr std::size_t steps_in_part = 1 << 14;
     jobs = jobs == 0 ? usual_jobs() : jobs;
     const std::vector<std::size_t> ends = ends_of_parts(trace, steps_in_part);
     std::vector<TraceContents> parts(ends.size());

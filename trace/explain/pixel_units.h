@@ -33,9 +33,10 @@ struct TraceContents {
     std::vector<std::uint32_t> vertices{};   ///< `vertex` steps
 };
 
-/// In so many threads; 0: as many as run at once. Nothing is known of a trace that lacks steps, or has some that are not
-/// written as StepWriter writes them.
-TraceContents contents_of(const Trace& trace, std::size_t jobs = 0);
+/// In so many threads, each with parts of at least so many steps; 0: as many as run at once. Nothing is known of a trace
+/// that lacks steps, or has some that are not written as StepWriter writes them.
+TraceContents contents_of(const Trace& trace, std::size_t jobs = 0,
+                          std::size_t steps_in_part = 1 << 14);
 
 /// What is needed of a trace to tell of a pixel and of the primitives nearest to it.
 struct StepsToRead {

@@ -68,6 +68,8 @@ struct PixelUnit {
     std::array<std::int16_t, 2> columns{1, 0};
     std::array<std::int16_t, 2> rows{1, 0};
     std::array<float, 9> values{}; ///< of its rule
+
+    friend bool operator==(const PixelUnit&, const PixelUnit&) = default;
 };
 
 struct PixelUnits {
