@@ -12,7 +12,7 @@
 namespace rastertrace {
 namespace {
 
-constexpr const char* scene = R"({"canvas":{"width":17,"height":14},
+constexpr const char* scene_json = R"({"canvas":{"width":17,"height":14},
  "vertices":{"A":[2,5],"B":[-4,-3],"C":[5,-3]},
  "triangles":["ABC"],
  "method":{"scalar":"exact"}})";
@@ -20,7 +20,7 @@ constexpr const char* scene = R"({"canvas":{"width":17,"height":14},
 class ValidateTest : public ProgramTest {
 protected:
     ValidateTest() {
-        write("scene.json", scene);
+        write("scene.json", scene_json);
         write("claims.txt", "scene: scene.json\ny=2: -1/4, 25/8 -> -1..3\nA screen: 9, 9\n");
         shell("$rastertrace trace scene.json -o trace.json; $rastertrace trace scene.json -o "
               "trace.jsonl");
