@@ -7,4 +7,4 @@
 #     scripts/check-big-traces.sh [build/test/tests/test-viewer-cli]
 set -eu
 cd "$(dirname "$0")/.."
-RASTERTRACE_LONG=1 exec "${1:-build/test/tests/test-viewer-cli}" --gtest_filter='BigTrace.*'
+RASTERTRACE_LONG=1 exec "${1:-build/test/tests/test-viewer-cli}" --gtest_filter='BigTrace.*:BigTraceMemory.*'
