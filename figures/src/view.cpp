@@ -105,8 +105,8 @@ bool larger_is_nearer(const Trace& trace) {
 
 namespace {
 
-/// The color of a `primitive` step that is written as StepWriter writes it, if it has but one: those of its corners would
-/// stand behind it.
+/// The "color" of a `primitive` step that StepWriter has written, or "" if the step has "colors" of its corners: StepWriter
+/// writes these behind it.
 std::string_view only_color(std::string_view json) {
     constexpr std::string_view key = R"("color)";
     const std::size_t at = json.rfind(key);

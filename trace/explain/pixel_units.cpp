@@ -268,7 +268,7 @@ private:
     std::vector<UnitSteps> units_;
 };
 
-/// Adds what is behind.
+/// Adds the contents of the next part of the trace.
 void append(TraceContents& contents, const TraceContents& behind) {
     contents.known.are_known = contents.known.are_known && behind.known.are_known;
     for (std::size_t reason = 0; reason < far_reasons; ++reason)
@@ -289,7 +289,7 @@ TraceContents contents_of(const Trace& trace, const StepReader& steps, std::size
     Group group;
     for (std::size_t n = first; n < end; ++n) {
         const auto kind = steps.kind_of(n);
-        // Of another program's steps only those that are looked for are understood.
+        // Lines of another program may lack what the rules below rely on.
         found.known.are_known = found.known.are_known && kind && steps.is_plain(n);
         if (!found.known.are_known)
             break;
