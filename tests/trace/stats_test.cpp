@@ -15,6 +15,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
+#include <sstream>
 #include <string>
 #include <utility>
 #include <vector>
@@ -286,11 +287,12 @@ TEST(Coverage, IsNotOfWhatWasLeftOutOrCutOff) {
 }
 
 TEST(SharedEdge, TheScanlineFillDrawsItTwice) {
-    const Stats stats = stats_of_scene(square({.scalar = ScalarKind::exact}));
+    const Trace trace = trace_of(square({.scalar = ScalarKind::exact}));
+    const Stats stats = stats_of(trace);
     ASSERT_EQ(stats.edges.size(), 1u);
-    EXPECT_EQ(stats.edges[0].name, "AC");
-    EXPECT_EQ(stats.edges[0].one, "ABC");
-    EXPECT_EQ(stats.edges[0].other, "ACD");
+    EXPECT_EQ(name_of(stats.edges[0], stats, trace), "AC");
+    EXPECT_EQ(stats.primitives[stats.edges[0].one].name, "ABC");
+    EXPECT_EQ(stats.primitives[stats.edges[0].other].name, "ACD");
     EXPECT_EQ(stats.edges[0].twice.count, 9u);
     EXPECT_EQ(stats.edges[0].twice.kept.front(), (Pixel{0, 0}));
     EXPECT_EQ(stats.edges[0].twice.kept.back(), (Pixel{8, 8}));
@@ -318,9 +320,10 @@ TEST(SharedEdge, PixelsOnItAndNextToItMayBeDrawnByNeither) {
     };
     draw("upper", "[[0,0],[8.0,0],[8,8]]", [](int x, int y) { return x > y; });
     draw("lower", "[[\"16/2\",8e0],[0,0],[0,8]]", [](int x, int y) { return x < y; });
-    const Stats stats = stats_of(readable_trace(text + "{\"end\":{}}\n"));
+    const Trace trace = readable_trace(text + "{\"end\":{}}\n");
+    const Stats stats = stats_of(trace);
     ASSERT_EQ(stats.edges.size(), 1u);
-    EXPECT_EQ(stats.edges[0].name, "(0, 0)-(8, 8)");
+    EXPECT_EQ(name_of(stats.edges[0], stats, trace), "(0, 0)-(8, 8)");
     EXPECT_EQ(stats.edges[0].twice.count, 0u);
     EXPECT_THAT(stats.edges[0].never.kept,
                 ElementsAre(Pixel{1, 1}, Pixel{2, 2}, Pixel{3, 3}, Pixel{4, 3}, Pixel{4, 4},
@@ -417,8 +420,11 @@ TEST(SharedEdge, OfThreeTrianglesEveryPairIsCompared) {
     const Scene scene = mesh({0, 0, 8, 0, 8, 8, 0, 8, 4, 8}, {{0, 1, 2}, {0, 2, 3}, {2, 0, 4}},
                              ten_by_ten, {.scalar = ScalarKind::exact});
     std::vector<std::string> pairs;
-    for (const SharedEdge& edge : stats_of_scene(scene).edges)
-        pairs.push_back(edge.name + " of " + edge.one + " and " + edge.other);
+    const Trace trace = trace_of(scene);
+    const Stats stats = stats_of(trace);
+    for (const auto& edge : stats.edges)
+        pairs.push_back(name_of(edge, stats, trace) + " of " + stats.primitives[edge.one].name +
+                        " and " + stats.primitives[edge.other].name);
     EXPECT_THAT(pairs, ElementsAre("AC of ABC and ACD", "AC of ABC and CAE", "AC of ACD and CAE"));
 }
 
@@ -426,6 +432,69 @@ TEST(SharedEdge, OfVeryManyTrianglesTheFirstAreCompared) {
     Scene scene = triangle_scene({"0", "0", "2", "0", "0", "2"}, ten_by_ten);
     scene.primitives.resize(100, scene.primitives[0]);
     EXPECT_EQ(stats_of_scene(scene).edges.size(), 3 * most_compared * (most_compared - 1) / 2);
+}
+
+/// All that stats tell, but for what is told of edges, by their numbers.
+std::string all_of(const Stats& stats) {
+    std::ostringstream all;
+    const auto add_pixels = [&all](const PixelList& pixels) {
+        all << pixels.count << ':';
+        for (const Pixel& pixel : pixels.kept)
+            all << ' ' << pixel.x << ' ' << pixel.y;
+        all << '\n';
+    };
+    for (const auto& [kind, count] : stats.count)
+        all << kind << ' ' << count << '\n';
+    all << stats.pixels << ' ' << stats.writes << ' ' << stats.frame << '\n';
+    for (const PrimitiveStats& one : stats.primitives) {
+        all << one.step << ' ' << one.kind << ' ' << one.name << ' ' << one.writes << ' '
+            << one.pixels << ' ' << one.over << ' ' << one.hidden << ' ' << one.skipped << '\n';
+        if (!one.coverage)
+            continue;
+        for (const auto list : {&Coverage::holes, &Coverage::open_edge, &Coverage::outside})
+            add_pixels((*one.coverage).*list);
+        for (const auto& [cause, pixels] : one.coverage->causes)
+            all << cause << ' ' << pixels << '\n';
+    }
+    for (const SharedEdge& edge : stats.edges) {
+        all << edge.one << ' ' << edge.other << ' ' << edge.named_by << '\n';
+        add_pixels(edge.twice);
+        add_pixels(edge.never);
+    }
+    for (const WrongRow& row : stats.wrong_rows)
+        all << row.step << ' ' << row.primitive << ' ' << row.missing << ' ' << row.others << '\n';
+    for (const auto& [findings, lacks] : stats.unjudged)
+        all << names_of(findings) << ' ' << lacks << '\n';
+    add_pixels(stats.depth_ties);
+    return all.str();
+}
+
+// Each primitive a part, in three threads, against one part.
+TEST(Stats, OfPartsAreThoseOfTheWhole) {
+    std::size_t primitives = 0;
+    for (std::uint64_t seed = 1; seed <= 300; ++seed) {
+        const auto read = read_scene({"scene.json", RandomScene(seed).text()});
+        if (!read)
+            continue;
+        // Also with a step less, of a kind that nobody knows, and cut off.
+        std::string text = trace_text(read.value().scene);
+        std::string strange = text;
+        const std::size_t middle = text.find('\n', text.size() / 2);
+        if (const std::size_t kind = strange.find(R"("step":"pixel")", middle);
+            kind != std::string::npos)
+            strange.replace(kind + 8, 5, "pixie");
+        if (const std::size_t next = text.find('\n', middle + 1); next != std::string::npos)
+            strange.erase(middle, next - middle);
+        for (const std::string& one : {text, strange, text.substr(0, 1 + middle)}) {
+            const auto trace = read_trace({"trace.jsonl", one});
+            if (!trace)
+                continue;
+            const Stats whole = stats_of(trace.value(), 1, one.size());
+            primitives += whole.primitives.size();
+            ASSERT_EQ(all_of(stats_of(trace.value(), 3, 1)), all_of(whole)) << "seed " << seed;
+        }
+    }
+    EXPECT_GT(primitives, 1000u);
 }
 
 TEST(WrongRows, AreNotInWhatIsDrawnHere) {

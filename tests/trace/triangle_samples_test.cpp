@@ -91,7 +91,8 @@ RC_GTEST_PROP(TriangleSamples, AreThoseOfExactEdgeFunctions, ()) {
     RC_PRE(sgn(area) != 0);
 
     const double one_rounding = *rc::gen::element(0.0, 0x1p-53, 0x1p-24);
-    const TriangleSamples samples(at, {canvas, offset}, one_rounding);
+    const CanvasSamples grid{canvas, offset};
+    const TriangleSamples samples(at, grid, one_rounding);
 
     // As docs/stats.md has it: 32 roundings of a product of the box's sides, and four of a coordinate, along a side.
     const auto [left, right] = std::minmax({at[0].x, at[1].x, at[2].x});

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include "coverage.h"
 
+#include "outside_causes.h"
+#include "positions.h"
 #include "t_junctions.h"
 #include "triangle_samples.h"
 
-#include <rastertrace/core/numbers/number.h>
+#include <rastertrace/trace/record/traced_steps.h>
 #include <rastertrace/trace/tell/step_text.h>
 #include <rastertrace/trace/text/in_threads.h>
-#include <rastertrace/trace/text/json_scanner.h>
 #include <rastertrace/trace/text/primitive_name.h>
 
 #include <fmt/core.h>
@@ -17,15 +18,20 @@
 #include <array>
 #include <iterator>
 #include <map>
+#include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
-#include <unordered_map>
+#include <tuple>
 #include <utility>
 
 namespace rastertrace {
 
 namespace {
+
+/// Primitives, or edges, that one thread looks at: their steps and corners stand near each other.
+constexpr std::size_t at_once = 64;
 
 Span common_part(const Span& a, const Span& b) {
     return {std::max(a.first, b.first), std::min(a.last, b.last)};
@@ -50,56 +56,18 @@ void put_in_order(std::vector<std::uint32_t>& pixels) {
     if (!std::is_sorted(pixels.begin(), pixels.end()))
         std::sort(pixels.begin(), pixels.end());
     pixels.erase(std::unique(pixels.begin(), pixels.end()), pixels.end());
-    pixels.shrink_to_fit();
-}
-
-// What the trace says: corners, and the pixels of a row.
-
-bool has_floats(const Trace& trace) {
-    return trace.method_value("scalar") == "float";
 }
 
 /// A triangle or an outline, with its corners.
 struct Cornered {
     const DrawnPrimitive* drawn = nullptr;
-    std::size_t place = 0; ///< in Stats::primitives
-    std::array<ScreenPoint, 3> at;
+    std::uint32_t place = 0;                ///< in Stats::primitives
     std::array<std::uint32_t, 3> corners{}; ///< numbers of the positions; the same for equal ones
-    std::optional<TriangleSamples> samples = {}; ///< of a triangle with area; they refer to `at`
+    std::unique_ptr<const TriangleSamples> samples = {}; ///< of a triangle with area
     bool is_drawn_whole = false; ///< it has all its samples, and rounding matters for none of them
+
+    const std::array<ScreenPoint, 3>& at() const { return *drawn->corners; }
 };
-
-/// A number of a step as it is stored, if it is one.
-std::optional<Coordinate> coordinate_in(std::string_view json, bool is_float) {
-    if (const auto stored = stored_double_in(json, is_float))
-        return Coordinate(*stored);
-    const auto number = stored_number_in(json, is_float);
-    return number ? std::optional(Coordinate(*number)) : std::nullopt;
-}
-
-/// The place that a point of a step stands for, if it is a pair of numbers.
-std::optional<ScreenPoint> position_in(std::string_view json, bool is_float) {
-    JsonScanner elements(json);
-    const auto next_coordinate = [&] {
-        return elements.next_element() ? coordinate_in(elements.value(), is_float) : std::nullopt;
-    };
-    const auto x = next_coordinate();
-    const auto y = x ? next_coordinate() : std::nullopt;
-    return y && !elements.next_element() ? std::optional(ScreenPoint{*x, *y}) : std::nullopt;
-}
-
-/// The corners that a primitive's step gives, numbered.
-std::optional<Cornered> corners_of(const PrimitiveStep& step, const Trace& trace,
-                                   PointNumbers& numbers) {
-    const auto at = positions_in(step, trace);
-    if (!at)
-        return std::nullopt;
-    Cornered result{.at = *at};
-    for (std::size_t i = 0; i < 3; ++i) {
-        result.corners[i] = numbers.of(result.at[i]);
-    }
-    return result;
-}
 
 /// The pixels that a primitive covers on a row of the canvas.
 std::span<const std::uint32_t> drawn_on_row(const DrawnPrimitive& primitive, Index row,
@@ -126,72 +94,11 @@ void add_missing(Coverage& coverage, int y, const Span& gap, const Span& inside)
     add(coverage.open_edge, y, common_part(gap, {inside.last + 1, gap.last}));
 }
 
-/// Why the step that found a row's ends, or the pixel itself, has led to a pixel outside: `step`, 0 if
-/// there is none.
-std::string cause_of(const Trace& trace, std::size_t step, int x, const CanvasSamples& grid) {
-    const auto kind = step == 0 ? std::nullopt : trace.kind_of(step);
-    if (kind == StepKind::sample)
-        return "the weights of the sample were rounded";
-    if (kind == StepKind::ray)
-        return "a line of the fan leaves the triangle";
-    if (kind != StepKind::scanline)
-        return "no step says why";
-
-    const auto row = trace.step(step).as<ScanlineStep>();
-    const auto left = stored_number_in(row.left.json(), has_floats(trace));
-    const auto right = stored_number_in(row.right.json(), has_floats(trace));
-    const mpq_class sample = grid.offset.x_of(x);
-    const std::string all = trace.method_value("rounding");
-    const std::string rounding = all.empty() ? "rounding" : all.substr(0, all.find('+'));
-    if (left && sample < *left)
-        return rounding + " takes the pixel left of the edge";
-    if (right && sample > *right)
-        return rounding + " takes the pixel right of the edge";
-    return "the ends of the row, as calculated, lie outside";
-}
-
-/// The causes of the pixels of a primitive that were drawn outside; `outside` has their places, in
-/// ascending order.
-std::vector<PixelCause> causes_of(const std::vector<std::uint32_t>& outside,
-                                  const DrawnPrimitive& primitive, const Trace& trace,
-                                  const CanvasSamples& grid) {
-    std::vector<PixelCause> causes;
-    std::vector<bool> has_cause(outside.size());
-    std::size_t decisive = 0;
-    for (std::size_t n = primitive.step + 1; n <= trace.size() && !outside.empty(); ++n) {
-        const auto kind = trace.kind_of(n);
-        if (kind == StepKind::primitive)
-            break;
-        if (kind == StepKind::scanline || kind == StepKind::sample || kind == StepKind::ray)
-            decisive = n;
-        if (kind != StepKind::pixel && kind != StepKind::depth)
-            continue;
-        const Index x = *x_in(trace.step(n));
-        const Index y = *y_in(trace.step(n));
-        if (!grid.canvas.contains(x, y))
-            continue;
-        const Pixel pixel{static_cast<int>(x), static_cast<int>(y)};
-        const auto offset = static_cast<std::uint32_t>(grid.canvas.offset_of(pixel));
-        const auto place = std::lower_bound(outside.begin(), outside.end(), offset);
-        if (place == outside.end() || *place != offset)
-            continue;
-        const auto i = static_cast<std::size_t>(place - outside.begin());
-        if (has_cause[i]) // the pixel comes again
-            continue;
-        has_cause[i] = true;
-        const std::string cause = cause_of(trace, decisive, pixel.x, grid);
-        const auto known = std::find_if(causes.begin(), causes.end(),
-                                        [&](const auto& one) { return one.cause == cause; });
-        ++(known == causes.end() ? causes.emplace_back(PixelCause{cause, 0}) : *known).pixels;
-    }
-    return causes;
-}
-
 /// What a triangle drew, but for the causes: `outside` gets the places of the pixels that need one, in ascending order.
 Coverage coverage_of(const Cornered& triangle, const CanvasSamples& grid,
                      std::vector<std::uint32_t>& outside) {
     const Canvas& canvas = grid.canvas;
-    const auto& [a, b, c] = triangle.at;
+    const auto& [a, b, c] = triangle.at();
     const auto& drawn = triangle.drawn->covering();
 
     // The rows that the triangle passes through, and those that it was drawn on.
@@ -229,35 +136,52 @@ Coverage coverage_of(const Cornered& triangle, const CanvasSamples& grid,
 
 // Two triangles at the edge that they share.
 
-/// An edge, by places of vertices in the first triangle that has it.
+/// An edge of a triangle.
 struct EdgeUse {
-    std::size_t from = 0;
-    std::size_t to = 0;
-    std::vector<const Cornered*> triangles; ///< at most `most_compared`
-
-    /// The numbers of its vertices, the smaller one first.
-    std::pair<std::uint32_t, std::uint32_t> ends() const {
-        const auto& corners = triangles.front()->corners;
-        return std::minmax({corners[from], corners[to]});
-    }
+    std::uint64_t ends; ///< the numbers of its vertices, the smaller one in front
+    std::uint32_t triangle;
+    std::uint8_t from; ///< its vertices, 0 to 2
+    std::uint8_t to;
 };
 
-/// The edges that more than one triangle has, in the order in which they come first.
-std::vector<EdgeUse> shared_edges(const std::vector<Cornered>& triangles) {
-    std::vector<EdgeUse> edges;
-    std::unordered_map<std::uint64_t, std::size_t> known;
-    for (const Cornered& triangle : triangles)
-        for (const auto& [from, to] : {std::pair{0U, 1U}, std::pair{0U, 2U}, std::pair{1U, 2U}}) {
-            const auto [low, high] = std::minmax(triangle.corners[from], triangle.corners[to]);
-            const std::uint64_t ends = std::uint64_t{low} << 32 | high;
-            const auto [entry, is_new] = known.emplace(ends, edges.size());
-            if (is_new)
-                edges.push_back({from, to, {}});
-            std::vector<const Cornered*>& users = edges[entry->second].triangles;
-            if (users.size() < most_compared)
-                users.push_back(&triangle);
-        }
-    std::erase_if(edges, [](const EdgeUse& edge) { return edge.triangles.size() < 2; });
+/// The numbers of two vertices of a triangle, as EdgeUse has them.
+std::uint64_t ends_of(const Cornered& triangle, std::size_t from, std::size_t to) {
+    const auto [low, high] = std::minmax(triangle.corners[from], triangle.corners[to]);
+    return std::uint64_t{low} << 32 | high;
+}
+
+/// All edges of some triangles, those with the same ends behind one another.
+std::vector<EdgeUse> edges_by_ends(const std::vector<Cornered>& triangles) {
+    std::vector<EdgeUse> uses;
+    uses.reserve(3 * triangles.size());
+    for (std::uint32_t i = 0; i < triangles.size(); ++i)
+        for (const auto& [from, to] : {std::pair<std::uint8_t, std::uint8_t>{0, 1}, {0, 2}, {1, 2}})
+            uses.push_back({ends_of(triangles[i], from, to), i, from, to});
+    std::stable_sort(uses.begin(), uses.end(),
+                     [](const EdgeUse& a, const EdgeUse& b) { return a.ends < b.ends; });
+    return uses;
+}
+
+/// An edge that more than one triangle has, at most `most_compared` of them.
+using EdgeUses = std::span<const EdgeUse>;
+
+/// Those of edges_by_ends, in the order in which they come first among the triangles.
+std::vector<EdgeUses> shared_edges(const std::vector<EdgeUse>& uses) {
+    std::vector<EdgeUses> edges;
+    for (auto first = uses.begin(); first != uses.end();) {
+        const auto end = std::find_if(
+            first, uses.end(), [first](const EdgeUse& use) { return use.ends != first->ends; });
+        const auto count = static_cast<std::size_t>(end - first);
+        if (count > 1)
+            edges.emplace_back(first, std::min(count, most_compared));
+        first = end;
+    }
+    std::sort(edges.begin(), edges.end(), [](const EdgeUses& a, const EdgeUses& b) {
+        const auto order = [](const EdgeUse& use) {
+            return std::tie(use.triangle, use.from, use.to);
+        };
+        return order(a.front()) < order(b.front());
+    });
     return edges;
 }
 
@@ -272,16 +196,13 @@ std::string edge_name(const PrimitiveStep& step, std::size_t from, std::size_t t
     return fmt::format("({}, {})-({}, {})", at[from][0], at[from][1], at[to][0], at[to][1]);
 }
 
-/// True if both triangles lie on one side of an edge that they share.
-bool lie_on_one_side(const EdgeUse& edge, const Cornered& one, const Cornered& other) {
-    const auto [low, high] = edge.ends();
-    const ScreenPoint& from = edge.triangles.front()->at[edge.from];
-    const ScreenPoint& to = edge.triangles.front()->at[edge.to];
-    const auto side_of = [&, low = low, high = high](const Cornered& triangle) {
-        std::size_t i = 0;
-        while (i < 2 && (triangle.corners[i] == low || triangle.corners[i] == high))
-            ++i;
-        return orientation(from, to, triangle.at[i]);
+/// True if two triangles lie on one side of an edge that they share.
+bool lie_on_one_side(const EdgeUse& one, const EdgeUse& other,
+                     const std::vector<Cornered>& triangles) {
+    const auto& at = triangles[one.triangle].at();
+    const auto side_of = [&](const EdgeUse& use) {
+        const std::size_t opposite = 3U - use.from - use.to;
+        return orientation(at[one.from], at[one.to], triangles[use.triangle].at()[opposite]);
     };
     return side_of(one) == side_of(other);
 }
@@ -297,10 +218,9 @@ ConvexRegion region_at_edge(const Cornered& triangle, std::size_t from) {
 /// The same of an edge that it shares. The edge of a fold is like the other two: what lies on it lies
 /// between no two triangles.
 ConvexRegion region_at_edge(const EdgeUse& edge, const Cornered& triangle, bool is_fold) {
-    for (std::size_t i = 0; i < 3 && !is_fold; ++i)
-        if (std::minmax({triangle.corners[i], triangle.corners[(i + 1) % 3]}) == edge.ends())
-            return region_at_edge(triangle, i);
-    return triangle.samples->regions().interior;
+    if (is_fold)
+        return triangle.samples->regions().interior;
+    return region_at_edge(triangle, edge.to == edge.from + 1U ? edge.from : edge.to);
 }
 
 /// The pixels near an edge, between its ends and in `within`, that lie in one of some regions and that
@@ -369,31 +289,50 @@ PixelList drawn_by_both(const DrawnPrimitive& one, const DrawnPrimitive& other,
     return both;
 }
 
-/// Every pair of the triangles at an edge; it has no name yet.
-std::vector<SharedEdge> compared_at(const EdgeUse& edge, const CanvasSamples& grid,
-                                    const Stats& stats) {
-    const Cornered& first = *edge.triangles.front();
-    const ScreenPoint& from = first.at[edge.from];
-    const ScreenPoint& to = first.at[edge.to];
-    std::vector<SharedEdge> pairs;
-    for (auto one = edge.triangles.begin(); one != edge.triangles.end(); ++one)
-        for (auto other = one + 1; other != edge.triangles.end(); ++other) {
-            const bool is_fold = lie_on_one_side(edge, **one, **other);
-            // Of two triangles that are drawn whole there is nothing to look for.
-            std::vector<std::uint32_t> never;
-            if (!(*one)->is_drawn_whole || !(*other)->is_drawn_whole)
-                never = never_drawn(from, to, {},
-                                    std::array{region_at_edge(edge, **one, is_fold),
-                                               region_at_edge(edge, **other, is_fold)},
-                                    *(*one)->drawn, *(*other)->drawn, grid);
-            pairs.push_back(
-                {.name = {},
-                 .one = stats.primitives[(*one)->place].name,
-                 .other = stats.primitives[(*other)->place].name,
-                 .twice = is_fold ? PixelList()
-                                  : drawn_by_both(*(*one)->drawn, *(*other)->drawn, grid.canvas),
-                 .never = pixel_list(never, grid.canvas)});
-        }
+/// Two triangles at an edge that they share.
+SharedEdge compared_at(const EdgeUse& one, const EdgeUse& other, const EdgeUse& first,
+                       const std::vector<Cornered>& triangles, const CanvasSamples& grid) {
+    const Cornered& a = triangles[one.triangle];
+    const Cornered& b = triangles[other.triangle];
+    const Cornered& named_by = triangles[first.triangle];
+    const bool is_fold = lie_on_one_side(one, other, triangles);
+    SharedEdge edge{.one = a.place,
+                    .other = b.place,
+                    .named_by = named_by.place,
+                    .vertices = {first.from, first.to}};
+    if (!is_fold)
+        edge.twice = drawn_by_both(*a.drawn, *b.drawn, grid.canvas);
+    // Of two triangles that are drawn whole there is nothing to look for.
+    if (!a.is_drawn_whole || !b.is_drawn_whole)
+        edge.never = pixel_list(never_drawn(named_by.at()[first.from], named_by.at()[first.to], {},
+                                            std::array{region_at_edge(one, a, is_fold),
+                                                       region_at_edge(other, b, is_fold)},
+                                            *a.drawn, *b.drawn, grid),
+                                grid.canvas);
+    return edge;
+}
+
+/// Every pair of the triangles at every edge.
+std::vector<SharedEdge> compared_edges(const std::vector<Cornered>& triangles, std::size_t jobs,
+                                       const CanvasSamples& grid) {
+    const std::vector<EdgeUse> uses = edges_by_ends(triangles);
+    const std::vector<EdgeUses> edges = shared_edges(uses);
+    std::vector<std::size_t> first_pair; // of each edge
+    std::size_t count = 0;
+    for (const EdgeUses& edge : edges) {
+        first_pair.push_back(count);
+        count += edge.size() * (edge.size() - 1) / 2;
+    }
+    std::vector<SharedEdge> pairs(count);
+    in_threads(
+        edges.size(), jobs,
+        [&](std::size_t i, std::size_t /*thread*/) {
+            auto pair = pairs.begin() + static_cast<std::ptrdiff_t>(first_pair[i]);
+            for (auto one = edges[i].begin(); one != edges[i].end(); ++one)
+                for (auto other = one + 1; other != edges[i].end(); ++other)
+                    *pair++ = compared_at(*one, *other, edges[i].front(), triangles, grid);
+        },
+        at_once);
     return pairs;
 }
 
@@ -438,9 +377,9 @@ void count_pixels(const TJunction& junction, const std::vector<Cornered>& drawn,
             for (const HalfPlane& plane : region_at_edge(triangle, from))
                 regions[2].push_back(plane);
         }
-        const auto added = never_drawn(other.at[beside.from.corner], other.at[beside.to.corner],
-                                       between_ends(owner.at[junction.edge.from.corner],
-                                                    owner.at[junction.edge.to.corner], grid),
+        const auto added = never_drawn(other.at()[beside.from.corner], other.at()[beside.to.corner],
+                                       between_ends(owner.at()[junction.edge.from.corner],
+                                                    owner.at()[junction.edge.to.corner], grid),
                                        regions, *owner.drawn, *other.drawn, grid);
         never.insert(never.end(), added.begin(), added.end());
     }
@@ -462,12 +401,12 @@ void find_junctions(const std::vector<Cornered>& drawn, const std::vector<Corner
                     const Trace& trace, const CanvasSamples& grid, Stats& stats) {
     std::vector<ScreenTriangle> mesh;
     for (const Cornered& triangle : drawn)
-        mesh.push_back({triangle.at, triangle.corners});
+        mesh.push_back({triangle.at(), triangle.corners});
     for (const Cornered& triangle : not_drawn)
-        mesh.push_back({triangle.at, triangle.corners, false});
+        mesh.push_back({triangle.at(), triangle.corners, false});
 
     const auto step_of = [&](std::size_t triangle) {
-        return trace.step(drawn[triangle].drawn->step).as<PrimitiveStep>();
+        return trace.step(stats.primitives[drawn[triangle].place].step).as<PrimitiveStep>();
     };
     const auto name_of_triangle = [&](std::size_t triangle) {
         return stats.primitives[drawn[triangle].place].name;
@@ -497,35 +436,25 @@ double one_rounding_of(const Trace& trace) {
 void judge_by_samples(const CanvasSamples& grid, const Trace& trace, std::size_t jobs,
                       std::vector<Cornered>& fills, const std::vector<Cornered>& not_drawn,
                       Stats& stats) {
-    stats.edges.clear();
     stats.t_junctions.clear();
     const double one_rounding = one_rounding_of(trace);
-    std::vector<std::vector<std::uint32_t>> outside(fills.size());
-    in_threads(fills.size(), jobs, [&](std::size_t i, std::size_t /*thread*/) {
-        Cornered& fill = fills[i];
-        fill.samples.emplace(fill.at, grid, one_rounding);
-        const auto& coverage =
-            stats.primitives[fill.place].coverage.emplace(coverage_of(fill, grid, outside[i]));
-        fill.is_drawn_whole =
-            coverage.holes.count == 0 && coverage.open_edge.count == 0 && fill.samples->is_clear();
-    });
-    for (std::size_t i = 0; i < fills.size(); ++i)
-        stats.primitives[fills[i].place].coverage->causes =
-            causes_of(outside[i], *fills[i].drawn, trace, grid);
-
-    const std::vector<EdgeUse> edges = shared_edges(fills);
-    std::vector<std::vector<SharedEdge>> pairs(edges.size());
-    in_threads(edges.size(), jobs, [&](std::size_t i, std::size_t /*thread*/) {
-        pairs[i] = compared_at(edges[i], grid, stats);
-    });
-    for (std::size_t i = 0; i < edges.size(); ++i) {
-        const auto step = trace.step(edges[i].triangles.front()->drawn->step).as<PrimitiveStep>();
-        const std::string name = edge_name(step, edges[i].from, edges[i].to);
-        for (SharedEdge& pair : pairs[i]) {
-            pair.name = name;
-            stats.edges.push_back(std::move(pair));
-        }
-    }
+    std::vector<OutsideCauses> causes;
+    for (std::size_t i = 0; i < jobs; ++i)
+        causes.emplace_back(trace, grid);
+    in_threads(
+        fills.size(), jobs,
+        [&](std::size_t i, std::size_t thread) {
+            Cornered& fill = fills[i];
+            fill.samples = std::make_unique<TriangleSamples>(fill.at(), grid, one_rounding);
+            std::vector<std::uint32_t> outside;
+            PrimitiveStats& primitive = stats.primitives[fill.place];
+            Coverage& coverage = primitive.coverage.emplace(coverage_of(fill, grid, outside));
+            coverage.causes = causes[thread].of(outside, primitive.step);
+            fill.is_drawn_whole = coverage.holes.count == 0 && coverage.open_edge.count == 0 &&
+                                  fill.samples->is_clear();
+        },
+        at_once);
+    stats.edges = compared_edges(fills, jobs, grid);
     find_junctions(fills, not_drawn, trace, grid, stats);
 }
 
@@ -590,39 +519,21 @@ void compare_outlines(const std::vector<Cornered>& outlines, const std::vector<C
 
 } // namespace
 
-void add_pixel(DrawnPrimitive& primitive, std::size_t offset) {
-    // Canvases have at most 2^26 pixels.
-    primitive.pixels.push_back(static_cast<std::uint32_t>(offset));
-}
-
-void add_hidden_pixel(DrawnPrimitive& primitive, std::size_t offset) {
-    primitive.covered.push_back(static_cast<std::uint32_t>(offset));
-}
-
-void keep_each_once(DrawnPrimitive& primitive) {
-    put_in_order(primitive.pixels);
-    if (primitive.covered.empty())
-        return;
-    primitive.covered.insert(primitive.covered.end(), primitive.pixels.begin(),
-                             primitive.pixels.end());
-    put_in_order(primitive.covered);
-}
-
-std::optional<std::array<ScreenPoint, 3>> positions_in(const PrimitiveStep& step,
-                                                       const Trace& header) {
-    if (step.within)
-        return std::nullopt;
-    const bool is_float = has_floats(header);
-    std::array<ScreenPoint, 3> found;
-    std::size_t count = 0;
-    JsonScanner places(step.at.json());
-    while (places.next_element()) {
-        const auto position = position_in(places.value(), is_float);
-        if (!position || count == found.size())
-            return std::nullopt;
-        found[count++] = *position;
+void DrawnPixels::move_to(DrawnPrimitive& primitive) {
+    put_in_order(pixels_);
+    primitive.pixels = pixels_;
+    if (!hidden_.empty()) {
+        hidden_.insert(hidden_.end(), pixels_.begin(), pixels_.end());
+        put_in_order(hidden_);
+        primitive.covered = hidden_;
     }
-    return count == found.size() ? std::optional(found) : std::nullopt;
+    pixels_.clear();
+    hidden_.clear();
+}
+
+std::string name_of(const SharedEdge& edge, const Stats& stats, const Trace& trace) {
+    const std::size_t step = stats.primitives[edge.named_by].step;
+    return edge_name(trace.step(step).as<PrimitiveStep>(), edge.vertices[0], edge.vertices[1]);
 }
 
 void compare_with_corners(const Trace& trace, std::span<const DrawnPrimitive> drawn,
@@ -632,26 +543,21 @@ void compare_with_corners(const Trace& trace, std::span<const DrawnPrimitive> dr
     std::vector<Cornered> fills;
     std::vector<Cornered> not_drawn;
     std::vector<Cornered> outlines;
-    for (std::size_t place = 0; place < drawn.size(); ++place) {
+    for (std::uint32_t place = 0; place < drawn.size(); ++place) {
         const std::string& kind = stats.primitives[place].kind;
         const bool is_culled = stats.primitives[place].skipped == "culled";
-        if (kind != "triangle" && (kind != "outline" || is_culled))
+        if ((kind != "triangle" && (kind != "outline" || is_culled)) || !drawn[place].corners)
             continue;
-        const auto step = trace.step(drawn[place].step).as<PrimitiveStep>();
-        if (step.painted.is_false())
-            continue; // it only hides
-        if (auto cornered = corners_of(step, trace, numbers)) {
-            cornered->drawn = &drawn[place];
-            cornered->place = place;
-            auto& list = kind == "outline" ? outlines : is_culled ? not_drawn : fills;
-            list.push_back(std::move(*cornered));
-        }
+        auto& list = kind == "outline" ? outlines : is_culled ? not_drawn : fills;
+        Cornered& cornered = list.emplace_back(Cornered{.drawn = &drawn[place], .place = place});
+        for (std::size_t i = 0; i < 3; ++i)
+            cornered.corners[i] = numbers.of(cornered.at()[i]);
     }
     compare_outlines(outlines, fills, trace.canvas, stats);
 
     // A triangle without area covers nothing, and shares an edge with nobody.
     const auto flat = std::stable_partition(fills.begin(), fills.end(), [](const Cornered& fill) {
-        return orientation(fill.at[0], fill.at[1], fill.at[2]) != 0;
+        return orientation(fill.at()[0], fill.at()[1], fill.at()[2]) != 0;
     });
     std::move(flat, fills.end(), std::back_inserter(not_drawn));
     fills.erase(flat, fills.end());

@@ -4,14 +4,13 @@
 // What the primitives of a trace drew, compared with the corners that their steps give: holes,
 // pixels outside, edges drawn twice or not at all, T-junctions, outlines that stick out of their fill.
 //
-//     std::vector<DrawnPrimitive> drawn{{.step = 1, .pixels = {39, 55, 56}}};
+//     std::vector<DrawnPrimitive> drawn{{.corners = at, .pixels = {39, 55, 56}}};
 //     compare_with_corners(trace, drawn, 2, stats);
 
+#include "screen_point.h"
 #include "stats.h"
-#include "t_junctions.h"
 
 #include <rastertrace/trace/record/trace.h>
-#include <rastertrace/trace/record/traced_steps.h>
 
 #include <array>
 #include <cstddef>
@@ -22,11 +21,12 @@
 
 namespace rastertrace {
 
-/// A primitive of a trace: its step, and the pixels of the canvas that it drew.
+/// A primitive of a trace: its corners, and the pixels of the canvas that it drew (Canvas::offset_of), ascending and each
+/// once.
 struct DrawnPrimitive {
-    std::size_t step = 0;
-    std::vector<std::uint32_t> pixels;  ///< Canvas::offset_of; ascending and each once, in the end
-    std::vector<std::uint32_t> covered; ///< the same and those that were hidden, if any were
+    std::optional<std::array<ScreenPoint, 3>> corners = {}; ///< if it is judged by them
+    std::vector<std::uint32_t> pixels = {};
+    std::vector<std::uint32_t> covered = {}; ///< the same and those that were hidden, if any were
 
     /// The pixels that it drew, or would have drawn if nothing had stood before it.
     const std::vector<std::uint32_t>& covering() const {
@@ -34,16 +34,19 @@ struct DrawnPrimitive {
     }
 };
 
-/// Notes a pixel that may have been noted before: one that was drawn, or one that was hidden.
-void add_pixel(DrawnPrimitive& primitive, std::size_t offset);
-void add_hidden_pixel(DrawnPrimitive& primitive, std::size_t offset);
+/// Collects the pixels that the steps of a primitive are about, in whatever order and however often.
+class DrawnPixels {
+public:
+    void add(std::size_t offset) { pixels_.push_back(static_cast<std::uint32_t>(offset)); }
+    void add_hidden(std::size_t offset) { hidden_.push_back(static_cast<std::uint32_t>(offset)); }
 
-/// Puts the pixels in order, and keeps each of them once.
-void keep_each_once(DrawnPrimitive& primitive);
+    /// Gives them to the primitive, and begins anew.
+    void move_to(DrawnPrimitive& primitive);
 
-/// The corners that a primitive's step gives, if they are three pairs of numbers and given exactly.
-std::optional<std::array<ScreenPoint, 3>> positions_in(const PrimitiveStep& step,
-                                                       const Trace& header);
+private:
+    std::vector<std::uint32_t> pixels_; ///< canvases have at most 2^26
+    std::vector<std::uint32_t> hidden_;
+};
 
 /// Fills in the coverage of stats.primitives, stats.edges, stats.t_junctions, stats.outlines and
 /// stats.sample, in so many threads.

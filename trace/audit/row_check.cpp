@@ -7,33 +7,31 @@
 
 namespace rastertrace {
 
-void RowCheck::add(const AnyStep& step, std::size_t n, const std::string& primitive) {
-    if (row_ && belongs(step))
-        return;
+void RowCheck::begin(const ScanlineStep& row, std::size_t n, const std::string& primitive) {
     close();
-    if (const auto* const row = std::get_if<ScanlineStep>(&step))
-        row_ = {.step = n, .primitive = primitive, .y = row->y, .from = row->from, .to = row->to};
+    row_ = {.step = n, .primitive = primitive, .y = row.y, .from = row.from, .to = row.to};
 }
 
-bool RowCheck::belongs(const AnyStep& step) {
-    if (const auto* const plotted = std::get_if<PixelStep>(&step)) {
-        note(plotted->y, plotted->x, plotted->x);
-        return true;
-    }
-    if (const auto* const test = std::get_if<DepthStep>(&step)) {
-        // A depth test that is passed is followed by its pixel.
-        if (!test->pass.is_true())
-            note(test->y, test->x, test->x);
-        return true;
-    }
-    const auto* const dropped = std::get_if<RejectStep>(&step);
-    if (dropped == nullptr || !dropped->x || !dropped->y || dropped->to_y)
-        return false; // whole rows, or a part of a line
-    note(*dropped->y, *dropped->x, dropped->to_x.value_or(*dropped->x));
-    return true;
+void RowCheck::add(const PixelStep& plotted) {
+    note(plotted.y, plotted.x, plotted.x);
+}
+
+void RowCheck::add(const DepthStep& test) {
+    // A depth test that is passed is followed by its pixel.
+    if (!test.pass.is_true())
+        note(test.y, test.x, test.x);
+}
+
+void RowCheck::add(const RejectStep& dropped) {
+    if (dropped.x && dropped.y && !dropped.to_y)
+        note(*dropped.y, *dropped.x, dropped.to_x.value_or(*dropped.x));
+    else
+        close(); // whole rows, or a part of a line
 }
 
 void RowCheck::note(Index y, Index from, Index to) {
+    if (!row_)
+        return;
     if (y == row_->y && from <= to)
         spans_.emplace_back(from, to);
     else

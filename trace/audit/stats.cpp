@@ -2,191 +2,103 @@
 #include "stats.h"
 
 #include "coverage.h"
-#include "row_check.h"
+#include "part_counts.h"
 #include "stats_needs.h"
 
-#include <rastertrace/trace/record/frame.h>
-#include <rastertrace/trace/record/step_decoder.h>
-#include <rastertrace/trace/record/traced_steps.h>
 #include <rastertrace/trace/record/write_trace.h>
 #include <rastertrace/trace/text/in_threads.h>
 #include <rastertrace/trace/text/text.h>
 
-#include <array>
+#include <algorithm>
 #include <cstddef>
-#include <optional>
+#include <span>
 #include <string>
 #include <string_view>
-#include <unordered_map>
 #include <utility>
-#include <variant>
 #include <vector>
 
 namespace rastertrace {
 
 namespace {
 
-/// Counts steps by their kind. A trace may hold as many kinds as it has steps.
-class KindCounts {
+/// Takes the parts of a trace, one after the other, and keeps the picture that their pixels make.
+class WholeCounts {
 public:
-    explicit KindCounts(Stats& stats) : count_(stats.count) {}
-
-    void add(std::optional<StepKind> kind, const StepView& step) {
-        if (!kind)
-            return add(places_.try_emplace(step.kind_name(), 0).first->second, step);
-        add(known_[static_cast<std::size_t>(*kind)], step);
+    WholeCounts(const Trace& trace, Stats& stats)
+        : stats_(stats), needs_(trace), picture_(trace.canvas), is_tied_(picture_.colors().size()) {
     }
 
-private:
-    /// `place` of a kind in count_, from 1; 0 as long as it has none.
-    void add(std::size_t& place, const StepView& step) {
-        if (place == 0) {
-            count_.emplace_back(step.kind_name(), 0);
-            place = count_.size();
-        }
-        ++count_[place - 1].second;
-    }
-
-    std::vector<std::pair<std::string, std::uint64_t>>& count_;
-    std::array<std::size_t, step_kinds> known_{};
-    std::unordered_map<std::string, std::size_t> places_; ///< of the other kinds
-};
-
-/// The pixel that a step is about, if the canvas has it.
-std::optional<Pixel> pixel_of(const auto& step, const Canvas& canvas) {
-    if (!canvas.contains(step.x, step.y))
-        return std::nullopt;
-    return Pixel{static_cast<int>(step.x), static_cast<int>(step.y)};
-}
-
-/// Watches depth tests for ties that decide what is seen.
-class DepthTies {
-public:
-    explicit DepthTies(const Canvas& canvas)
-        : canvas_(canvas), is_tied_(static_cast<std::size_t>(canvas.width) *
-                                    static_cast<std::size_t>(canvas.height)) {}
-
-    /// Takes a depth step and the color of its primitive.
-    void add(const DepthStep& test, Color color, const Frame& frame) {
-        const auto pixel = pixel_of(test, canvas_);
-        if (!pixel)
-            return;
-        const std::size_t place = canvas_.offset_of(*pixel);
-        if (test.pass.is_true())
-            is_tied_[place] = false;
-        else if (frame.drawn_by[place] != 0 && test.depth.text() == test.stored.text() &&
-                 frame.image.at(*pixel) != color)
-            is_tied_[place] = true;
-    }
-
-    PixelList found() const {
-        PixelList ties;
-        for (int row = 0; row < canvas_.height; ++row)
-            for (int x = canvas_.left(); x <= canvas_.right(); ++x) {
-                const Pixel pixel{x, canvas_.y_of(row)};
-                if (!is_tied_[canvas_.offset_of(pixel)])
-                    continue;
-                if (++ties.count <= most_pixels_kept)
-                    ties.kept.push_back(pixel);
+    void take(PartCounts& part) {
+        kinds_.add(part.kinds);
+        stats_.writes += part.writes;
+        stats_.wrong_rows.insert(stats_.wrong_rows.end(), part.rows.wrong().begin(),
+                                 part.rows.wrong().end());
+        needs_.add(part.needs);
+        for (const auto& [what, pixel, color] : part.events) {
+            if (what == PixelEvent::What::begin) {
+                ++begun_;
+                continue;
             }
-        return ties;
-    }
-
-private:
-    Canvas canvas_;
-    std::vector<bool> is_tied_;
-};
-
-/// Takes the steps of a trace, one after the other: counts them, and notes what each primitive draws.
-class StepsCounted {
-public:
-    StepsCounted(const Trace& trace, Stats& stats)
-        : trace_(trace), stats_(stats), kinds_(stats), ties_(trace.canvas), rows_(stats.wrong_rows),
-          needs_(trace), state_(trace.canvas) {}
-
-    void take(std::size_t n) {
-        const StepView step = trace_.step(n);
-        const auto kind = trace_.kind_of(n);
-        needs_.add(step, kind, n);
-        kinds_.add(kind, step);
-        if (!kind) {
-            state_.take(step, kind);
-            if (!trace_.is_partial && is_painted_)
-                rows_.close();
-            return;
+            Color& before = picture_.at(pixel);
+            const std::size_t offset = picture_.canvas().offset_of(pixel);
+            if (what == PixelEvent::What::pass) {
+                is_tied_[offset] = false;
+            } else if (what == PixelEvent::What::tie) {
+                if (before != no_color && before != color)
+                    is_tied_[offset] = true;
+            } else {
+                if (begun_ > 0 && before != no_color)
+                    ++stats_.primitives[begun_ - 1].over;
+                before = color;
+            }
         }
-        const AnyStep any = any_step(step, *kind);
-        std::visit([this](const auto& told) { count(told); }, any);
-        if (!trace_.is_partial && (is_painted_ || kind == StepKind::primitive))
-            rows_.add(any, n, stats_.primitives.empty() ? "" : stats_.primitives.back().name);
     }
 
-    /// Behind the last step: what the primitives drew, and what is known of the whole.
-    std::vector<DrawnPrimitive> finish() {
-        needs_.close();
+    /// Behind the last part.
+    void finish() {
+        stats_.count = kinds_.all();
         stats_.unjudged = needs_.unjudged();
-        for (std::size_t i = 0; i < drawn_.size(); ++i) {
-            keep_each_once(drawn_[i]);
-            stats_.primitives[i].pixels = drawn_[i].pixels.size();
-            stats_.primitives[i].hidden = drawn_[i].covering().size() - drawn_[i].pixels.size();
-        }
-        if (trace_.end)
-            rows_.close();
-        stats_.depth_ties = ties_.found();
-        return std::move(drawn_);
+        const Canvas& canvas = picture_.canvas();
+        for (int row = 0; row < canvas.height; ++row)
+            for (int x = canvas.left(); x <= canvas.right(); ++x) {
+                const Pixel pixel{x, canvas.y_of(row)};
+                if (!is_tied_[canvas.offset_of(pixel)])
+                    continue;
+                if (++stats_.depth_ties.count <= most_pixels_kept)
+                    stats_.depth_ties.kept.push_back(pixel);
+            }
     }
 
-    const Image& picture() const { return state_.frame().image; }
+    const Image& picture() const { return picture_; }
 
 private:
-    void count(const PrimitiveStep& begun) {
-        state_.take_primitive(color_of_primitive(begun));
-        PrimitiveStats& primitive = stats_.primitives.emplace_back();
-        primitive.kind = begun.kind.text();
-        primitive.name = begun.name.text();
-        is_painted_ = !begun.painted.is_false();
-        drawn_.push_back({.step = state_.step(), .pixels = {}, .covered = {}});
-    }
-
-    void count(const SkipStep& skip) {
-        state_.take(StepKind::skip);
-        if (!stats_.primitives.empty())
-            stats_.primitives.back().skipped = skip.why.text();
-    }
-
-    void count(const PixelStep& step) {
-        const auto plotted = plotted_by(step, trace_.canvas, state_.color());
-        if (!plotted)
-            return state_.take(StepKind::pixel);
-        state_.take_pixel(plotted->pixel, plotted->color);
-        ++stats_.writes;
-        if (stats_.primitives.empty())
-            return;
-        ++stats_.primitives.back().writes;
-        stats_.primitives.back().over += state_.drew_over() != 0 ? 1 : 0;
-        add_pixel(drawn_.back(), trace_.canvas.offset_of(plotted->pixel));
-    }
-
-    void count(const DepthStep& test) {
-        state_.take(StepKind::depth);
-        ties_.add(test, state_.color(), state_.frame());
-        const auto pixel = pixel_of(test, trace_.canvas);
-        if (!test.pass.is_true() && !drawn_.empty() && pixel)
-            add_hidden_pixel(drawn_.back(), trace_.canvas.offset_of(*pixel));
-    }
-
-    template <typename Step> void count(const Step& /*other*/) { state_.take(Step::step_kind); }
-
-    const Trace& trace_;
     Stats& stats_;
     KindCounts kinds_;
-    DepthTies ties_;
-    RowCheck rows_;
     StatsNeeds needs_;
-    ReplayState state_;
-    std::vector<DrawnPrimitive> drawn_;
-    bool is_painted_ = true; ///< the current primitive
+    std::size_t begun_ = 0; ///< primitives
+    Image picture_;
+    std::vector<bool> is_tied_; ///< pixels where a depth test was a tie that decided what is seen
 };
+
+/// Steps that one thread takes: up to the next part's.
+struct Part {
+    std::size_t first;
+    std::size_t primitives; ///< in front of it
+};
+
+/// Divides the steps in front of primitives, into parts of at least so many; behind the last stands the end.
+std::vector<Part> parts_of(const Trace& trace, std::size_t least) {
+    std::vector<Part> parts{{1, 0}};
+    std::size_t primitives = 0;
+    for (std::size_t n = 1; n <= trace.size(); ++n)
+        if (trace.kind_of(n) == StepKind::primitive) {
+            if (n >= parts.back().first + least)
+                parts.push_back({n, primitives});
+            ++primitives;
+        }
+    parts.push_back({trace.size() + 1, primitives});
+    return parts;
+}
 
 } // namespace
 
@@ -213,24 +125,42 @@ std::string names_of(const std::vector<StatsFinding>& findings) {
     return joined(names, ", ");
 }
 
-Stats stats_of(const Trace& trace, std::size_t jobs) {
-    // Step by step, what is drawn and by which primitive.
+Stats stats_of(const Trace& trace, std::size_t jobs, std::size_t steps_in_part) {
+    jobs = jobs == 0 ? usual_jobs() : jobs;
+    // What is drawn and by which primitive, some parts of the trace at a time.
     Stats stats;
     stats.steps = trace.size();
-    StepsCounted counted(trace, stats);
-    constexpr std::size_t most_remembered = 1U << 20U; // steps
-    for (std::size_t n = 1; n <= trace.size(); ++n) {
-        counted.take(n);
-        if (n % most_remembered == 0)
-            trace.forget_text();
+    WholeCounts counted(trace, stats);
+    const std::vector<Part> parts = parts_of(trace, steps_in_part);
+    stats.primitives.resize(parts.back().primitives);
+    std::vector<DrawnPrimitive> drawn(stats.primitives.size());
+    std::vector<StepReader> readers;
+    for (std::size_t i = 0; i < jobs; ++i)
+        readers.emplace_back(trace);
+    constexpr std::size_t parts_at_once = 64;
+    for (std::size_t part = 0; part + 1 < parts.size(); part += parts_at_once) {
+        const std::size_t end = std::min(part + parts_at_once, parts.size() - 1);
+        std::vector<PartCounts> counts;
+        for (std::size_t i = part; i < end; ++i) {
+            const std::size_t begun = parts[i].primitives;
+            const std::size_t count = parts[i + 1].primitives - begun;
+            counts.emplace_back(trace, std::span(stats.primitives).subspan(begun, count),
+                                std::span(drawn).subspan(begun, count));
+        }
+        in_threads(counts.size(), jobs, [&](std::size_t i, std::size_t thread) {
+            counts[i].take(readers[thread], parts[part + i].first, parts[part + i + 1].first);
+        });
+        for (PartCounts& one : counts)
+            counted.take(one);
+        trace.forget_text();
     }
+    counted.finish();
 
     // Against what should have been drawn, where all of that can be there.
-    std::vector<DrawnPrimitive> drawn = counted.finish();
     if (!trace.end && !drawn.empty())
         drawn.pop_back();
     if (!trace.is_partial)
-        compare_with_corners(trace, drawn, jobs == 0 ? usual_jobs() : jobs, stats);
+        compare_with_corners(trace, drawn, jobs, stats);
 
     // The picture that came of it.
     const Image& picture = counted.picture();

@@ -57,6 +57,7 @@ struct Coverage {
 
 /// What one primitive drew.
 struct PrimitiveStats {
+    std::size_t step = 0; ///< that tells of it
     std::string kind;
     std::string name;
     std::uint64_t writes = 0; ///< pixel steps
@@ -70,16 +71,19 @@ struct PrimitiveStats {
 /// Two triangles that have an edge in common: the same two end positions, in either order. If both
 /// lie on one side of it, it is a fold, and they cover the same pixels.
 struct SharedEdge {
-    std::string name;  ///< as the first triangle names its vertices: "AC"
-    std::string one;   ///< the triangle drawn first
-    std::string other; ///< and the one drawn later
-    PixelList twice;   ///< that both have drawn; none at a fold
+    // Triangles by their places in Stats::primitives.
+    std::uint32_t one = 0;                     ///< the one drawn first
+    std::uint32_t other = 0;                   ///< and the one drawn later
+    std::uint32_t named_by = 0;                ///< the first one that has the edge
+    std::array<std::uint8_t, 2> vertices = {}; ///< of that: the ends of the edge, 0 to 2
+
+    PixelList twice = {}; ///< that both have drawn; none at a fold
 
     /// That neither has drawn, near the edge. The sample point lies strictly inside one of the
     /// triangles, or on the edge but not on its ends, unless it is a fold. Near: at most one pixel
     /// from the edge, up or down where the edge is flatter than 45 degrees (or just that), to the
     /// left or right where it is steeper.
-    PixelList never;
+    PixelList never = {};
 };
 
 /// An edge that one triangle has and no other, with T-junctions: vertices of other triangles lie
@@ -166,9 +170,13 @@ struct Stats {
     bool frame_differs = false; ///< the end record names another picture
 };
 
+/// An edge as the first triangle that has it names its vertices: "AC".
+std::string name_of(const SharedEdge& edge, const Stats& stats, const Trace& trace);
+
 /// Counts, and compares what was drawn with what should have been. Nothing is compared in a trace
 /// that steps were left out of, nor is the last primitive of a truncated trace: pixels that are
-/// missing there were not necessarily missed. In so many threads; 0: as many as run at once.
-Stats stats_of(const Trace& trace, std::size_t jobs = 0);
+/// missing there were not necessarily missed. In so many threads, 0: as many as run at once, each with
+/// parts of at least so many steps.
+Stats stats_of(const Trace& trace, std::size_t jobs = 0, std::size_t steps_in_part = 1 << 14);
 
 } // namespace rastertrace

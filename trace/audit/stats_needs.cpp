@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "stats_needs.h"
 
-#include "coverage.h"
+#include "positions.h"
 
 #include <rastertrace/trace/text/text.h>
 
@@ -14,7 +14,7 @@ namespace rastertrace {
 
 void StatsNeeds::begin(const PrimitiveStep& step, std::size_t number) {
     close();
-    primitive_ = {.is_begun = true};
+    primitive_ = {.is_begun = true, .corners = positions_in(step, header_)};
     const auto called = [&step, number] {
         return fmt::format("{} {} (step {})", printable(step.kind.text()),
                            printable(step.name.text()), number);
@@ -29,17 +29,14 @@ void StatsNeeds::begin(const PrimitiveStep& step, std::size_t number) {
     else if (step.within)
         primitive_.lacks =
             R"(expected an exact "at" of )" + called() + R"(, found one with "within")";
-    else if (!positions_in(step, header_))
+    else if (!primitive_.corners)
         primitive_.lacks =
             fmt::format(R"(expected "at", three pairs of numbers, of {}, found {})", called(),
                         shortened(printable(step.at ? step.at.json() : "none"), 40));
 }
 
-void StatsNeeds::add(const StepView& step, std::optional<StepKind> kind, std::size_t number) {
-    switch (kind.value_or(StepKind::vertex)) {
-    case StepKind::primitive:
-        begin(step.as<PrimitiveStep>(), number);
-        break;
+void StatsNeeds::add(StepKind kind, std::size_t number) {
+    switch (kind) {
     case StepKind::skip:
     case StepKind::clip:
         primitive_.is_undrawn = true;
@@ -73,6 +70,13 @@ void StatsNeeds::close() {
     if (lacks_of_rows_.empty() && has_pixels && !primitive.tells_its_pixels)
         lacks_of_rows_ = fmt::format(R"(expected a "scanline" in front of step {}, found none)",
                                      primitive.first_pixel);
+}
+
+void StatsNeeds::add(const StatsNeeds& behind) {
+    if (lacks_of_corners_.empty())
+        lacks_of_corners_ = behind.lacks_of_corners_;
+    if (lacks_of_rows_.empty())
+        lacks_of_rows_ = behind.lacks_of_rows_;
 }
 
 std::vector<Unjudged> StatsNeeds::unjudged() const {

@@ -158,20 +158,16 @@ Span span_on_row(const ConvexRegion& region, int y, const Span& within) {
 
 Span rows_between(const Coordinate& low, const Coordinate& high, const CanvasSamples& grid) {
     const auto [lowest, highest] = std::minmax<Index>({grid.canvas.top(), grid.canvas.bottom()});
-    const auto sample_at = [&grid](Index y) {
-        return grid.error() == 0 ? Coordinate(static_cast<double>(y) + grid.y)
-                                 : Coordinate(grid.offset.y_of(y));
-    };
     // In doubles up to one off.
     Index from = clamped(std::ceil(low.nearest() - grid.y), lowest, highest + 1);
-    while (from > lowest && sample_at(from - 1) >= low)
+    while (from > lowest && grid.y_of(from - 1) >= low)
         --from;
-    while (from <= highest && sample_at(from) < low)
+    while (from <= highest && grid.y_of(from) < low)
         ++from;
     Index to = clamped(std::floor(high.nearest() - grid.y), lowest - 1, highest);
-    while (to < highest && sample_at(to + 1) <= high)
+    while (to < highest && grid.y_of(to + 1) <= high)
         ++to;
-    while (to >= lowest && sample_at(to) > high)
+    while (to >= lowest && grid.y_of(to) > high)
         --to;
     if (to < from)
         return {};
@@ -193,9 +189,9 @@ int orientation(const ScreenPoint& a, const ScreenPoint& b, const ScreenPoint& c
 
 TriangleSamples::TriangleSamples(const std::array<ScreenPoint, 3>& at, const CanvasSamples& grid,
                                  double one_rounding)
-    : at_(&at), grid_(grid), one_rounding_(one_rounding),
+    : at_(&at), grid_(&grid), one_rounding_(one_rounding),
       orientation_(orientation(at[0], at[1], at[2])),
-      spread_(spread_of(at[0], at[1], at[2]) + 4 * grid.error()) {
+      spread_(spread_of(at[0], at[1], at[2]) + 4 * grid.error) {
     for (std::size_t i = 0; i < 3; ++i) {
         const auto& [from, to] =
             orientation_ > 0 ? std::tie(at[i], at[(i + 1) % 3]) : std::tie(at[(i + 1) % 3], at[i]);
@@ -226,18 +222,18 @@ int TriangleSamples::side_of(const NearEdge& edge, double x, double y) const {
 
 /// The part of a row that lies in the triangle, if that is the same whatever rounding does.
 std::optional<Span> TriangleSamples::clear_span(int y) const {
-    const Span all = whole_row(grid_.canvas);
+    const Span all = whole_row(grid_->canvas);
     const Span none{all.last + 1, all.last};
-    const double sample_y = y + grid_.y;
+    const double sample_y = y + grid_->y;
     Span span = all;
     for (const NearEdge& edge : edges_) {
         // An edge function is linear: of one sign between two samples, if it has that sign at both.
         const auto all_are_on = [&](int side, Index first, Index last) {
             return first > last ||
-                   (side_of(edge, static_cast<double>(first) + grid_.x, sample_y) == side &&
-                    side_of(edge, static_cast<double>(last) + grid_.x, sample_y) == side);
+                   (side_of(edge, static_cast<double>(first) + grid_->x, sample_y) == side &&
+                    side_of(edge, static_cast<double>(last) + grid_->x, sample_y) == side);
         };
-        const double crossing = edge.x - edge.b * (sample_y - edge.y) / edge.a - grid_.x;
+        const double crossing = edge.x - edge.b * (sample_y - edge.y) / edge.a - grid_->x;
         if (std::isnan(crossing))
             return std::nullopt;
         const Index behind = clamped(std::ceil(crossing), all.first, all.last + 1);
@@ -267,7 +263,7 @@ std::optional<Span> TriangleSamples::clear_span(int y) const {
 TriangleSamples::Row TriangleSamples::row(int y) const {
     if (const auto span = clear_span(y))
         return {*span, *span, *span};
-    const Span all = whole_row(grid_.canvas);
+    const Span all = whole_row(grid_->canvas);
     const Span closed = span_on_row(regions().closed, y, all);
     return {closed, span_on_row(regions().interior, y, closed),
             span_on_row(regions().within_error, y, all)};
@@ -279,9 +275,9 @@ bool TriangleSamples::is_clear() const {
     // Also next to it.
     const auto [low, high] =
         std::minmax({(*at_)[0].y.nearest(), (*at_)[1].y.nearest(), (*at_)[2].y.nearest()});
-    const Span rows = rows_between(Coordinate(low - 2), Coordinate(high + 2), grid_);
+    const Span rows = rows_between(Coordinate(low - 2), Coordinate(high + 2), *grid_);
     for (Index row = rows.first; row <= rows.last; ++row)
-        if (!clear_span(grid_.canvas.y_of(static_cast<int>(row))))
+        if (!clear_span(grid_->canvas.y_of(static_cast<int>(row))))
             return false;
     return true;
 }
@@ -304,8 +300,8 @@ const TriangleSamples::Regions& TriangleSamples::regions() const {
         for (std::size_t i = 0; i < 3; ++i) {
             const ScreenPoint& from = (*at_)[i];
             const ScreenPoint& to = (*at_)[(i + 1) % 3];
-            planes.push_back(orientation_ > 0 ? left_of(from, to, grid_, widening)
-                                              : left_of(to, from, grid_, widening));
+            planes.push_back(orientation_ > 0 ? left_of(from, to, *grid_, widening)
+                                              : left_of(to, from, *grid_, widening));
         }
         return planes;
     };

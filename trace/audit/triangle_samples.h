@@ -30,8 +30,17 @@ struct CanvasSamples {
     double x = offset.x().get_d(); ///< the nearest doubles
     double y = offset.y().get_d();
 
-    /// How far these may be off.
-    double error() const { return x == offset.x() && y == offset.y() ? 0 : 0x1p-53; }
+    double error = x == offset.x() && y == offset.y() ? 0 : 0x1p-53; ///< how far these may be off
+
+    /// The sample of a pixel.
+    Coordinate x_of(Index pixel) const {
+        return error == 0 ? Coordinate(static_cast<double>(pixel) + x)
+                          : Coordinate(offset.x_of(pixel));
+    }
+    Coordinate y_of(Index pixel) const {
+        return error == 0 ? Coordinate(static_cast<double>(pixel) + y)
+                          : Coordinate(offset.y_of(pixel));
+    }
 };
 
 /// The pixels of one row from x = first to x = last, or the rows from first to last; none if last
@@ -90,7 +99,7 @@ int orientation(const ScreenPoint& a, const ScreenPoint& b, const ScreenPoint& c
 class TriangleSamples {
 public:
     /// `one_rounding` is what one rounding of the numbers of the trace may put a number off, relative to it: 2^-53 of
-    /// doubles, 0 of exact ones.
+    /// doubles, 0 of exact ones. It refers to the corners and the grid.
     TriangleSamples(const std::array<ScreenPoint, 3>& at, const CanvasSamples& grid,
                     double one_rounding);
 
@@ -122,7 +131,7 @@ private:
     std::optional<Span> clear_span(int y) const;
 
     const std::array<ScreenPoint, 3>* at_;
-    CanvasSamples grid_;
+    const CanvasSamples* grid_;
     double one_rounding_;
     int orientation_;
     double error_; ///< at least what rounding may put an edge function off

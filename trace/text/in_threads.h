@@ -18,15 +18,18 @@ inline std::size_t usual_jobs() {
     return std::max(1U, std::thread::hardware_concurrency());
 }
 
-/// Calls `work(i, thread)` once for each index i below `end`, in `jobs` threads, numbered from 0. `work` must not throw.
-/// It may lower `end`: then no index from there on is begun. The module for pages has one thread.
+/// Calls `work(i, thread)` once for each index i below `end`, in `jobs` threads, numbered from 0; a thread takes so many
+/// indices at once, which lie next to each other. `work` must not throw. It may lower `end`: then no index from there on
+/// is begun. The module for pages has one thread.
 template <typename Work>
 void in_threads(const std::atomic<std::size_t>& end, [[maybe_unused]] std::size_t jobs,
-                const Work& work) {
+                const Work& work, std::size_t at_once = 1) {
     std::atomic<std::size_t> next = 0;
     const auto work_on = [&](std::size_t thread) {
-        for (std::size_t i = next++; i < end; i = next++)
-            work(i, thread);
+        for (std::size_t first = next.fetch_add(at_once); first < end;
+             first = next.fetch_add(at_once))
+            for (std::size_t i = first; i < first + at_once && i < end; ++i)
+                work(i, thread);
     };
 #ifndef __EMSCRIPTEN__
     std::vector<std::jthread> threads;
@@ -37,9 +40,10 @@ void in_threads(const std::atomic<std::size_t>& end, [[maybe_unused]] std::size_
 }
 
 /// The same for each index below a number that stays.
-template <typename Work> void in_threads(std::size_t count, std::size_t jobs, const Work& work) {
+template <typename Work>
+void in_threads(std::size_t count, std::size_t jobs, const Work& work, std::size_t at_once = 1) {
     const std::atomic<std::size_t> end = count;
-    in_threads(end, jobs, work);
+    in_threads(end, jobs, work, at_once);
 }
 
 } // namespace rastertrace

@@ -50,13 +50,15 @@ std::string as_json(const std::vector<WrongRow>& rows) {
 }
 
 /// The edges that triangles share, and the outlines of triangles.
-std::string pairs_as_json(const Stats& stats) {
+std::string pairs_as_json(const Stats& stats, const Trace& trace) {
     std::string text = R"("edges":[)";
     std::string_view separator;
     for (const SharedEdge& edge : stats.edges) {
         text += fmt::format(R"({}{{"edge":{},"triangles":[{},{}],"twice":{},"never":{}}})",
-                            separator, json_quoted(edge.name), json_quoted(edge.one),
-                            json_quoted(edge.other), as_json(edge.twice), as_json(edge.never));
+                            separator, json_quoted(name_of(edge, stats, trace)),
+                            json_quoted(stats.primitives[edge.one].name),
+                            json_quoted(stats.primitives[edge.other].name), as_json(edge.twice),
+                            as_json(edge.never));
         separator = ",";
     }
     text += R"(],"outlines":[)";
@@ -118,7 +120,7 @@ std::string stats_json(const Trace& trace, const Stats& stats) {
     const bool has_depth =
         std::any_of(stats.count.begin(), stats.count.end(),
                     [](const auto& entry) { return entry.first == name_of(StepKind::depth); });
-    return text + "]," + pairs_as_json(stats) + "," + junctions_as_json(stats) +
+    return text + "]," + pairs_as_json(stats, trace) + "," + junctions_as_json(stats) +
            R"(,"wrong_rows":)" + as_json(stats.wrong_rows) +
            (has_depth ? R"(,"depth_ties":)" + as_json(stats.depth_ties) : "") + "}\n";
 }

@@ -155,14 +155,15 @@ std::string as_text(const std::vector<PrimitiveStats>& primitives) {
     return text;
 }
 
-std::string as_text(const SharedEdge& edge) {
-    return fmt::format("edge {} of {} and {}: {} written twice{}; {} never{}\n", shown(edge.name),
-                       shown(edge.one), shown(edge.other), counted(edge.twice.count),
+std::string as_text(const SharedEdge& edge, const Stats& stats, const Trace& trace) {
+    return fmt::format("edge {} of {} and {}: {} written twice{}; {} never{}\n",
+                       shown(name_of(edge, stats, trace)), shown(stats.primitives[edge.one].name),
+                       shown(stats.primitives[edge.other].name), counted(edge.twice.count),
                        places_of(edge.twice), edge.never.count, places_of(edge.never));
 }
 
 /// The shared edges with a finding: those within a mesh in one line, the others in one each.
-std::string as_text(const std::vector<SharedEdge>& edges) {
+std::string edges_as_text(const Stats& stats, const Trace& trace) {
     struct Sum {
         std::size_t edges = 0;
         PixelList twice;
@@ -170,12 +171,12 @@ std::string as_text(const std::vector<SharedEdge>& edges) {
     };
     std::map<std::string_view, Sum> meshes;
     std::string text;
-    for (const SharedEdge& edge : edges) {
+    for (const SharedEdge& edge : stats.edges) {
         if (edge.twice.count == 0 && edge.never.count == 0)
             continue;
-        const std::string_view mesh = mesh_of(edge.one);
-        if (mesh.empty() || mesh != mesh_of(edge.other)) {
-            text += as_text(edge);
+        const std::string_view mesh = mesh_of(stats.primitives[edge.one].name);
+        if (mesh.empty() || mesh != mesh_of(stats.primitives[edge.other].name)) {
+            text += as_text(edge, stats, trace);
             continue;
         }
         Sum& sum = meshes[mesh];
@@ -260,7 +261,7 @@ std::string stats_text(const Trace& trace, const Stats& stats) {
                             : "");
     if (stats.sample)
         text += as_text(*stats.sample);
-    text += as_text(stats.primitives) + as_text(stats.edges) +
+    text += as_text(stats.primitives) + edges_as_text(stats, trace) +
             first_of(stats.t_junctions, "T-junctions");
     std::vector<OutlineOnFill> beside;
     std::copy_if(stats.outlines.begin(), stats.outlines.end(), std::back_inserter(beside),

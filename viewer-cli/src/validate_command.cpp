@@ -94,7 +94,10 @@ struct StepsSeen {
         ++count;
         if (!is_plain)
             unknown.add(step, kind);
-        needs.add(step, kind, count);
+        if (kind == StepKind::primitive)
+            needs.begin(step.as<PrimitiveStep>(), count);
+        else if (kind)
+            needs.add(*kind, count);
     }
 
     std::uint64_t count = 0;
