@@ -434,7 +434,7 @@ TEST(SharedEdge, OfVeryManyTrianglesTheFirstAreCompared) {
     EXPECT_EQ(stats_of_scene(scene).edges.size(), 3 * most_compared * (most_compared - 1) / 2);
 }
 
-/// All that stats tell, but for what is told of edges, by their numbers.
+/// What stats tell as text, edges by the numbers of their triangles; without T-junctions and outlines.
 std::string all_of(const Stats& stats) {
     std::ostringstream all;
     const auto add_pixels = [&all](const PixelList& pixels) {

@@ -6,8 +6,8 @@
 #include "t_junctions.h"
 #include "triangle_samples.h"
 
+#include <rastertrace/trace/record/told_samples.h>
 #include <rastertrace/trace/record/traced_steps.h>
-#include <rastertrace/trace/tell/step_text.h>
 #include <rastertrace/trace/text/in_threads.h>
 #include <rastertrace/trace/text/primitive_name.h>
 
@@ -30,8 +30,10 @@ namespace rastertrace {
 
 namespace {
 
-/// Primitives, or edges, that one thread looks at: their steps and corners stand near each other.
-constexpr std::size_t at_once = 64;
+/// So many primitives, or edges, a thread takes at a time: neighbors, whose steps and corners stand near each other.
+std::size_t at_once(std::size_t count, std::size_t jobs) {
+    return std::clamp<std::size_t>(count / (8 * jobs), 1, 64);
+}
 
 Span common_part(const Span& a, const Span& b) {
     return {std::max(a.first, b.first), std::min(a.last, b.last)};
@@ -162,7 +164,7 @@ std::vector<EdgeUse> edges_by_ends(const std::vector<Cornered>& triangles) {
     return uses;
 }
 
-/// An edge that more than one triangle has, at most `most_compared` of them.
+/// The uses of one edge by more than one triangle, the first `most_compared` of them.
 using EdgeUses = std::span<const EdgeUse>;
 
 /// Those of edges_by_ends, in the order in which they come first among the triangles.
@@ -332,7 +334,7 @@ std::vector<SharedEdge> compared_edges(const std::vector<Cornered>& triangles, s
                 for (auto other = one + 1; other != edges[i].end(); ++other)
                     *pair++ = compared_at(*one, *other, edges[i].front(), triangles, grid);
         },
-        at_once);
+        at_once(edges.size(), jobs));
     return pairs;
 }
 
@@ -453,9 +455,11 @@ void judge_by_samples(const CanvasSamples& grid, const Trace& trace, std::size_t
             fill.is_drawn_whole = coverage.holes.count == 0 && coverage.open_edge.count == 0 &&
                                   fill.samples->is_clear();
         },
-        at_once);
+        at_once(fills.size(), jobs));
     stats.edges = compared_edges(fills, jobs, grid);
     find_junctions(fills, not_drawn, trace, grid, stats);
+    for (Cornered& fill : fills)
+        fill.samples.reset(); // they refer to the grid
 }
 
 /// True if every pixel has been drawn whose sample lies inside a triangle, and no other one.
@@ -519,7 +523,7 @@ void compare_outlines(const std::vector<Cornered>& outlines, const std::vector<C
 
 } // namespace
 
-void DrawnPixels::move_to(DrawnPrimitive& primitive) {
+void DrawnPixels::give_to(DrawnPrimitive& primitive) {
     put_in_order(pixels_);
     primitive.pixels = pixels_;
     if (!hidden_.empty()) {

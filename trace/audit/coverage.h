@@ -40,8 +40,8 @@ public:
     void add(std::size_t offset) { pixels_.push_back(static_cast<std::uint32_t>(offset)); }
     void add_hidden(std::size_t offset) { hidden_.push_back(static_cast<std::uint32_t>(offset)); }
 
-    /// Gives them to the primitive, and begins anew.
-    void move_to(DrawnPrimitive& primitive);
+    /// Gives them to the primitive, sorted and each once, and begins anew.
+    void give_to(DrawnPrimitive& primitive);
 
 private:
     std::vector<std::uint32_t> pixels_; ///< canvases have at most 2^26

@@ -23,13 +23,13 @@ std::vector<PixelCause> OutsideCauses::of(const std::vector<std::uint32_t>& outs
     std::vector<PixelCause> causes;
     std::vector<bool> has_cause(outside.size());
     std::size_t missing = outside.size();
-    says_ = StepKind::primitive;
+    decisive_ = StepKind::primitive;
     for (std::size_t n = step + 1; n <= size_ && missing > 0; ++n) {
         const auto kind = steps_.kind_of(n);
         if (kind == StepKind::primitive)
             break;
         if (kind == StepKind::scanline || kind == StepKind::sample || kind == StepKind::ray)
-            look_at(n, *kind);
+            take_decisive(n, *kind);
         if (kind != StepKind::pixel && kind != StepKind::depth)
             continue;
         const StepView about = steps_.step(n);
@@ -56,9 +56,9 @@ std::vector<PixelCause> OutsideCauses::of(const std::vector<std::uint32_t>& outs
     return causes;
 }
 
-/// Takes the step that found a row's ends, or the pixel itself.
-void OutsideCauses::look_at(std::size_t n, StepKind kind) {
-    says_ = kind;
+/// Takes a step that found the ends of a row, or the pixel itself.
+void OutsideCauses::take_decisive(std::size_t n, StepKind kind) {
+    decisive_ = kind;
     if (kind != StepKind::scanline)
         return;
     const auto row = steps_.step(n).as<ScanlineStep>();
@@ -66,13 +66,13 @@ void OutsideCauses::look_at(std::size_t n, StepKind kind) {
     right_ = coordinate_in(row.right.json(), has_floats_);
 }
 
-/// Why it has led to a pixel outside.
+/// Why a pixel lies outside, by the last such step.
 std::string_view OutsideCauses::cause_of(Index x) const {
-    if (says_ == StepKind::sample)
+    if (decisive_ == StepKind::sample)
         return "the weights of the sample were rounded";
-    if (says_ == StepKind::ray)
+    if (decisive_ == StepKind::ray)
         return "a line of the fan leaves the triangle";
-    if (says_ != StepKind::scanline)
+    if (decisive_ != StepKind::scanline)
         return "no step says why";
     const Coordinate sample = grid_.x_of(x);
     if (left_ && sample < *left_)

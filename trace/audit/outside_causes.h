@@ -21,16 +21,17 @@
 
 namespace rastertrace {
 
-/// Each thread needs its own.
+/// Not for two threads at once.
 class OutsideCauses {
 public:
+    /// The grid has to outlive this.
     OutsideCauses(const Trace& trace, const CanvasSamples& grid);
 
     /// The causes of the pixels that the primitive of a step drew outside; `outside` has their places, in ascending order.
     std::vector<PixelCause> of(const std::vector<std::uint32_t>& outside, std::size_t step);
 
 private:
-    void look_at(std::size_t n, StepKind kind);
+    void take_decisive(std::size_t n, StepKind kind);
     std::string_view cause_of(Index x) const;
 
     StepReader steps_;
@@ -40,8 +41,8 @@ private:
     std::string left_of_edge_;
     std::string right_of_edge_;
 
-    /// The last step that found a row's ends, or the pixel itself; none as long as it is this.
-    StepKind says_ = StepKind::primitive;
+    /// The kind of the last step that found the ends of a row, or the pixel itself; `primitive` in front of the first.
+    StepKind decisive_ = StepKind::primitive;
     std::optional<Coordinate> left_; ///< the ends of the row
     std::optional<Coordinate> right_;
 };

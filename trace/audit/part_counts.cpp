@@ -4,6 +4,8 @@
 #include <rastertrace/trace/record/frame.h>
 #include <rastertrace/trace/record/traced_steps.h>
 
+#include <optional>
+
 namespace rastertrace {
 
 namespace {
@@ -17,28 +19,25 @@ std::optional<Pixel> pixel_of(const DepthStep& test, const Canvas& canvas) {
 
 } // namespace
 
-void KindCounts::add(StepKind kind) {
-    const std::size_t place = known_[static_cast<std::size_t>(kind)];
-    if (place != 0) {
-        ++count_[place - 1].second;
-        return;
-    }
-    add(std::string(name_of(kind)), 1);
-    known_[static_cast<std::size_t>(kind)] = places_.at(std::string(name_of(kind)));
-}
-
-void KindCounts::add(const std::string& kind_name, std::uint64_t count) {
+std::size_t KindCounts::place_of(const std::string& kind_name) {
     std::size_t& place = places_.try_emplace(kind_name, 0).first->second;
     if (place == 0) {
         count_.emplace_back(kind_name, 0);
         place = count_.size();
     }
-    count_[place - 1].second += count;
+    return place;
+}
+
+void KindCounts::add(StepKind kind) {
+    std::size_t& place = known_[static_cast<std::size_t>(kind)];
+    if (place == 0)
+        place = place_of(std::string(name_of(kind)));
+    ++count_[place - 1].second;
 }
 
 void KindCounts::add(const KindCounts& behind) {
     for (const auto& [kind_name, count] : behind.count_)
-        add(kind_name, count);
+        count_[place_of(kind_name) - 1].second += count;
 }
 
 PartCounts::PartCounts(const Trace& trace, std::span<PrimitiveStats> primitives,
@@ -51,31 +50,42 @@ void PartCounts::take(const StepReader& steps, std::size_t first, std::size_t en
         const StepView step = steps.step(n);
         const auto kind = steps.kind_of(n);
         if (!kind) {
-            kinds.add(step.kind_name(), 1);
-        } else {
-            kinds.add(*kind);
-            if (kind != StepKind::primitive)
-                needs.add(*kind, n);
-        }
-        if (kind == StepKind::pixel)
-            count(step.as<PixelStep>());
-        else if (kind == StepKind::depth)
-            count(step.as<DepthStep>());
-        else if (kind == StepKind::scanline)
-            count(step.as<ScanlineStep>(), n);
-        else if (kind == StepKind::primitive)
-            count(step.as<PrimitiveStep>(), n);
-        else if (kind == StepKind::skip)
-            count(step.as<SkipStep>());
-        else if (has_rows_ && kind == StepKind::reject)
-            rows.add(step.as<RejectStep>());
-        else if (has_rows_)
+            kinds.add(step.kind_name());
             rows.close();
+            continue;
+        }
+        kinds.add(*kind);
+        if (kind != StepKind::primitive)
+            needs.add(*kind, n);
+        switch (*kind) {
+        case StepKind::pixel:
+            count(step.as<PixelStep>());
+            break;
+        case StepKind::depth:
+            count(step.as<DepthStep>());
+            break;
+        case StepKind::scanline:
+            count(step.as<ScanlineStep>(), n);
+            break;
+        case StepKind::reject:
+            rows.add(step.as<RejectStep>());
+            break;
+        case StepKind::primitive:
+            count(step.as<PrimitiveStep>(), n);
+            break;
+        case StepKind::skip:
+            count(step.as<SkipStep>());
+            break;
+        default:
+            rows.close();
+        }
     }
-    // Behind the last step: of a trace that was cut off, more may have been to come.
+}
+
+void PartCounts::finish(bool is_whole) {
     finish_primitive();
     needs.close();
-    if (end <= trace_.size() || trace_.end)
+    if (is_whole)
         rows.close();
 }
 
@@ -84,15 +94,14 @@ void PartCounts::finish_primitive() {
     if (begun_ == 0)
         return;
     DrawnPrimitive& drawn = drawn_[begun_ - 1];
-    pixels_.move_to(drawn);
+    pixels_.give_to(drawn);
     primitive().pixels = drawn.pixels.size();
     primitive().hidden = drawn.covering().size() - drawn.pixels.size();
 }
 
 void PartCounts::count(const PrimitiveStep& begun, std::size_t n) {
     finish_primitive();
-    if (has_rows_)
-        rows.close();
+    rows.close();
     needs.begin(begun, n);
     color_ = color_of_primitive(begun);
     const bool only_hides = begun.painted.is_false();
@@ -108,8 +117,7 @@ void PartCounts::count(const PrimitiveStep& begun, std::size_t n) {
 }
 
 void PartCounts::count(const SkipStep& skip) {
-    if (has_rows_)
-        rows.close();
+    rows.close();
     if (begun_ > 0)
         primitive().skipped = skip.why.text();
 }
@@ -120,8 +128,7 @@ void PartCounts::count(const ScanlineStep& row, std::size_t n) {
 }
 
 void PartCounts::count(const PixelStep& step) {
-    if (has_rows_)
-        rows.add(step);
+    rows.add(step);
     const auto plotted = plotted_by(step, trace_.canvas, color_);
     if (!plotted)
         return;
@@ -134,8 +141,7 @@ void PartCounts::count(const PixelStep& step) {
 }
 
 void PartCounts::count(const DepthStep& test) {
-    if (has_rows_)
-        rows.add(test);
+    rows.add(test);
     const auto pixel = pixel_of(test, trace_.canvas);
     if (!pixel)
         return;

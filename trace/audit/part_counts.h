@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// What the steps of a part of a trace amount to: all that does not depend on the steps in front of it, for one of several
-// threads, and what was done to pixels, in turn, for who knows the picture.
+// Counts the steps of a part of a trace, in one of several threads. What depends on the parts in front of it, the picture,
+// is left as a list of events, which are taken in order.
 //
 //     PartCounts part(trace, primitives, drawn);
 //     part.take(reader, 1, 100);
+//     part.finish(true);
 //     part.writes;
 
 #include "coverage.h"
@@ -31,44 +32,50 @@ namespace rastertrace {
 class KindCounts {
 public:
     void add(StepKind kind);
-    void add(const std::string& kind_name, std::uint64_t count);
+    void add(const std::string& kind_name) { ++count_[place_of(kind_name) - 1].second; }
     void add(const KindCounts& behind);
 
     const std::vector<std::pair<std::string, std::uint64_t>>& all() const { return count_; }
 
 private:
+    /// The place of a kind in `count_`, from 1.
+    std::size_t place_of(const std::string& kind_name);
+
     std::vector<std::pair<std::string, std::uint64_t>> count_;
-    std::array<std::size_t, step_kinds> known_{};         ///< places in `count_`, from 1
-    std::unordered_map<std::string, std::size_t> places_; ///< the same of all kinds
+    std::array<std::size_t, step_kinds> known_{};         ///< places of known kinds; 0: not yet
+    std::unordered_map<std::string, std::size_t> places_; ///< of all kinds
 };
 
 /// What a step did to a pixel.
 struct PixelEvent {
     enum class What : std::uint8_t {
-        begin, ///< to none: the next primitive begins
-        draw,  ///< it has a color
-        pass,  ///< a depth test was passed
-        tie,   ///< one was failed, at just the depth that is stored
+        begin, ///< to none: a primitive begins
+        draw,  ///< the pixel is drawn
+        pass,  ///< a depth test passes
+        tie,   ///< a depth test fails, at the depth that is stored, as both are written
     };
     What what = What::begin;
     Pixel pixel{}; ///< of the canvas
-    Color color{}; ///< of `draw`, and of the primitive that failed
+    Color color{}; ///< that is drawn; of a tie, that of the primitive
 };
 
 class PartCounts {
 public:
-    /// What is told of its primitives is put there; `over` and `coverage` are not.
+    /// Fills in `primitives`, but for `over` and `coverage`, and `drawn`: those of this part.
     PartCounts(const Trace& trace, std::span<PrimitiveStats> primitives,
                std::span<DrawnPrimitive> drawn);
 
-    /// Takes the steps from `first` to before `end`: whole primitives, or the last ones of the trace.
+    /// Takes the steps from `first` to before `end`.
     void take(const StepReader& steps, std::size_t first, std::size_t end);
+
+    /// Behind the last step of the part. The last row of a trace that is cut off is not judged: its pixels may be missing.
+    void finish(bool is_whole);
 
     KindCounts kinds;
     std::uint64_t writes = 0; ///< pixel steps on the canvas
     RowCheck rows;
     StatsNeeds needs;
-    std::vector<PixelEvent> events; ///< in turn
+    std::vector<PixelEvent> events; ///< since they were last cleared
 
 private:
     void count(const PrimitiveStep& begun, std::size_t n);
@@ -83,10 +90,10 @@ private:
     const Trace& trace_;
     std::span<PrimitiveStats> primitives_;
     std::span<DrawnPrimitive> drawn_;
-    std::size_t begun_ = 0; ///< so many of them
+    std::size_t begun_ = 0; ///< primitives
     DrawnPixels pixels_;    ///< of the current primitive
-    Color color_;           ///< of it
-    bool has_rows_;         ///< and they are looked at
+    Color color_;           ///< of the current primitive
+    bool has_rows_;         ///< rows of the current primitive are judged
 };
 
 } // namespace rastertrace

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cstdint>
-#include <variant>
 
 namespace rastertrace {
 

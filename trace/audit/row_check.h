@@ -32,12 +32,11 @@ public:
     void add(const DepthStep& test);
     void add(const RejectStep& dropped);
 
-    /// Judges the last row: in front of any other step, and at the end. Not called if the trace may have been cut off
-    /// within it.
+    /// Judges the row that is open, if one is: in front of a step of any other kind, and at the end of a whole trace.
     void close();
 
     /// The rows so far that are wrong.
-    std::vector<WrongRow>& wrong() { return wrong_; }
+    const std::vector<WrongRow>& wrong() const { return wrong_; }
 
 private:
     /// Notes pixels that a step of the row is about.

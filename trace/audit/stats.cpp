@@ -5,6 +5,7 @@
 #include "part_counts.h"
 #include "stats_needs.h"
 
+#include <rastertrace/core/raster/image.h>
 #include <rastertrace/trace/record/write_trace.h>
 #include <rastertrace/trace/text/in_threads.h>
 #include <rastertrace/trace/text/text.h>
@@ -14,7 +15,6 @@
 #include <span>
 #include <string>
 #include <string_view>
-#include <utility>
 #include <vector>
 
 namespace rastertrace {
@@ -28,12 +28,7 @@ public:
         : stats_(stats), needs_(trace), picture_(trace.canvas), is_tied_(picture_.colors().size()) {
     }
 
-    void take(PartCounts& part) {
-        kinds_.add(part.kinds);
-        stats_.writes += part.writes;
-        stats_.wrong_rows.insert(stats_.wrong_rows.end(), part.rows.wrong().begin(),
-                                 part.rows.wrong().end());
-        needs_.add(part.needs);
+    void take_events(PartCounts& part) {
         for (const auto& [what, pixel, color] : part.events) {
             if (what == PixelEvent::What::begin) {
                 ++begun_;
@@ -52,6 +47,16 @@ public:
                 before = color;
             }
         }
+        part.events.clear();
+    }
+
+    /// Behind its last step.
+    void take(const PartCounts& part) {
+        kinds_.add(part.kinds);
+        stats_.writes += part.writes;
+        stats_.wrong_rows.insert(stats_.wrong_rows.end(), part.rows.wrong().begin(),
+                                 part.rows.wrong().end());
+        needs_.add(part.needs);
     }
 
     /// Behind the last part.
@@ -80,24 +85,71 @@ private:
     std::vector<bool> is_tied_; ///< pixels where a depth test was a tie that decided what is seen
 };
 
-/// Steps that one thread takes: up to the next part's.
+/// Steps that one thread takes: from a primitive, or the beginning, to the next part.
 struct Part {
     std::size_t first;
-    std::size_t primitives; ///< in front of it
+    std::size_t primitives_before;
 };
 
-/// Divides the steps in front of primitives, into parts of at least so many; behind the last stands the end.
+/// So many steps are gone through before their text is given back.
+constexpr std::size_t steps_in_round = 1 << 20;
+
+/// The parts of a trace, of at least so many steps each; behind the last stands the end.
 std::vector<Part> parts_of(const Trace& trace, std::size_t least) {
     std::vector<Part> parts{{1, 0}};
     std::size_t primitives = 0;
-    for (std::size_t n = 1; n <= trace.size(); ++n)
+    for (std::size_t n = 1; n <= trace.size(); ++n) {
         if (trace.kind_of(n) == StepKind::primitive) {
             if (n >= parts.back().first + least)
                 parts.push_back({n, primitives});
             ++primitives;
         }
+        if (n % steps_in_round == 0)
+            trace.forget_text();
+    }
     parts.push_back({trace.size() + 1, primitives});
     return parts;
+}
+
+/// Counts the steps of a trace, and finds what each primitive has drawn: several parts at a time if they are small, else
+/// one in several rounds.
+std::vector<DrawnPrimitive> count_steps(const Trace& trace, std::size_t jobs,
+                                        std::size_t steps_in_part, WholeCounts& counted,
+                                        Stats& stats) {
+    const std::vector<Part> parts = parts_of(trace, steps_in_part);
+    stats.primitives.resize(parts.back().primitives_before);
+    std::vector<DrawnPrimitive> drawn(stats.primitives.size());
+    std::vector<StepReader> readers;
+    for (std::size_t i = 0; i < jobs; ++i)
+        readers.emplace_back(trace);
+    for (std::size_t part = 0, end = 0; part + 1 < parts.size(); part = end) {
+        end = part + 1;
+        while (end + 1 < parts.size() && parts[end + 1].first <= parts[part].first + steps_in_round)
+            ++end;
+        std::vector<PartCounts> counts;
+        counts.reserve(end - part);
+        for (std::size_t i = part; i < end; ++i) {
+            const std::size_t begun = parts[i].primitives_before;
+            const std::size_t count = parts[i + 1].primitives_before - begun;
+            counts.emplace_back(trace, std::span(stats.primitives).subspan(begun, count),
+                                std::span(drawn).subspan(begun, count));
+        }
+        for (std::size_t n = parts[part].first; n < parts[end].first; n += steps_in_round) {
+            in_threads(counts.size(), jobs, [&](std::size_t i, std::size_t thread) {
+                counts[i].take(readers[thread], std::max(n, parts[part + i].first),
+                               std::min(n + steps_in_round, parts[part + i + 1].first));
+            });
+            for (PartCounts& one : counts)
+                counted.take_events(one);
+            trace.forget_text();
+        }
+        for (std::size_t i = part; i < end; ++i) {
+            counts[i - part].finish(i + 2 < parts.size() || trace.end);
+            counted.take(counts[i - part]);
+        }
+    }
+    counted.finish();
+    return drawn;
 }
 
 } // namespace
@@ -127,34 +179,10 @@ std::string names_of(const std::vector<StatsFinding>& findings) {
 
 Stats stats_of(const Trace& trace, std::size_t jobs, std::size_t steps_in_part) {
     jobs = jobs == 0 ? usual_jobs() : jobs;
-    // What is drawn and by which primitive, some parts of the trace at a time.
     Stats stats;
     stats.steps = trace.size();
     WholeCounts counted(trace, stats);
-    const std::vector<Part> parts = parts_of(trace, steps_in_part);
-    stats.primitives.resize(parts.back().primitives);
-    std::vector<DrawnPrimitive> drawn(stats.primitives.size());
-    std::vector<StepReader> readers;
-    for (std::size_t i = 0; i < jobs; ++i)
-        readers.emplace_back(trace);
-    constexpr std::size_t parts_at_once = 64;
-    for (std::size_t part = 0; part + 1 < parts.size(); part += parts_at_once) {
-        const std::size_t end = std::min(part + parts_at_once, parts.size() - 1);
-        std::vector<PartCounts> counts;
-        for (std::size_t i = part; i < end; ++i) {
-            const std::size_t begun = parts[i].primitives;
-            const std::size_t count = parts[i + 1].primitives - begun;
-            counts.emplace_back(trace, std::span(stats.primitives).subspan(begun, count),
-                                std::span(drawn).subspan(begun, count));
-        }
-        in_threads(counts.size(), jobs, [&](std::size_t i, std::size_t thread) {
-            counts[i].take(readers[thread], parts[part + i].first, parts[part + i + 1].first);
-        });
-        for (PartCounts& one : counts)
-            counted.take(one);
-        trace.forget_text();
-    }
-    counted.finish();
+    std::vector<DrawnPrimitive> drawn = count_steps(trace, jobs, steps_in_part, counted, stats);
 
     // Against what should have been drawn, where all of that can be there.
     if (!trace.end && !drawn.empty())

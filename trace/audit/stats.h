@@ -57,7 +57,7 @@ struct Coverage {
 
 /// What one primitive drew.
 struct PrimitiveStats {
-    std::size_t step = 0; ///< that tells of it
+    std::size_t step = 0; ///< the number of its primitive step
     std::string kind;
     std::string name;
     std::uint64_t writes = 0; ///< pixel steps
@@ -75,7 +75,7 @@ struct SharedEdge {
     std::uint32_t one = 0;                     ///< the one drawn first
     std::uint32_t other = 0;                   ///< and the one drawn later
     std::uint32_t named_by = 0;                ///< the first one that has the edge
-    std::array<std::uint8_t, 2> vertices = {}; ///< of that: the ends of the edge, 0 to 2
+    std::array<std::uint8_t, 2> vertices = {}; ///< the ends of the edge in that one, 0 to 2
 
     PixelList twice = {}; ///< that both have drawn; none at a fold
 
@@ -175,8 +175,8 @@ std::string name_of(const SharedEdge& edge, const Stats& stats, const Trace& tra
 
 /// Counts, and compares what was drawn with what should have been. Nothing is compared in a trace
 /// that steps were left out of, nor is the last primitive of a truncated trace: pixels that are
-/// missing there were not necessarily missed. In so many threads, 0: as many as run at once, each with
-/// parts of at least so many steps.
+/// missing there were not necessarily missed. `jobs` threads, or with 0 as many as run at once, count
+/// parts of at least `steps_in_part` steps.
 Stats stats_of(const Trace& trace, std::size_t jobs = 0, std::size_t steps_in_part = 1 << 14);
 
 } // namespace rastertrace

@@ -17,6 +17,7 @@
 #include <rastertrace/core/raster/sample_offset.h>
 
 #include <array>
+#include <cmath>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -32,14 +33,18 @@ struct CanvasSamples {
 
     double error = x == offset.x() && y == offset.y() ? 0 : 0x1p-53; ///< how far these may be off
 
+    /// Added to a pixel of a canvas, they are exact.
+    bool are_short =
+        error == 0 && std::fmod(x, 0x1p-30) == 0 && std::fmod(y, 0x1p-30) == 0; // 16 bits before
+
     /// The sample of a pixel.
     Coordinate x_of(Index pixel) const {
-        return error == 0 ? Coordinate(static_cast<double>(pixel) + x)
-                          : Coordinate(offset.x_of(pixel));
+        return are_short ? Coordinate(static_cast<double>(pixel) + x)
+                         : Coordinate(offset.x_of(pixel));
     }
     Coordinate y_of(Index pixel) const {
-        return error == 0 ? Coordinate(static_cast<double>(pixel) + y)
-                          : Coordinate(offset.y_of(pixel));
+        return are_short ? Coordinate(static_cast<double>(pixel) + y)
+                         : Coordinate(offset.y_of(pixel));
     }
 };
 
@@ -99,7 +104,8 @@ int orientation(const ScreenPoint& a, const ScreenPoint& b, const ScreenPoint& c
 class TriangleSamples {
 public:
     /// `one_rounding` is what one rounding of the numbers of the trace may put a number off, relative to it: 2^-53 of
-    /// doubles, 0 of exact ones. It refers to the corners and the grid.
+    /// doubles, 0 of exact ones. The corners and
+    /// the grid have to outlive this.
     TriangleSamples(const std::array<ScreenPoint, 3>& at, const CanvasSamples& grid,
                     double one_rounding);
 

@@ -18,8 +18,8 @@ inline std::size_t usual_jobs() {
     return std::max(1U, std::thread::hardware_concurrency());
 }
 
-/// Calls `work(i, thread)` once for each index i below `end`, in `jobs` threads, numbered from 0; a thread takes so many
-/// indices at once, which lie next to each other. `work` must not throw. It may lower `end`: then no index from there on
+/// Calls `work(i, thread)` once for each index i below `end`, in `jobs` threads, numbered from 0; a thread takes `at_once`
+/// neighboring indices at a time. `work` must not throw. It may lower `end`: then no index from there on
 /// is begun. The module for pages has one thread.
 template <typename Work>
 void in_threads(const std::atomic<std::size_t>& end, [[maybe_unused]] std::size_t jobs,
@@ -33,7 +33,8 @@ void in_threads(const std::atomic<std::size_t>& end, [[maybe_unused]] std::size_
     };
 #ifndef __EMSCRIPTEN__
     std::vector<std::jthread> threads;
-    for (std::size_t i = 1; i < std::min(jobs, end.load()); ++i)
+    const std::size_t turns = (end + at_once - 1) / at_once;
+    for (std::size_t i = 1; i < std::min(jobs, turns); ++i)
         threads.emplace_back(work_on, i);
 #endif
     work_on(0);
