@@ -11,11 +11,16 @@
 #include <rastertrace/trace/tell/describe.h>
 #include <rastertrace/trace/tell/working.h>
 
+#include <rastertrace/trace/text/input_check.h>
+
+#include <fmt/core.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <unistd.h>
 
+#include <algorithm>
+#include <cstddef>
 #include <filesystem>
 #include <fstream>
 #include <string>
@@ -38,25 +43,31 @@ protected:
     }
     ~StepStreamTest() override { std::filesystem::remove_all(folder_); }
 
-    std::variant<StepStream, Source> opened(const std::string& text) const {
+    std::variant<StepStream, Source> opened(const std::string& text, std::size_t jobs = 0) const {
         const std::string path = (folder_ / "trace.json").string();
         std::ofstream(path) << text;
-        return open_steps(path, {});
+        return open_steps(path, {.jobs = jobs});
     }
 
     /// What a stream tells: the steps, and what is wrong.
     struct Told {
         std::vector<std::string> steps = {};
         std::vector<std::string> damage = {};
+        std::string refused = {};
+        friend bool operator==(const Told&, const Told&) = default;
     };
-    Told told_by(const std::string& text) const {
-        auto either = opened(text);
+    Told told_by(const std::string& text, std::size_t jobs = 0) const {
+        auto either = opened(text, jobs);
         auto& stream = std::get<StepStream>(either);
         Told told;
-        while (stream.next()) {
-            EXPECT_EQ(stream.number(), told.steps.size() + 1);
-            EXPECT_EQ(stream.kind(), stream.step().kind());
-            told.steps.emplace_back(stream.step().json());
+        try {
+            while (stream.next()) {
+                EXPECT_EQ(stream.number(), told.steps.size() + 1);
+                EXPECT_EQ(stream.kind(), stream.step().kind());
+                told.steps.emplace_back(stream.step().json());
+            }
+        } catch (const Problem& problem) {
+            told.refused = without_folder(to_text(problem));
         }
         for (const Problem& problem : stream.damage())
             told.damage.push_back(without_folder(to_text(problem)));
@@ -86,6 +97,7 @@ TEST_F(StepStreamTest, HasTheStepsOfBothLayouts) {
         const Told told = told_by(text);
         EXPECT_EQ(told.steps, steps_of(sound_trace(text)));
         EXPECT_THAT(told.damage, IsEmpty());
+        EXPECT_EQ(told.refused, "");
     }
 }
 
@@ -122,11 +134,32 @@ TEST_F(StepStreamTest, ALineThatIsNoStepIsRefusedWithItsNumber) {
     text.replace(at, 18, R"({"step":"pixel","q)");
     const auto whole = read_trace({"trace.json", text});
     ASSERT_FALSE(whole);
-    try {
-        told_by(text);
-        ADD_FAILURE() << "no problem";
-    } catch (const Problem& problem) {
-        EXPECT_EQ(without_folder(to_text(problem)), to_text(whole.problem()));
+    EXPECT_EQ(told_by(text).refused, to_text(whole.problem()));
+}
+
+/// The second of several blocks is read while the first is looked at, if there is more than one thread.
+TEST_F(StepStreamTest, WhatIsReadAheadIsToldInTurn) {
+    const std::string whole =
+        trace_text(large_scene(), {.layout = TraceLayout::jsonl, .filter = {}});
+    ASSERT_GT(whole.size(), 1'900'000U);
+    const std::size_t place = whole.find('\n', 1'400'000) + 1;
+    const auto lines =
+        std::count(whole.begin(), whole.begin() + static_cast<std::ptrdiff_t>(place), '\n');
+    const std::string at = fmt::format("trace.json:{}:", lines + 1);
+    const auto with = [&](const std::string& line) {
+        return whole.substr(0, place) + line + whole.substr(place);
+    };
+    for (const auto& [text, refused] : std::vector<std::pair<std::string, std::string>>{
+             {whole, ""},
+             {whole.substr(0, place + 20), ""},
+             {with("7\n"), at},
+             {with(std::string(longest_line + 2'000'000, 'x') + "\n"), at},
+             {with("{\"end\":{}}\n"), "trace.json:"}}) {
+        const Told in_turn = told_by(text, 1);
+        EXPECT_TRUE(in_turn.refused.starts_with(refused)) << in_turn.refused;
+        EXPECT_EQ(in_turn.refused.empty(), refused.empty());
+        EXPECT_GT(in_turn.steps.size(), 10'000U);
+        EXPECT_TRUE(told_by(text, 3) == in_turn) << refused;
     }
 }
 

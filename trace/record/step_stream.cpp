@@ -2,10 +2,12 @@
 #include "step_stream.h"
 
 #include "frame.h"
+#include "line_blocks.h"
 #include "trace_lines.h"
 #include "unknown_names.h"
 
 #include <rastertrace/trace/text/first_line.h>
+#include <rastertrace/trace/text/in_threads.h>
 #include <rastertrace/trace/text/input_check.h>
 #include <rastertrace/trace/text/input_file.h>
 #include <rastertrace/trace/text/text.h>
@@ -13,17 +15,12 @@
 
 #include <fmt/core.h>
 
-#include <algorithm>
 #include <string_view>
 #include <utility>
 
 namespace rastertrace {
 
 namespace {
-
-/// So many bytes of steps are looked at at once: more each time.
-constexpr std::size_t least_block = 1 << 20;
-constexpr std::size_t largest_block = 8 * least_block;
 
 template <typename T> T value_of(Result<T> result) {
     if (!result)
@@ -36,15 +33,9 @@ template <typename T> T value_of(Result<T> result) {
 /// The file comes in blocks of whole lines. Each block is read as a trace of its own, with the header in front, so
 /// that every line is checked as in a trace that is read whole.
 struct StepStream::State {
-    InputFile file;
-    LineLayout layout = LineLayout::other;
-    std::string header_line;
-    std::string text; ///< what has been read and is in no block yet, from the beginning of a line
-    bool has_all = false;       ///< the file has come to its end
-    bool may_grow = false;      ///< the end of the file is not the end: more may be added
-    std::size_t text_begin = 0; ///< of `text` in the file
-    std::size_t block_begin = 0;
-    std::size_t lines_before = 1; ///< lines of the file in front of `text`
+    LineBlocks lines;
+    std::size_t block_begin = 0;  ///< of the current block's lines in the file
+    std::size_t lines_before = 1; ///< lines of the file in front of what is in no block yet
     std::size_t lines_before_block = 1;
 
     Trace header;
@@ -54,7 +45,6 @@ struct StepStream::State {
     bool is_behind = false; ///< the last step has been passed
     BlockSums sums;
     std::size_t jobs = 0;
-    std::size_t block_size = least_block;
     std::optional<EndRecord> end;
     std::optional<Problem> fault; ///< what stands behind the current block
     std::vector<Problem> damage;
@@ -64,18 +54,15 @@ struct StepStream::State {
     bool tells_all = false;         ///< useless steps are damage, and the picture is drawn
     bool has_useless_steps = false; ///< nobody knows what they should have been
 
-    explicit State(InputFile opened) : file(std::move(opened)) {}
+    /// What has been read of a file, its first line at least.
+    State(InputFile file, LineLayout layout, std::string_view first, bool reads_ahead)
+        : lines(std::move(file), layout,
+                std::string(without_blanks(first.substr(0, first.find('\n')))),
+                first.substr(first.find('\n') + 1), first.find('\n') + 1, reads_ahead) {}
 
-    /// False if there is no more, or not yet.
-    bool read_more() {
-        if (has_all)
-            return false;
-        const bool has_read = file.read_into(text);
-        has_all = !has_read && !may_grow;
-        return has_read;
-    }
+    const std::string& name() const { return lines.file().name(); }
 
-    /// A problem of what stands in `text`, with the line that it has in the file.
+    /// A problem of what is in no block yet, with the line that it has in the file.
     Problem moved(Problem problem) const { return moved(std::move(problem), lines_before); }
 
     /// The same for a problem of lines that so many others stand in front of.
@@ -85,19 +72,21 @@ struct StepStream::State {
         return problem;
     }
 
-    /// The steps of some lines, as a trace of its own; what is wrong with them is damage of the whole.
-    Trace trace_of(std::string_view lines, bool is_cut_off) {
-        const bool is_document = layout == LineLayout::document;
-        const std::string_view behind = is_cut_off    ? ""
-                                        : is_document ? "],\"end\":{}}"
-                                                      : "{\"end\":{}}";
-        Source source{file.name(), {}, {}};
-        source.text.reserve(header_line.size() + 1 + lines.size() + behind.size());
-        source.text.append(header_line).append("\n").append(lines).append(behind);
+    /// The steps of a block, as a trace of its own; what is wrong with them is damage of the whole. Throws a Problem; then
+    /// the block is as it was.
+    Trace trace_of(LineBlock& from) {
+        const bool is_document = lines.layout() == LineLayout::document;
+        const std::size_t size = from.text.size();
+        if (!from.is_cut_off)
+            from.text += is_document ? "],\"end\":{}}" : "{\"end\":{}}";
+        Source source{name(), std::move(from.text), {}};
         const bool goes_on = tells_all && damage.size() < most_useless_steps;
-        auto read = read_block(std::move(source), goes_on, jobs, sums);
-        if (!read)
+        auto read = read_block(source, goes_on, jobs, sums);
+        if (!read) {
+            from.text = std::move(source.text);
+            from.text.resize(size);
             throw moved(read.problem());
+        }
         for (Problem& problem : read.value().damage)
             damage.push_back(moved(std::move(problem)));
         NotFiniteSteps& more = read.value().not_finite;
@@ -107,92 +96,59 @@ struct StepStream::State {
         return std::move(read.value());
     }
 
-    /// True for the line behind the last step.
-    bool is_end(std::string_view line) const {
-        if (line.starts_with("{\"step\""))
-            return false;
-        line = without_blanks(line);
-        return layout == LineLayout::document ? line.starts_with(']') : is_end_line(line);
-    }
-
-    /// The whole lines in front of the line behind the last step, or all of `text` if it has none such.
-    struct WholeLines {
-        std::size_t size = 0; ///< bytes
-        std::size_t count = 0;
-        bool is_last = false; ///< the line behind the last step follows
-    };
-    WholeLines whole_lines() const {
-        WholeLines lines;
-        while (lines.size < text.size()) {
-            const std::size_t newline = text.find('\n', lines.size);
-            if (newline == std::string::npos && !has_all)
-                break;
-            const std::size_t line_end = std::min(newline, text.size());
-            if (is_end(std::string_view(text).substr(lines.size, line_end - lines.size))) {
-                lines.is_last = true;
-                break;
-            }
-            lines.size = std::min(line_end + 1, text.size());
-            lines.count += newline == std::string::npos ? 0 : 1;
-        }
-        return lines;
-    }
-
     /// Goes to the next block that has a step.
     bool next_block() {
         if (is_behind)
             return false;
         before += std::exchange(block, {}).size();
         place = 0;
-        while (text.size() < block_size && read_more()) {
-        }
-        block_size = std::min(2 * block_size, largest_block);
-        WholeLines whole = whole_lines();
-        while (whole.size == 0 && !whole.is_last && !has_all) { // a line longer than a block
-            if (text.size() > longest_line)
-                throw moved(line_too_long({file.name(), header_line + "\n" + text, {}},
-                                          header_line.size() + 1));
-            if (!read_more() && may_grow)
-                return false; // not a whole line yet
-            whole = whole_lines();
-        }
-        const std::string_view lines = std::string_view(text).substr(0, whole.size);
-        const bool is_cut_off = !whole.is_last && has_all;
         if (fault)
             throw *fault;
+        auto from = next_lines();
+        if (!from)
+            return false; // not a whole line yet
         const bool had_stray_pixel = sums.has_stray_pixel;
         try {
-            block = trace_of(lines, is_cut_off);
+            block = trace_of(*from);
         } catch (const Problem& problem) {
             sums.has_stray_pixel =
                 had_stray_pixel; // the steps in front of the fault are read again
-            return next_block_before(problem, lines);
+            return next_block_before(problem, *std::move(from));
         }
-        block_begin = text_begin;
-        text_begin += whole.size;
-        if (is_cut_off && !block.end && !damage.empty())
+        block_begin = from->begin;
+        if (from->is_cut_off && !block.end && !damage.empty())
             damage.back().message = truncation_after(before + block.size());
         look_for_useless_steps();
         lines_before_block = lines_before;
-        lines_before += whole.count;
-        text.erase(0, whole.size);
-        is_behind = whole.is_last || has_all;
-        if (whole.is_last)
+        lines_before += from->newlines;
+        is_behind = from->is_last || from->is_cut_off;
+        if (from->is_last)
             read_end();
         return block.size() > 0 || next_block();
     }
 
+    std::optional<LineBlock> next_lines() {
+        try {
+            return lines.next();
+        } catch (Problem& problem) {
+            throw moved(std::move(problem));
+        }
+    }
+
     /// The steps in front of the line that is no step; the next block is the fault.
-    bool next_block_before(const Problem& problem, std::string_view lines) {
+    bool next_block_before(const Problem& problem, LineBlock from) {
         const std::size_t whole = problem.line > lines_before ? problem.line - lines_before - 1 : 0;
-        std::size_t length = 0;
-        for (std::size_t line = 0; line < whole && length < lines.size(); ++line)
-            length = lines.find('\n', length) + 1;
-        if (length == 0)
+        const std::size_t front = lines.header_line().size() + 1;
+        std::size_t size = front;
+        for (std::size_t line = 0; line < whole && size < from.text.size(); ++line)
+            size = from.text.find('\n', size) + 1;
+        if (size == front)
             throw problem;
+        from.text.resize(size);
+        from.is_cut_off = false;
         fault = problem;
-        block = trace_of(lines.substr(0, length), false);
-        block_begin = text_begin;
+        block = trace_of(from);
+        block_begin = from.begin;
         lines_before_block = lines_before;
         look_for_useless_steps();
         if (block.size() == 0)
@@ -207,10 +163,7 @@ struct StepStream::State {
 
     /// What is left is the end record, and nothing behind it.
     void read_end() {
-        while (text.size() < 2 * largest_block && read_more()) {
-        }
-        Source source{file.name(), header_line + "\n" + text, {}};
-        const Trace rest = value_of(read_end_of(std::move(source)));
+        const Trace rest = value_of(read_end_of({name(), lines.rest(), {}}));
         end = rest.end;
         // Those of the header have been told already.
         for (std::size_t i = header.passed_over.size(); i < rest.passed_over.size(); ++i)
@@ -224,8 +177,7 @@ struct StepStream::State {
             return;
         }
         // Held against no steps, it has told where it disagrees.
-        compare_with_end(rest.damage.empty() ? problem_of(file.name(), "")
-                                             : moved(rest.damage.front()));
+        compare_with_end(rest.damage.empty() ? problem_of(name(), "") : moved(rest.damage.front()));
     }
 
     Result<Trace> read_end_of(Source source) const {
@@ -285,11 +237,12 @@ const Trace& StepStream::header() const {
 }
 
 std::string StepStream::header_json() const {
-    return state_->header_line + (state_->layout == LineLayout::document ? "]}" : "");
+    return state_->lines.header_line() +
+           (state_->lines.layout() == LineLayout::document ? "]}" : "");
 }
 
 const std::optional<FileId>& StepStream::file() const {
-    return state_->file.id();
+    return state_->lines.file().id();
 }
 
 bool StepStream::next() {
@@ -328,12 +281,12 @@ const std::vector<Problem>& StepStream::damage() const {
 }
 
 std::size_t StepStream::offset() const {
-    const std::size_t lines = state_->header_line.size() + 1;
-    return state_->block_begin + state_->block.offset_of(state_->place) - lines;
+    const std::size_t front = state_->lines.header_line().size() + 1;
+    return state_->block_begin + state_->block.offset_of(state_->place) - front;
 }
 
 int StepStream::descriptor() const {
-    return state_->file.descriptor();
+    return state_->lines.file().descriptor();
 }
 
 bool StepStream::is_behind_end() const {
@@ -341,26 +294,24 @@ bool StepStream::is_behind_end() const {
 }
 
 void StepStream::let_grow(bool may_grow) {
-    state_->may_grow = may_grow;
+    state_->lines.let_grow(may_grow);
 }
 
 std::variant<StepStream, Source> StepStream::open(FirstLine first, std::size_t jobs) {
     if (first.layout == LineLayout::other)
         return std::move(first.source);
-    StepStream stream(std::move(first.file), first.layout, first.source.text);
+    const bool reads_ahead = (jobs == 0 ? usual_jobs() : jobs) > 1;
+    StepStream stream(std::move(first.file), first.layout, first.source.text, reads_ahead);
     stream.state_->jobs = jobs;
     return stream;
 }
 
-StepStream::StepStream(InputFile file, LineLayout layout, const std::string& first)
-    : state_(std::make_unique<State>(std::move(file))) {
+StepStream::StepStream(InputFile file, LineLayout layout, const std::string& first,
+                       bool reads_ahead)
+    : state_(std::make_unique<State>(std::move(file), layout, first, reads_ahead)) {
     State* const state = state_.get();
-    state->layout = layout;
-    const std::size_t newline = first.find('\n');
-    state->header_line = without_blanks(first.substr(0, newline));
-    state->text = first.substr(newline + 1);
-    state->text_begin = newline + 1;
-    state->header = state->trace_of("", false);
+    LineBlock none{.text = state->lines.header_line() + "\n"};
+    state->header = state->trace_of(none);
     state->damage.clear();
     state->passed_over = state->header.passed_over;
 }

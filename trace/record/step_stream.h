@@ -95,7 +95,8 @@ private:
     struct State;
     static std::variant<StepStream, Source> open(FirstLine first, std::size_t jobs);
     friend class GrowingTrace;
-    StepStream(InputFile file, LineLayout layout, const std::string& first);
+    StepStream(InputFile file, LineLayout layout, const std::string& first,
+               bool reads_ahead = false);
 
     std::unique_ptr<State> state_;
 };

@@ -382,7 +382,7 @@ public:
     }
 
     /// Reads what may be a trace, or a part of one.
-    static Result<Trace> read_with(Source source, Care care, const TraceReading& reading = {},
+    static Result<Trace> read_with(Source& source, Care care, const TraceReading& reading = {},
                                    BlockSums* sums = nullptr);
 
     Trace read() {
@@ -909,13 +909,13 @@ private:
 
 Result<Trace> read_written_trace(Source source) {
     try {
-        return TraceReader::read_with(std::move(source), TraceReader::Care::none);
+        return TraceReader::read_with(source, TraceReader::Care::none);
     } catch (const Problem& problem) {
         return problem;
     }
 }
 
-Result<Trace> TraceReader::read_with(Source source, Care care, const TraceReading& reading,
+Result<Trace> TraceReader::read_with(Source& source, Care care, const TraceReading& reading,
                                      BlockSums* sums) {
     // The mark that some editors put in front of UTF-8 says nothing.
     const std::size_t mark = size_of_mark(source.text);
@@ -926,22 +926,23 @@ Result<Trace> TraceReader::read_with(Source source, Care care, const TraceReadin
     } catch (const Problem& problem) {
         // A zero byte is told first, wherever it is.
         auto zero = zero_byte_in(reader.source());
+        source = std::move(reader.trace_.source_);
         return zero ? *std::move(zero) : problem;
     }
 }
 
 Result<Trace> read_trace(Source source, const TraceReading& reading) {
-    return TraceReader::read_with(std::move(source), TraceReader::Care::to_use, reading);
+    return TraceReader::read_with(source, TraceReader::Care::to_use, reading);
 }
 
-Result<Trace> read_block(Source source, bool to_tell, std::size_t jobs, BlockSums& sums) {
-    return TraceReader::read_with(std::move(source),
+Result<Trace> read_block(Source& source, bool to_tell, std::size_t jobs, BlockSums& sums) {
+    return TraceReader::read_with(source,
                                   to_tell ? TraceReader::Care::to_tell : TraceReader::Care::to_use,
                                   {.jobs = jobs}, &sums);
 }
 
 Result<Trace> read_trace_to_tell(Source source, const TraceReading& reading) {
-    return TraceReader::read_with(std::move(source), TraceReader::Care::to_tell, reading);
+    return TraceReader::read_with(source, TraceReader::Care::to_tell, reading);
 }
 
 } // namespace rastertrace

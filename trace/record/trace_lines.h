@@ -42,8 +42,8 @@ struct BlockSums {
 };
 
 /// Reads a part of a trace, in so many threads, with the header in front of it: who asks holds the whole against the end
-/// record.
-Result<Trace> read_block(Source source, bool to_tell, std::size_t jobs, BlockSums& sums);
+/// record. Takes the text of the source; if it fails, gives it back.
+Result<Trace> read_block(Source& source, bool to_tell, std::size_t jobs, BlockSums& sums);
 
 /// True if an end record says something about the picture.
 bool tells_picture(const EndRecord& end);
