@@ -62,6 +62,14 @@ TEST_F(PackedTest, TheEndingOfANameDecides) {
     EXPECT_EQ(without_packing("a.jsonl"), "a.jsonl");
 }
 
+TEST_F(PackedTest, APictureIsSeenInWhatIsPacked) {
+    write("picture", "..#\n.##\n");
+    const Outcome plain = shell("$rastertrace show picture");
+    EXPECT_EQ(plain.status, 0) << plain.err;
+    write("picture", packed("..#\n.##\n", Packing::gzip));
+    EXPECT_EQ(shell("$rastertrace show picture").out, plain.out);
+}
+
 /// Other programs read what is written, and what they write is read.
 TEST_F(PackedTest, GzipReadsWhatIsWritten) {
     const Outcome both =

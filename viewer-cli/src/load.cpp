@@ -7,6 +7,7 @@
 #include <rastertrace/trace/explain/pixel_units.h>
 #include <rastertrace/trace/picture/picture_trace.h>
 #include <rastertrace/trace/scene/scene_file.h>
+#include <rastertrace/trace/text/input_file.h>
 #include <rastertrace/trace/text/packed.h>
 #include <rastertrace/trace/text/process_files.h>
 #include <rastertrace/trace/text/trace_layout.h>
@@ -20,7 +21,6 @@
 #include <cerrno>
 #include <csignal>
 #include <filesystem>
-#include <fstream>
 #include <limits>
 #include <utility>
 
@@ -142,16 +142,29 @@ void check_region(const Region& region, const Canvas& canvas) {
                         region.y1));
 }
 
+namespace {
+
+/// The beginning of a file, unpacked; false if it cannot be read.
+bool read_front(const std::string& path, std::string& front) {
+    constexpr std::size_t enough_to_tell = 1 << 16;
+    auto file = InputFile::open(path);
+    try {
+        while (file && front.size() < enough_to_tell && file.value().read_into(front)) {
+        }
+    } catch (const Problem&) {
+        return false; // told by who reads on
+    }
+    return bool(file);
+}
+
+} // namespace
+
 std::optional<Picture> picture_in_file(const std::string& path, const InputLimits& limits) {
     std::error_code error;
     if (path == "-" || !std::filesystem::is_regular_file(path, error))
         return std::nullopt;
-    constexpr std::size_t enough_to_tell = 1 << 16;
-    std::string front(enough_to_tell, '\0');
-    std::ifstream file(path, std::ios::binary);
-    file.read(front.data(), static_cast<std::streamsize>(front.size()));
-    front.resize(static_cast<std::size_t>(file.gcount()));
-    if (!picture_format({path, std::move(front), {}}))
+    std::string front;
+    if (!read_front(path, front) || !picture_format({path, std::move(front), {}}))
         return std::nullopt;
     return value_or_throw(read_picture(value_or_throw(read_bytes(path, limits))));
 }

@@ -78,6 +78,7 @@ extern "C" void end_by_signal(int signal) {
 
 /// Somebody has cut a trace short whose file is looked at where it is (mapped_file.h).
 extern "C" void end_without_file(int /*signal*/) {
+    rastertrace::go_on_alone();
     rastertrace::remove_unfinished_files();
     rastertrace::give_back_terminal();
     rastertrace::print_error("rastertrace: a trace was cut short while it was read\n");

@@ -15,6 +15,7 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <cerrno>
 #include <csignal>
 #include <string_view>
@@ -79,6 +80,7 @@ extern "C" void end_session_by_signal(int signal) {
     ::tcflush(STDOUT_FILENO, TCOFLUSH); // nobody may be reading
     give_back_terminal();
     if (signal == SIGBUS) {
+        go_on_alone();
         // The bytes of a file are looked at in their place, see growing_trace.h.
         constexpr std::string_view text = "rastertrace: what was played cannot be read any more: "
                                           "its file was probably cut short\n";
@@ -141,6 +143,13 @@ void handle(int signal, void (*handler)(int), struct sigaction& before) {
 }
 
 } // namespace
+
+void go_on_alone() noexcept {
+    static std::atomic_flag is_ending;
+    if (is_ending.test_and_set())
+        while (true)
+            ::pause();
+}
 
 void give_back_terminal() noexcept {
     if (shared.is_taken == 0)

@@ -24,6 +24,10 @@ namespace rastertrace {
 /// handler of a signal.
 void give_back_terminal() noexcept;
 
+/// In a handler of a signal that several threads may get at once: returns in the first, and holds the others until the
+/// program has ended.
+void go_on_alone() noexcept;
+
 class TerminalSession {
 public:
     /// True if standard output is a terminal that can be taken over, and keys can be read from it.
