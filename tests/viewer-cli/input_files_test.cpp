@@ -417,7 +417,7 @@ TEST_F(ProgramTest, ASystemThatCannotOpenFilesIsNoBadInput) {
     }
     write("mesh.json", R"({"canvas": {"width": 9, "height": 9}, "meshes": [{"obj": "c.obj"}]})");
     const Outcome mesh =
-        shell("FAIL_CALL=open FAIL_AT=2 "
+        shell("FAIL_CALL=open FAIL_AT=3 "
               "LD_PRELOAD=" RASTERTRACE_FAILING_CALLS " $rastertrace show mesh.json");
     EXPECT_EQ(mesh.status, 3);
     EXPECT_EQ(mesh.err,

@@ -144,17 +144,18 @@ void check_region(const Region& region, const Canvas& canvas) {
 
 namespace {
 
-/// The beginning of a file, unpacked; false if it cannot be read.
-bool read_front(const std::string& path, std::string& front) {
+/// The beginning of a file, unpacked, as far as it is whole.
+std::string front_of(const std::string& path) {
     constexpr std::size_t enough_to_tell = 1 << 16;
-    auto file = InputFile::open(path);
+    InputFile file = value_or_throw(InputFile::open(path));
+    std::string front;
     try {
-        while (file && front.size() < enough_to_tell && file.value().read_into(front)) {
+        while (front.size() < enough_to_tell && file.read_into(front)) {
         }
     } catch (const Problem&) {
-        return false; // told by who reads on
+        return front; // who reads on will tell
     }
-    return bool(file);
+    return front;
 }
 
 } // namespace
@@ -163,8 +164,7 @@ std::optional<Picture> picture_in_file(const std::string& path, const InputLimit
     std::error_code error;
     if (path == "-" || !std::filesystem::is_regular_file(path, error))
         return std::nullopt;
-    std::string front;
-    if (!read_front(path, front) || !picture_format({path, std::move(front), {}}))
+    if (!picture_format({path, front_of(path), {}}))
         return std::nullopt;
     return value_or_throw(read_picture(value_or_throw(read_bytes(path, limits))));
 }
