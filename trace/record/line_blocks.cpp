@@ -14,10 +14,13 @@ namespace {
 
 /// Bytes of a block: twice as many as of the one before, up to the most.
 constexpr std::size_t least_block = 1 << 20;
-constexpr std::size_t largest_block = 8 * least_block;
+constexpr std::size_t largest_block = 4 * least_block;
 
 /// What a file gives at once, also a packed one, and what is put behind the lines of a block.
 constexpr std::size_t room_behind = (1 << 20) + (1 << 10);
+
+/// Of the text behind the steps.
+constexpr std::size_t most_behind = 16 << 20;
 
 } // namespace
 
@@ -104,7 +107,7 @@ std::optional<LineBlock> LineBlocks::next() {
 }
 
 std::string LineBlocks::rest() {
-    while (lines().size() < 2 * largest_block && read_more()) {
+    while (lines().size() < most_behind && read_more()) {
     }
     return text_;
 }
