@@ -69,7 +69,6 @@ LineBlocks::WholeLines LineBlocks::whole_lines() const {
 }
 
 std::optional<LineBlock> LineBlocks::read_block() {
-    text_.reserve(front() + block_size_ + room_behind);
     while (lines().size() < block_size_ && read_more()) {
     }
     block_size_ = std::min(2 * block_size_, largest_block);
@@ -94,14 +93,20 @@ std::optional<LineBlock> LineBlocks::read_block() {
 }
 
 std::optional<LineBlock> LineBlocks::next() {
+    // By this thread: what each new one takes, glibc would keep apart for it.
+    const auto make_room = [this] { text_.reserve(front() + block_size_ + room_behind); };
+    if (!ahead_.valid())
+        make_room();
     auto block = ahead_.valid() ? ahead_.get() : read_block();
 #ifndef __EMSCRIPTEN__
-    if (block && !block->is_last && !block->is_cut_off && reads_ahead_)
+    if (block && !block->is_last && !block->is_cut_off && reads_ahead_) {
+        make_room();
         try {
             ahead_ = std::async(std::launch::async, [this] { return read_block(); });
         } catch (const std::system_error&) { // no thread is to be had
             reads_ahead_ = false;
         }
+    }
 #endif
     return block;
 }
