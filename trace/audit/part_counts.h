@@ -55,7 +55,7 @@ struct PixelEvent {
         tie,   ///< a depth test fails, at the depth that is stored, as both are written
     };
     What what = What::begin;
-    Pixel pixel{}; ///< of the canvas
+    Pixel pixel{}; ///< of the canvas; means nothing for `begin`
     Color color{}; ///< that is drawn; of a tie, that of the primitive
 };
 

@@ -93,7 +93,7 @@ std::optional<LineBlock> LineBlocks::read_block() {
 }
 
 std::optional<LineBlock> LineBlocks::next() {
-    // By this thread: what each new one takes, glibc would keep apart for it.
+    // Reserved by this thread: glibc keeps an arena for each thread, and would keep the memory of each block there.
     const auto make_room = [this] { text_.reserve(front() + block_size_ + room_behind); };
     if (!ahead_.valid())
         make_room();

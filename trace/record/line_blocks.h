@@ -41,7 +41,8 @@ public:
     LineLayout layout() const { return layout_; }
     const std::string& header_line() const { return header_line_; }
 
-    /// Whether more may be added to the file: then its end is not the end. Not of a file that is read ahead.
+    /// If true, the end of the file is not taken for the end of the trace: more may be written to it. Not of a file that
+    /// is read ahead.
     void let_grow(bool may_grow) { may_grow_ = may_grow; }
 
     /// The next block; not behind the last one. `nullopt` if a file that may grow has no whole line yet. Throws a Problem,
