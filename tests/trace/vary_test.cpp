@@ -19,8 +19,8 @@ namespace {
 using nlohmann::json;
 
 /// What is said of a triangle's scene with this "vary", and of these variations of a command line.
-std::string complaint(const std::string& vary, const std::vector<Variation>& given = {},
-                      std::size_t frame = 1) {
+std::string complaint_about(const std::string& vary, const std::vector<Variation>& given = {},
+                            std::size_t frame = 1) {
     const Source source{"scene.json", R"({"canvas": {"width": 9, "height": 9},
 "vertices": {"A": [0, 3], "B": [-3, "-5/2"], "C/~": [3, -3]}, "triangles": [["A", "B", "C/~"]],
 "model": [{"rotate": {"axis": "z", "degrees": 0}}],
@@ -145,21 +145,21 @@ TEST(Vary, NumbersOfOneShortNameAreToldByTheirPointers) {
 }
 
 TEST(Vary, SlashesAndTildesOfKeysAreEscaped) {
-    EXPECT_EQ(complaint(R"({"/vertices/C~1~0/0": [1, 2]})", {}, 2), "no complaint");
-    EXPECT_THAT(complaint(R"({"/vertices/C~2/0": [1, 2]})"),
+    EXPECT_EQ(complaint_about(R"({"/vertices/C~1~0/0": [1, 2]})", {}, 2), "no complaint");
+    EXPECT_THAT(complaint_about(R"({"/vertices/C~2/0": [1, 2]})"),
                 testing::HasSubstr("expected ~0 or ~1 (a tilde or a slash in a key), found "
                                    "\"C~2\"\n"));
 }
 
 TEST(Vary, WhatIsNoNumberOfTheSceneIsRefused) {
     EXPECT_EQ(
-        complaint(R"({"/model/0/rotate/degree": [1, 2]})"),
+        complaint_about(R"({"/model/0/rotate/degree": [1, 2]})"),
         "scene.json:4:10: expected a key of /model/0/rotate: axis, degrees, found \"degree\"\n"
         "\"vary\": {\"/model/0/rotate/degree\": [1, 2]}}\n"
         "         ^\n"
         "hint: did you mean degrees?");
     const auto told = [](const std::string& pointer) {
-        const std::string text = complaint("{\"" + pointer + "\": [1, 2]}");
+        const std::string text = complaint_about("{\"" + pointer + "\": [1, 2]}");
         const std::size_t begin = text.find(": expected") + 2;
         return text.substr(begin, text.find('\n') - begin);
     };
@@ -176,13 +176,13 @@ TEST(Vary, WhatIsNoNumberOfTheSceneIsRefused) {
               "expected a JSON Pointer, which begins with '/', found \"vertices/A/0\"");
     EXPECT_EQ(told("/vary/0"), "expected a number that is drawn by, found one of \"vary\"");
     EXPECT_EQ(told("/vertices/D/0"), "expected a key of /vertices: A, B, C/~, found \"D\"");
-    EXPECT_EQ(complaint(R"({"/vertices/B/1": [1, 2]})"), "no complaint")
+    EXPECT_EQ(complaint_about(R"({"/vertices/B/1": [1, 2]})"), "no complaint")
         << "a fraction is a number";
 }
 
 TEST(Vary, WhatIsNoSequenceIsRefused) {
     const auto told = [](const std::string& values) {
-        const std::string text = complaint("{\"/canvas/width\": " + values + "}");
+        const std::string text = complaint_about("{\"/canvas/width\": " + values + "}");
         return text.substr(0, text.find('\n'));
     };
     EXPECT_EQ(told("5"), "scene.json:4:27: expected {\"from\": 0, \"to\": 345, \"steps\": 24} or a "
@@ -200,31 +200,32 @@ TEST(Vary, WhatIsNoSequenceIsRefused) {
               "scene.json:4:39: expected a key out of from, to, steps, found \"until\"");
 
     EXPECT_THAT(
-        complaint(R"({"/canvas/width": [7, 9], "/canvas/height": [7, 8, 9]})"),
+        complaint_about(R"({"/canvas/width": [7, 9], "/canvas/height": [7, 8, 9]})"),
         testing::HasSubstr(":35: expected as many values as /canvas/width has, 2; found 3\n"));
-    EXPECT_EQ(complaint(R"({"/canvas/width": [7, 9]})", {{"/canvas/height", "1:2:3"}}),
+    EXPECT_EQ(complaint_about(R"({"/canvas/width": [7, 9]})", {{"/canvas/height", "1:2:3"}}),
               "--vary: expected as many values as /canvas/width has, 2; found 3");
-    EXPECT_EQ(complaint("{}", {{"/canvas/width", "7"}, {"/canvas/width", "8"}}),
+    EXPECT_EQ(complaint_about("{}", {{"/canvas/width", "7"}, {"/canvas/width", "8"}}),
               "--vary: expected each number once, found /canvas/width again");
-    EXPECT_EQ(complaint("{}", {{"/canvas/with", "7"}}),
+    EXPECT_EQ(complaint_about("{}", {{"/canvas/with", "7"}}),
               "--vary: expected a key of /canvas: width, height, found \"with\"\n"
               "hint: did you mean width?");
-    EXPECT_EQ(complaint("{}", {{"/canvas/width", "7:8"}}),
+    EXPECT_EQ(complaint_about("{}", {{"/canvas/width", "7:8"}}),
               "--vary: expected FROM:TO:STEPS or a list of values, found \"7:8\"\n"
               "hint: like 4:1:7, or 4,3,2");
 }
 
 TEST(Vary, AFaultOfAFrameStandsWhereTheNumberIsTyped) {
-    EXPECT_EQ(complaint(R"({"/canvas/width": [9, 8.5]})"), "no complaint");
-    EXPECT_EQ(complaint(R"({"/canvas/width": [9, 8.5]})", {}, 2),
+    EXPECT_EQ(complaint_about(R"({"/canvas/width": [9, 8.5]})"), "no complaint");
+    EXPECT_EQ(complaint_about(R"({"/canvas/width": [9, 8.5]})", {}, 2),
               "scene.json:1:22: expected a whole number of pixels from 1 to 16384, found 8.5, in "
               "frame 2 of 2: width 8.5\n"
               "{\"canvas\": {\"width\": 9, \"height\": 9},\n"
               "                     ^");
-    EXPECT_EQ(complaint(R"({"/canvas/width": [9, 8]})", {}, 3),
+    EXPECT_EQ(complaint_about(R"({"/canvas/width": [9, 8]})", {}, 3),
               "scene.json: expected a frame from 1 to 2, found frame 3");
-    EXPECT_EQ(complaint("{}", {}, 2), "scene.json: expected a frame from 1 to 1, found frame 2\n"
-                                      "hint: \"vary\" in the scene, or --vary, makes more frames");
+    EXPECT_EQ(complaint_about("{}", {}, 2),
+              "scene.json: expected a frame from 1 to 1, found frame 2\n"
+              "hint: \"vary\" in the scene, or --vary, makes more frames");
 }
 
 } // namespace
