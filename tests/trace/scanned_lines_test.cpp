@@ -27,11 +27,11 @@ constexpr FrameParts all_parts{.writes = true, .depths = true};
 std::string with_blanks(std::string_view text, Random& random, int one_of) {
     std::string changed;
     while (!text.empty()) {
-        const std::size_t size = std::min(text.find('\n'), text.size() - 1) + 1;
+        const std::size_t line = std::min(text.find('\n'), text.size() - 1) + 1;
         if (text.starts_with(R"({"step")") && random.chance(one_of))
             changed += ' ';
-        changed += text.substr(0, size);
-        text.remove_prefix(size);
+        changed += text.substr(0, line);
+        text.remove_prefix(line);
     }
     return changed;
 }

@@ -72,14 +72,9 @@ struct Cornered {
 };
 
 /// The pixels that a primitive covers on a row of the canvas.
-std::span<const std::uint32_t> drawn_on_row(const DrawnPrimitive& primitive, Index row,
-                                            const Canvas& canvas) {
-    const Index begin = row * canvas.width;
-    const auto& pixels = primitive.covering();
-    const auto first = std::lower_bound(pixels.begin(), pixels.end(), begin);
-    const auto last = std::lower_bound(first, pixels.end(), begin + canvas.width);
-    return std::span(pixels).subspan(static_cast<std::size_t>(first - pixels.begin()),
-                                     static_cast<std::size_t>(last - first));
+PixelSet::Part drawn_on_row(const DrawnPrimitive& primitive, Index row, const Canvas& canvas) {
+    const auto begin = static_cast<std::uint32_t>(row * canvas.width);
+    return primitive.covering().part(begin, begin + static_cast<std::uint32_t>(canvas.width));
 }
 
 Pixel pixel_at(std::uint32_t offset, const Canvas& canvas) {
@@ -252,17 +247,12 @@ std::vector<std::uint32_t> never_drawn(const ScreenPoint& from, const ScreenPoin
         std::vector<Span> spans;
         for (const ConvexRegion& region : regions)
             spans.push_back(span_on_row(region, y, close_by));
-        const auto drawn_by_one = drawn_on_row(one, row, canvas);
-        const auto drawn_by_other = drawn_on_row(other, row, canvas);
         for (Index x = close_by.first; x <= close_by.last; ++x) {
             const auto offset =
                 static_cast<std::uint32_t>(canvas.offset_of({static_cast<int>(x), y}));
-            const auto is_in = [offset](std::span<const std::uint32_t> drawn) {
-                return std::binary_search(drawn.begin(), drawn.end(), offset);
-            };
             const bool belongs = std::any_of(spans.begin(), spans.end(),
                                              [x](const Span& span) { return span.has(x); });
-            if (belongs && !is_in(drawn_by_one) && !is_in(drawn_by_other))
+            if (belongs && !one.covering().contains(offset) && !other.covering().contains(offset))
                 never.push_back(offset);
         }
     }
@@ -282,7 +272,8 @@ PixelList drawn_by_both(const DrawnPrimitive& one, const DrawnPrimitive& other,
     PixelList both;
     auto place = other.pixels.begin();
     for (const std::uint32_t offset : one.pixels) {
-        place = std::lower_bound(place, other.pixels.end(), offset);
+        while (place != other.pixels.end() && *place < offset)
+            ++place;
         if (place == other.pixels.end())
             break;
         if (*place == offset)
@@ -354,8 +345,7 @@ void count_pixels(const TJunction& junction, const std::vector<Cornered>& drawn,
                   const CanvasSamples& grid, EdgeWithJunctions& result) {
     const Cornered& owner = drawn[junction.edge.from.triangle];
     const auto covers = [](const Cornered& triangle, std::uint32_t offset) {
-        const auto& covered = triangle.drawn->covering();
-        return std::binary_search(covered.begin(), covered.end(), offset);
+        return triangle.drawn->covering().contains(offset);
     };
     const auto triangle_at = [&](const TriangleEdge& edge) -> const Cornered& {
         return drawn[edge.from.triangle];
@@ -487,7 +477,7 @@ PixelList drawn_by_first_only(const DrawnPrimitive& first, const DrawnPrimitive&
                               const Canvas& canvas) {
     PixelList alone;
     for (const std::uint32_t offset : first.pixels)
-        if (!std::binary_search(other.pixels.begin(), other.pixels.end(), offset))
+        if (!other.pixels.contains(offset))
             add(alone, pixel_at(offset, canvas));
     return alone;
 }
@@ -525,11 +515,11 @@ void compare_outlines(const std::vector<Cornered>& outlines, const std::vector<C
 
 void DrawnPixels::give_to(DrawnPrimitive& primitive) {
     put_in_order(pixels_);
-    primitive.pixels = pixels_;
+    primitive.pixels = PixelSet(pixels_);
     if (!hidden_.empty()) {
         hidden_.insert(hidden_.end(), pixels_.begin(), pixels_.end());
         put_in_order(hidden_);
-        primitive.covered = hidden_;
+        primitive.covered = PixelSet(hidden_);
     }
     pixels_.clear();
     hidden_.clear();

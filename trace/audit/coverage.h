@@ -4,9 +4,10 @@
 // What the primitives of a trace drew, compared with the corners that their steps give: holes,
 // pixels outside, edges drawn twice or not at all, T-junctions, outlines that stick out of their fill.
 //
-//     std::vector<DrawnPrimitive> drawn{{.corners = at, .pixels = {39, 55, 56}}};
+//     std::vector<DrawnPrimitive> drawn{{.corners = at, .pixels = PixelSet(offsets)}};
 //     compare_with_corners(trace, drawn, 2, stats);
 
+#include "pixel_set.h"
 #include "screen_point.h"
 #include "stats.h"
 
@@ -21,17 +22,14 @@
 
 namespace rastertrace {
 
-/// A primitive of a trace: its corners, and the pixels of the canvas that it drew (Canvas::offset_of), ascending and each
-/// once.
+/// A primitive of a trace: its corners, and the pixels of the canvas that it drew.
 struct DrawnPrimitive {
     std::optional<std::array<ScreenPoint, 3>> corners = {}; ///< if it is judged by them
-    std::vector<std::uint32_t> pixels = {};
-    std::vector<std::uint32_t> covered = {}; ///< the same and those that were hidden, if any were
+    PixelSet pixels = {};
+    PixelSet covered = {}; ///< the same and those that were hidden, if any were
 
     /// The pixels that it drew, or would have drawn if nothing had stood before it.
-    const std::vector<std::uint32_t>& covering() const {
-        return covered.empty() ? pixels : covered;
-    }
+    const PixelSet& covering() const { return covered.empty() ? pixels : covered; }
 };
 
 /// Collects the pixels that the steps of a primitive are about, in whatever order and however often.

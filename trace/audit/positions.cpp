@@ -30,7 +30,10 @@ std::optional<std::array<ScreenPoint, 3>> plain_positions_in(std::string_view js
         return is_there;
     };
     const auto take_number = [&](Coordinate& into) {
-        const std::string_view number = json.substr(0, json.find_first_of(",]"));
+        std::size_t size = 0;
+        while (size < json.size() && json[size] != ',' && json[size] != ']')
+            ++size;
+        const std::string_view number = json.substr(0, size);
         const auto stored = stored_double_in(number, is_float);
         json.remove_prefix(number.size());
         into = Coordinate(stored.value_or(0));
