@@ -96,10 +96,10 @@ FrameParts parts_for(View view, const Trace& trace) {
 }
 
 bool larger_is_nearer(const Trace& trace) {
-    for (std::size_t n = 1; n <= trace.size(); ++n)
-        if (trace.kind_of(n) == StepKind::depth)
-            if (const auto larger = larger_depth_passes(trace, n))
-                return *larger;
+    const std::size_t last = trace.size();
+    for (std::size_t n = 0; (n = trace.next_of({StepKind::depth}, n + 1, last)) <= last;)
+        if (const auto larger = larger_depth_passes(trace, n))
+            return *larger;
     return false;
 }
 
@@ -122,12 +122,11 @@ std::string_view only_color(std::string_view json) {
 View default_view(const Trace& trace, std::size_t most_steps) {
     std::set<std::string> faces;
     std::set<std::string, std::less<>> colors;
-    for (std::size_t n = 1; n <= std::min(trace.size(), most_steps); ++n) {
-        const auto kind = trace.kind_of(n);
-        if (kind == StepKind::light)
+    const std::size_t last = std::min(trace.size(), most_steps);
+    const StepKindSet telling{StepKind::light, StepKind::primitive};
+    for (std::size_t n = 0; (n = trace.next_of(telling, n + 1, last)) <= last;) {
+        if (trace.kind_of(n) == StepKind::light)
             return View::shade;
-        if (kind != StepKind::primitive)
-            continue;
         const StepView step = trace.step(n);
         if (faces.size() > face_letters.size() &&
             trace.is_plain(n)) // of many, most tell nothing new

@@ -184,6 +184,9 @@ TEST_F(TraceIndexTest, HasTheStepsAndTheReplaysOfTheTrace) {
         const Trace indexed = opened();
         ASSERT_EQ(steps_of(indexed), steps_of(whole));
         EXPECT_EQ(damage_of(indexed), damage_of(whole));
+        for (std::size_t n = 1; n <= whole.size(); ++n)
+            EXPECT_EQ(indexed.next_of({StepKind::vertex, StepKind::pixel}, n, whole.size()),
+                      whole.next_of({StepKind::vertex, StepKind::pixel}, n, whole.size()));
         Replay jumping(indexed, all_parts);
         for (int i = 0; i < 12; ++i) {
             const auto n =
@@ -324,6 +327,21 @@ TEST_F(TraceIndexTest, AByteThatChangesIsNoticedWhereItIsRead) {
         const Trace indexed = opened();
         EXPECT_THROW(indexed.kind_of(step), StaleIndex) << step;
         EXPECT_THROW(indexed.step(step), StaleIndex) << step;
+
+        // Nobody looks for a kind of step behind the last step that was meant.
+        std::size_t before = step - 1;
+        const auto is_stale = [&indexed](std::size_t n) {
+            try {
+                indexed.kind_of(n);
+                return false;
+            } catch (const StaleIndex&) {
+                return true;
+            }
+        };
+        while (before > 0 && is_stale(before))
+            --before;
+        EXPECT_EQ(indexed.next_of({StepKind::order}, 1, before), before + 1);
+        EXPECT_THROW(indexed.next_of({StepKind::order}, 1, step), StaleIndex);
     }
 }
 

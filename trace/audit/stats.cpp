@@ -91,21 +91,18 @@ struct Part {
     std::size_t primitives_before;
 };
 
-/// So many steps are gone through before their text is given back.
+/// So many steps are gone through before what they did to pixels is taken.
 constexpr std::size_t steps_in_round = 1 << 20;
 
 /// The parts of a trace, of at least so many steps each; behind the last stands the end.
 std::vector<Part> parts_of(const Trace& trace, std::size_t least) {
     std::vector<Part> parts{{1, 0}};
     std::size_t primitives = 0;
-    for (std::size_t n = 1; n <= trace.size(); ++n) {
-        if (trace.kind_of(n) == StepKind::primitive) {
-            if (n >= parts.back().first + least)
-                parts.push_back({n, primitives});
-            ++primitives;
-        }
-        if (n % steps_in_round == 0)
-            trace.forget_text();
+    const std::size_t last = trace.size();
+    for (std::size_t n = 0; (n = trace.next_of({StepKind::primitive}, n + 1, last)) <= last;) {
+        if (n >= parts.back().first + least)
+            parts.push_back({n, primitives});
+        ++primitives;
     }
     parts.push_back({trace.size() + 1, primitives});
     return parts;
@@ -141,7 +138,6 @@ std::vector<DrawnPrimitive> count_steps(const Trace& trace, std::size_t jobs,
             });
             for (PartCounts& one : counts)
                 counted.take_events(one);
-            trace.forget_text();
         }
         for (std::size_t i = part; i < end; ++i) {
             counts[i - part].finish(i + 2 < parts.size() || trace.end);

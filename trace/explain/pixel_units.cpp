@@ -318,9 +318,9 @@ TraceContents contents_of(const Trace& trace, const StepReader& steps, std::size
 /// Where the steps can be divided into parts of at least so many: before primitives that are no part of another one.
 std::vector<std::size_t> ends_of_parts(const Trace& trace, std::size_t least) {
     std::vector<std::size_t> ends;
-    for (std::size_t n = 1 + least; n <= trace.size(); ++n)
-        if (trace.kind_of(n) == StepKind::primitive &&
-            !trace.step(n).as<PrimitiveStep>().part.is_true()) {
+    const std::size_t last = trace.size();
+    for (std::size_t n = least; (n = trace.next_of({StepKind::primitive}, n + 1, last)) <= last;)
+        if (!trace.step(n).as<PrimitiveStep>().part.is_true()) {
             ends.push_back(n);
             n += least;
         }

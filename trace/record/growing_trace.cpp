@@ -109,11 +109,6 @@ void GrowingTrace::let_numbers_give(std::map<std::size_t, std::string> values_of
         std::make_shared<const std::map<std::size_t, std::string>>(std::move(values_of_steps));
 }
 
-void GrowingTrace::forget_text() const {
-    if (state_->trace.source_.mapped)
-        state_->trace.source_.mapped->forget();
-}
-
 bool GrowingTrace::is_whole() const {
     return state_->is_whole;
 }
@@ -236,6 +231,7 @@ std::variant<GrowingTrace, Source> GrowingTrace::open(const std::string& path,
     state->trace = state->steps->header().without_steps();
     state->trace.passed_over = state->steps->passed_over();
     state->trace.source_.mapped = MappedFile::of(state->descriptor, state->name, true);
+    state->trace.steps_->set_file(state->trace.source_.mapped);
     return GrowingTrace(std::move(state));
 }
 

@@ -54,9 +54,6 @@ public:
     /// is damage, and the end.
     bool read_on();
 
-    /// Gives back the memory of the steps that have been looked at; they are still there.
-    void forget_text() const;
-
     /// All has been read.
     bool is_whole() const;
 

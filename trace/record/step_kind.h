@@ -12,6 +12,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <initializer_list>
 #include <optional>
 #include <span>
 #include <string_view>
@@ -51,6 +52,34 @@ inline constexpr std::array<std::string_view, 21> step_names{
     "decide",      "sample", "depth",  "pixel", "reject",    "skip",     "undecided"};
 
 inline constexpr std::size_t step_kinds = step_names.size();
+
+/// Some of the kinds.
+class StepKindSet {
+public:
+    constexpr StepKindSet() = default;
+    constexpr StepKindSet(std::initializer_list<StepKind> kinds) {
+        for (const StepKind kind : kinds)
+            add(kind);
+    }
+
+    static constexpr StepKindSet all() {
+        StepKindSet set;
+        set.bits_ = ~std::uint32_t{0};
+        return set;
+    }
+
+    constexpr void add(StepKind kind) { bits_ |= bit(kind); }
+    constexpr bool has(StepKind kind) const { return (bits_ & bit(kind)) != 0; }
+    constexpr bool has_any_of(StepKindSet other) const { return (bits_ & other.bits_) != 0; }
+
+private:
+    static constexpr std::uint32_t bit(StepKind kind) {
+        static_assert(step_kinds <= 32);
+        return std::uint32_t{1} << static_cast<unsigned>(kind);
+    }
+
+    std::uint32_t bits_ = 0;
+};
 
 /// What a field of a step holds.
 enum class FieldType : std::uint8_t {

@@ -9,8 +9,8 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <cassert>
 #include <charconv>
-#include <iterator>
 
 namespace rastertrace {
 
@@ -21,6 +21,12 @@ constexpr std::size_t blocks_found = 256;
 /// Of so many steps kinds and lengths are kept. Those of the lines behind them are found again in the text: memory is
 /// bounded, for whatever a pipe may have.
 constexpr std::size_t most_measured = std::size_t{1} << 23U;
+
+/// So many bytes of a mapped file may be in memory for a StepFinder.
+constexpr std::size_t most_in_memory = std::size_t{8} << 20U;
+
+/// Who looks at one byte of a mapped file may get so many.
+constexpr std::size_t mapped_at_once = std::size_t{64} << 10U;
 
 /// Takes a number and the blank or the end behind it from the front of a line.
 int take_number(std::string_view& line) {
@@ -51,7 +57,7 @@ void add_steps_of(std::string_view line, std::size_t offset, std::vector<StepPla
 
 void StepPlaces::begin_block(std::size_t begin, Block::Form form) {
     blocks_.push_back(
-        {.first = size_ + 1, .begin = begin, .form = form, .measured = kinds_.size()});
+        {.first = size_ + 1, .begin = begin, .form = form, .kinds = {}, .measured = kinds_.size()});
 }
 
 std::size_t StepPlaces::end_of(std::size_t block) const {
@@ -74,6 +80,8 @@ void StepPlaces::add(const StepPlace& step) {
     } else if (!has_room() || blocks_.back().form == plain) {
         begin_block(kept_.size(), kept);
     }
+    if (step.kind)
+        blocks_.back().kinds.add(*step.kind);
     if (blocks_.back().form == kept) {
         kept_.push_back(step);
         finder_.start_over();
@@ -89,8 +97,10 @@ void StepPlaces::add_lines(const MeasuredLines& lines) {
         begin_block(offset, are_measured ? Block::Form::measured : Block::Form::plain);
         blocks_.back().measured += i;
         size_ += count;
-        for (std::size_t line = i; line < i + count; ++line)
+        for (std::size_t line = i; line < i + count; ++line) {
             offset += lines.sizes[line];
+            blocks_.back().kinds.add(static_cast<StepKind>(lines.kinds[line]));
+        }
     }
     finder_.start_over();
     if (!are_measured) {
@@ -109,6 +119,7 @@ void StepPlaces::add_indexed(const TraceIndex& index) {
         blocks_.push_back({.first = block.first,
                            .begin = static_cast<std::size_t>(block.offset),
                            .form = Block::Form::plain,
+                           .kinds = StepKindSet::all(),
                            .measured = 0});
     size_ = index.steps();
     end_of_line_ = index.end_of_steps();
@@ -166,43 +177,76 @@ void StepPlaces::check_indexed(std::size_t block, std::string_view text) const {
     is_checked_[block] = true;
 }
 
-const StepPlace& StepFinder::found(std::size_t n, std::string_view text) {
-    const std::size_t place = steps_.block_of(n);
-    const StepPlaces::Block& block = steps_.blocks_[place];
-    if (block.form == StepPlaces::Block::Form::kept)
-        return take_to_hand(place, steps_.kept_.data() + block.begin, n);
+std::size_t StepFinder::block_of(std::size_t n) const {
+    return found_.has(n) ? found_.block : measured_.has(n) ? measured_.block : steps_.block_of(n);
+}
 
-    const std::size_t count = steps_.end_of(place) - block.first;
-    found_.resize(blocks_found);
-    FoundBlock& known = found_[place % blocks_found];
-    if (known.block != place || known.places.size() < count) {
-        known.block = place;
-        known.places.clear();
-        steps_.check_indexed(place, text);
-        steps_.find_lines(block, count, text, known.places);
+void StepFinder::find(std::size_t block, std::string_view text) {
+    const StepPlaces::Block& wanted = steps_.blocks_[block];
+    const std::size_t count = steps_.end_of(block) - wanted.first;
+    const StepPlace* places = nullptr;
+    if (wanted.form == StepPlaces::Block::Form::kept) {
+        places = steps_.kept_.data() + wanted.begin;
+    } else {
+        known_.resize(blocks_found);
+        KnownBlock& known = known_[block % blocks_found];
+        if (known.block != block || known.places.size() < count) {
+            found_.count = 0; // it may be what stood here
+            known.block = block;
+            known.places.clear();
+            steps_.check_indexed(block, text);
+            steps_.find_lines(wanted, count, text, known.places);
+        }
+        places = known.places.data();
     }
-    return take_to_hand(place, known.places.data(), n);
+    found_ = {.block = block, .first = wanted.first, .count = count, .places = places};
+    forget_text(places[0].offset, places[count - 1].offset + places[count - 1].length);
 }
 
-std::optional<StepKind> StepFinder::found_kind(std::size_t n, std::string_view text) {
-    if (n - at_hand_.first < at_hand_.count)
-        return at_hand_.places[n - at_hand_.first].kind;
-    const std::size_t place = steps_.block_of(n);
-    const StepPlaces::Block& block = steps_.blocks_[place];
-    if (block.form != StepPlaces::Block::Form::measured)
-        return at(n, text).kind;
-    kinds_at_hand_ = {.first = block.first,
-                      .count = steps_.end_of(place) - block.first,
-                      .kinds = steps_.kinds_.data() + block.measured};
-    return static_cast<StepKind>(kinds_at_hand_.kinds[n - block.first]);
+/// Takes the kinds of a block, if its lines have been measured.
+bool StepFinder::take_measured(std::size_t block) {
+    const StepPlaces::Block& wanted = steps_.blocks_[block];
+    if (wanted.form != StepPlaces::Block::Form::measured)
+        return false;
+    measured_ = {.block = block,
+                 .first = wanted.first,
+                 .count = steps_.end_of(block) - wanted.first,
+                 .kinds = steps_.kinds_.data() + wanted.measured};
+    return true;
 }
 
-const StepPlace& StepFinder::take_to_hand(std::size_t block, const StepPlace* places,
-                                          std::size_t n) {
-    at_hand_.first = steps_.blocks_[block].first;
-    at_hand_.count = steps_.end_of(block) - at_hand_.first;
-    at_hand_.places = places;
-    return places[n - at_hand_.first];
+std::size_t StepFinder::next_of(StepKindSet kinds, std::size_t n, std::size_t last,
+                                std::string_view text) {
+    assert(n > 0 && last <= steps_.size());
+    if (n > last)
+        return last + 1;
+    for (std::size_t block = block_of(n); n <= last; ++block) {
+        const std::size_t end = std::min(steps_.end_of(block), last + 1);
+        if (steps_.blocks_[block].kinds.has_any_of(kinds)) {
+            if (!take_measured(block))
+                find(block, text);
+            for (; n < end; ++n)
+                if (const auto its = kind(n, text); its && kinds.has(*its))
+                    return n;
+        }
+        n = end;
+    }
+    return n;
+}
+
+/// The text from `begin` to `end` is looked at: what was looked at before is forgotten, if it has become too much.
+void StepFinder::forget_text(std::size_t begin, std::size_t end) {
+    if (!steps_.file_)
+        return;
+    if (in_memory_ > most_in_memory) {
+        steps_.file_->forget();
+        in_memory_ = 0;
+    }
+    // The lines of an excerpt may stand far from each other, in any order.
+    const bool goes_on = begin - last_end_ < mapped_at_once;
+    in_memory_ += std::min(end - begin, steps_in_block * mapped_at_once);
+    in_memory_ += goes_on ? 0 : mapped_at_once;
+    last_end_ = end;
 }
 
 } // namespace rastertrace

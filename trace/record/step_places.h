@@ -12,14 +12,17 @@
 #include "step_kind.h"
 
 #include <rastertrace/core/raster/image.h>
+#include <rastertrace/trace/text/mapped_file.h>
 
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace rastertrace {
@@ -52,7 +55,8 @@ struct IndexedBlock;
 
 class StepPlaces;
 
-/// Finds steps, and remembers where the last ones were. Two threads have one each.
+/// Finds steps, and remembers where the last ones were. Two threads have one each. Of a mapped file, what has been looked
+/// at is forgotten from time to time: each StepFinder leaves some megabytes in memory.
 class StepFinder {
 public:
     /// No step is added to `places` while somebody else finds one there.
@@ -60,49 +64,68 @@ public:
 
     /// Step n, from 1 on, in the text that it was added from. The reference is valid until the next call.
     const StepPlace& at(std::size_t n, std::string_view text) {
-        return n - at_hand_.first < at_hand_.count ? at_hand_.places[n - at_hand_.first]
-                                                   : found(n, text);
+        if (!found_.has(n))
+            find(block_of(n), text);
+        return found_.places[n - found_.first];
     }
 
     /// The kind of step n.
     std::optional<StepKind> kind(std::size_t n, std::string_view text) {
-        if (n - kinds_at_hand_.first < kinds_at_hand_.count)
-            return static_cast<StepKind>(kinds_at_hand_.kinds[n - kinds_at_hand_.first]);
-        return found_kind(n, text);
+        if (measured_.has(n) || (!found_.has(n) && take_measured(block_of(n))))
+            return static_cast<StepKind>(measured_.kinds[n - measured_.first]);
+        return at(n, text).kind;
     }
 
+    /// True if step n is a plain one. The place of a measured line is not found for that.
+    bool is_plain(std::size_t n, std::string_view text) {
+        return measured_.has(n) || (!found_.has(n) && take_measured(block_of(n))) ||
+               at(n, text).is_plain;
+    }
+
+    /// The first step from n to `last` of one of these kinds; last + 1 if there is none.
+    std::size_t next_of(StepKindSet kinds, std::size_t n, std::size_t last, std::string_view text);
+
     /// Steps have been added.
-    void start_over() { at_hand_.count = kinds_at_hand_.count = 0; }
+    void start_over() { found_.count = measured_.count = 0; }
 
 private:
-    /// A block whose steps have been found.
-    struct FoundBlock {
+    /// A block whose lines have been found.
+    struct KnownBlock {
         std::size_t block = 0;
         std::vector<StepPlace> places = {};
     };
 
     /// The block that was asked of last.
-    struct AtHand {
+    struct FoundBlock {
+        std::size_t block = 0;
         std::size_t first = 0;
         std::size_t count = 0;
         const StepPlace* places = nullptr;
+
+        bool has(std::size_t n) const { return n - first < count; }
     };
 
-    /// The kinds of measured lines that were asked of last.
-    struct KindsAtHand {
+    /// The block of measured lines whose kinds were asked of last.
+    struct MeasuredBlock {
+        std::size_t block = 0;
         std::size_t first = 0;
         std::size_t count = 0;
         const std::uint8_t* kinds = nullptr;
+
+        bool has(std::size_t n) const { return n - first < count; }
     };
 
-    const StepPlace& found(std::size_t n, std::string_view text);
-    std::optional<StepKind> found_kind(std::size_t n, std::string_view text);
-    const StepPlace& take_to_hand(std::size_t block, const StepPlace* places, std::size_t n);
+    std::size_t block_of(std::size_t n) const;
+    void find(std::size_t block, std::string_view text);
+    bool take_measured(std::size_t block);
+    void forget_text(std::size_t begin, std::size_t end);
 
     const StepPlaces& steps_;
-    std::vector<FoundBlock> found_; ///< a block has one place here, whatever is there
-    AtHand at_hand_ = {};
-    KindsAtHand kinds_at_hand_ = {};
+    std::vector<KnownBlock> known_; ///< a block has one place here, whatever is there
+    FoundBlock found_ = {};
+    MeasuredBlock measured_ = {};
+    std::size_t in_memory_ = 0; ///< bytes of a mapped file, since they were last forgotten
+    std::size_t last_end_ = 0;  ///< of the text that was looked at last
 };
 
 class StepPlaces {
@@ -112,6 +135,9 @@ public:
     StepPlaces& operator=(const StepPlaces&) = delete;
 
     std::size_t size() const { return size_; }
+
+    /// The file that the text is in, if it is mapped.
+    void set_file(std::shared_ptr<const MappedFile> file) { file_ = std::move(file); }
 
     /// The next step.
     void add(const StepPlace& step);
@@ -135,6 +161,13 @@ public:
         return finder_.kind(n, text);
     }
 
+    /// The same as of a StepFinder.
+    bool is_plain(std::size_t n, std::string_view text) const { return finder_.is_plain(n, text); }
+    std::size_t next_of(StepKindSet kinds, std::size_t n, std::size_t last,
+                        std::string_view text) const {
+        return finder_.next_of(kinds, n, last, text);
+    }
+
 private:
     friend class StepFinder;
 
@@ -144,6 +177,7 @@ private:
         std::size_t first; ///< its first step
         std::size_t begin; ///< where that stands: in the text, or in kept_
         Form form;
+        StepKindSet kinds;    ///< of its steps; all, if nobody has looked
         std::size_t measured; ///< where its lines are in kinds_ and sizes_
     };
 
@@ -154,6 +188,7 @@ private:
     void begin_block(std::size_t begin, Block::Form form);
     std::size_t end_of(std::size_t block) const;
 
+    std::shared_ptr<const MappedFile> file_;
     std::vector<Block> blocks_;
     std::span<const IndexedBlock> indexed_; ///< those of an index: the same, with their checksums
     std::vector<StepPlace> kept_;

@@ -109,6 +109,10 @@ std::optional<StepKind> Trace::kind_of(std::size_t n) const {
     return steps_->kind(n, text());
 }
 
+std::size_t Trace::next_of(StepKindSet kinds, std::size_t n, std::size_t last) const {
+    return steps_->next_of(kinds, n, last, text());
+}
+
 StepReader::StepReader(const Trace& trace)
     : trace_(trace), finder_(std::make_unique<StepFinder>(*trace.steps_)) {}
 StepReader::~StepReader() = default;
@@ -123,7 +127,7 @@ std::optional<StepKind> StepReader::kind_of(std::size_t n) const {
 }
 
 bool StepReader::is_plain(std::size_t n) const {
-    return finder_->at(n, trace_.text()).is_plain;
+    return finder_->is_plain(n, trace_.text());
 }
 
 std::optional<ReplayState> Trace::state_ahead(std::size_t of, std::size_t n) const {
@@ -134,7 +138,8 @@ std::optional<ReplayState> Trace::state_ahead(std::size_t of, std::size_t n) con
 }
 
 bool Trace::is_plain(std::size_t n) const {
-    return place_of(n).is_plain;
+    assert(n > 0 && n <= size());
+    return steps_->is_plain(n, text());
 }
 
 Trace Trace::without_steps() const {
@@ -152,13 +157,9 @@ Trace Trace::without_steps() const {
     if (text_of_file_.data() != nullptr) {
         excerpt.source_ = source_;
         excerpt.text_of_file_ = text_of_file_;
+        excerpt.steps_->set_file(source_.mapped);
     }
     return excerpt;
-}
-
-void Trace::forget_text() const {
-    if (source_.mapped)
-        source_.mapped->forget();
 }
 
 bool Trace::is_in_file(std::string_view json) const {
@@ -379,6 +380,7 @@ public:
         trace_.source_ = std::move(source);
         if (trace_.source_.mapped)
             trace_.text_of_file_ = trace_.source_.view();
+        trace_.steps_->set_file(trace_.source_.mapped);
     }
 
     /// Reads what may be a trace, or a part of one.
@@ -412,10 +414,9 @@ public:
     const Source& source() const { return trace_.source_; }
 
 private:
-    /// So many bytes are read at once, in parts of one size: more each time that all lines are plain.
+    /// Bytes that are read at once, in parts of one size.
     static constexpr std::size_t part_size = 1 << 20;
-    static constexpr std::size_t least_ahead = 1 << 10;
-    static constexpr std::size_t most_ahead = 8 * part_size;
+    static constexpr std::size_t most_at_once = 8 * part_size;
 
     std::string_view text() const { return trace_.text(); }
 
@@ -716,22 +717,24 @@ private:
                             .is_document = is_document,
                             .has_changes = sums_.state.has_value()};
         const std::size_t jobs = reading_.jobs == 0 ? usual_jobs() : reading_.jobs;
-        constexpr std::size_t most_remembered = 64U << 20U; // bytes
+        constexpr std::size_t most_remembered = 16U << 20U; // bytes
         for (std::size_t remembered = offset; offset < text().size();) {
-            if (offset - remembered > most_remembered) {
-                trace_.forget_text();
+            if (source().mapped && offset - remembered > most_remembered) {
+                source().mapped->forget();
                 remembered = offset;
             }
             for (const ScannedLines& part :
-                 scan_parts(text(), offset, offset + ahead_, part_size, jobs, scan)) {
+                 scan_parts(text(), offset, offset + sums_.bytes_at_once, part_size, jobs, scan)) {
                 take(part);
                 offset = part.measured.end;
                 if (!part.is_whole) {
-                    ahead_ = least_ahead;
+                    // No newline is behind the end record of a block.
+                    if (text().find('\n', offset) != std::string_view::npos)
+                        sums_.bytes_at_once = least_bytes_at_once;
                     return offset;
                 }
             }
-            ahead_ = std::min(2 * ahead_, most_ahead);
+            sums_.bytes_at_once = std::min(2 * sums_.bytes_at_once, most_at_once);
         }
         return offset;
     }
@@ -897,8 +900,7 @@ private:
     TraceReading reading_;
     bool is_block_;
     bool was_cut_short_ = false;
-    std::size_t counted_ = 0;         ///< of the bytes, see add_bytes_done
-    std::size_t ahead_ = least_ahead; ///< so many bytes are read at once
+    std::size_t counted_ = 0; ///< of the bytes, see add_bytes_done
     BlockSums own_sums_;
     BlockSums& sums_; ///< the picture of its state is that of the end record
     std::size_t end_offset_ = 0;

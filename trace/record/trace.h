@@ -157,6 +157,11 @@ public:
     /// The kind of step n, if we know it.
     std::optional<StepKind> kind_of(std::size_t n) const;
 
+    /// The first step from n to `last` that is of one of these kinds; last + 1, if there is none.
+    ///
+    ///     for (std::size_t n = 0; (n = trace.next_of({StepKind::primitive}, n + 1, last)) <= last;)
+    std::size_t next_of(StepKindSet kinds, std::size_t n, std::size_t last) const;
+
     /// True if step n is a line as this program writes it: then nothing is wrong with it.
     bool is_plain(std::size_t n) const;
 
@@ -168,10 +173,6 @@ public:
     /// The header and the end of this trace, without a step: the beginning of an excerpt. It looks at the same file, if
     /// that is mapped, and copies no step from there.
     Trace without_steps() const;
-
-    /// Gives back the memory of the steps that have been looked at, if the trace's file is mapped. For who goes through many
-    /// of them: looked at again, they come from the file.
-    void forget_text() const;
 
     /// True for the text of a step that an excerpt need not copy.
     bool is_in_file(std::string_view json) const;

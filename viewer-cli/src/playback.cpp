@@ -38,10 +38,7 @@ bool Playback::read_on() {
     around_.places_of({});
     if (!is_marked_ && growing_.is_whole())
         mark_wrong();
-    const bool has_gone_on = snapshots_.read_on(steps_at_once);
-    if (has_gone_on || has_read)
-        growing_.forget_text();
-    return has_gone_on || has_read;
+    return snapshots_.read_on(steps_at_once) || has_read;
 }
 
 void Playback::mark_wrong() {

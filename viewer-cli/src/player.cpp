@@ -469,8 +469,6 @@ bool Player::work() {
     const bool has_read = playback_->read_on();
     const bool has_asked =
         question_ && question_->look_on(steps_at_once, playback_->growing().is_whole());
-    if (has_searched || has_asked)
-        playback_->growing().forget_text();
     return has_come || has_searched || has_read || has_asked;
 }
 

@@ -90,12 +90,14 @@ void validate_scene(const Source& source, const InputLimits& limits, ValidatedFi
 struct StepsSeen {
     explicit StepsSeen(const Trace& header) : needs(header) {}
 
-    void add(const StepView& step, std::optional<StepKind> kind, bool is_plain) {
+    /// The next step, which `step_of` gives if it has to be looked at.
+    template <typename StepOf>
+    void add(std::optional<StepKind> kind, bool is_plain, const StepOf& step_of) {
         ++count;
         if (!is_plain)
-            unknown.add(step, kind);
+            unknown.add(step_of(), kind);
         if (kind == StepKind::primitive)
-            needs.begin(step.as<PrimitiveStep>(), count);
+            needs.begin(step_of().template as<PrimitiveStep>(), count);
         else if (kind)
             needs.add(*kind, count);
     }
@@ -145,7 +147,7 @@ void validate_steps(StepStream& steps, ValidatedFile& file) {
         while (steps.next()) {
             if (file.all_told())
                 file.add(steps.faults_in_step());
-            seen.add(steps.step(), steps.kind(), steps.is_plain());
+            seen.add(steps.kind(), steps.is_plain(), [&] { return steps.step(); });
         }
     } catch (const Problem&) {
         file.add(steps.damage());
@@ -176,7 +178,7 @@ void validate_trace(Source source, bool redoes, ValidatedFile& file) {
     for (std::size_t n = 1; n <= trace.size(); ++n) {
         if (file.all_told())
             file.add(trace.faults_in_step(n));
-        seen.add(trace.step(n), trace.kind_of(n), trace.is_plain(n));
+        seen.add(trace.kind_of(n), trace.is_plain(n), [&] { return trace.step(n); });
     }
     finish_trace(trace, trace.passed_over, trace.damage, trace.not_finite, seen, file);
     if (redoes && file.is_valid())
