@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""Prints the table of docs/performance.md, "Reading a trace": what whole processes take to read a large trace, also over
-`wc -l` of the file, with one thread and with one for each core; and the memory of their own (RssAnon) at most.
+"""Prints the tables of docs/performance.md, "Reading a trace" and "Packed traces": what whole processes take to read a
+large trace, also over `wc -l` of the file, with one thread and with one for each core, and their peak resident memory;
+and what they take to write it packed, also over writing it plain, on one core and on all, and its size.
 
 usage: scripts/reading-table.py PROGRAM [RUNS]
 """
@@ -16,29 +17,55 @@ import time
 CALLS = ["show --last", "validate", "stats", "explain --pixel 300,300"]
 
 
-def least_time(words, runs):
+def least_time(words, runs, cores=None):
     """In seconds, of some runs."""
     times = []
     for _ in range(runs):
         begin = time.monotonic()
-        subprocess.run(words, stdout=subprocess.DEVNULL)
+        process = subprocess.Popen(words, stdout=subprocess.DEVNULL)
+        if cores:
+            os.sched_setaffinity(process.pid, cores)
+        if process.wait() != 0:
+            raise SystemExit(f"{' '.join(words)}: status {process.returncode}")
         times.append(time.monotonic() - begin)
     return min(times)
 
 
-def most_memory(words):
-    """In MB, of one run."""
-    process, memory = subprocess.Popen(words, stdout=subprocess.DEVNULL), 0
-    while process.poll() is None:
-        try:
-            with open(f"/proc/{process.pid}/status") as status:
-                anonymous = [line for line in status if line.startswith("RssAnon")]
-            if anonymous:
-                memory = max(memory, int(anonymous[0].split()[1]) / 1024)
-        except OSError:
-            pass
-        time.sleep(0.002)
-    return memory
+def peak_memory(words):
+    """In MB."""
+    process = subprocess.Popen(words, stdout=subprocess.DEVNULL)
+    return os.wait4(process.pid, 0)[2].ru_maxrss / 1024
+
+
+def reading_table(program, runs):
+    size = os.path.getsize("torus.jsonl")
+    lines = least_time(["wc", "-l", "torus.jsonl"], runs)
+    print(f"{size / 1e6:.0f} MB; `wc -l`: {lines * 1000:.0f} ms\n")
+    print("| | one thread | over `wc -l` | all cores | over `wc -l` | memory |\n|---|---|---|---|---|---|")
+    for call in CALLS:
+        words = [program, *call.split(), "torus.jsonl"]
+        alone = least_time([*words, "--jobs", "1"], runs)
+        together = least_time(words, runs)
+        print(f"| `{call}` | {alone:.2f} s | {alone / lines:.0f} | {together:.2f} s | {together / lines:.0f} "
+              f"| {peak_memory(words):.0f} MB |")
+
+
+def packed_table(program, runs):
+    size = os.path.getsize("torus.jsonl")
+    print("\n| | size | by the packer alone | one core | over plain | all cores | over plain |\n|---|---|---|---|---|---|---|")
+    plain = {}
+    for ending, packer in [("", None), (".gz", "gzip"), (".zst", "zstd")]:
+        name = f"written.jsonl{ending}"
+        cells = []
+        for cores in [1, os.cpu_count()]:
+            spent = least_time([program, "trace", "torus.json", "-o", name], runs, range(cores))
+            plain.setdefault(cores, spent)
+            cells.append(f"{spent:.2f} s | {spent / plain[cores]:.1f}")
+        rival = "-"
+        if packer:
+            alone = subprocess.run([packer, "-1", "-c", "torus.jsonl"], stdout=subprocess.PIPE, check=True).stdout
+            rival = f"{len(alone) / size:.1%}"
+        print(f"| `trace -o {name}` | {os.path.getsize(name) / size:.1%} | {rival} | {' | '.join(cells)} |")
 
 
 def main():
@@ -59,16 +86,8 @@ def main():
         with open("torus.json", "w") as file:
             json.dump(scene, file)
         subprocess.run([program, "trace", "torus.json", "-o", "torus.jsonl"], check=True)
-        size = os.path.getsize("torus.jsonl")
-        lines = least_time(["wc", "-l", "torus.jsonl"], runs)
-        print(f"{size / 1e6:.0f} MB; `wc -l`: {lines * 1000:.0f} ms\n")
-        print("| | one thread | over `wc -l` | all cores | over `wc -l` | memory |\n|---|---|---|---|---|---|")
-        for call in CALLS:
-            words = [program, *call.split(), "torus.jsonl"]
-            alone = least_time([*words, "--jobs", "1"], runs)
-            together = least_time(words, runs)
-            print(f"| `{call}` | {alone:.2f} s | {alone / lines:.0f} | {together:.2f} s | {together / lines:.0f} "
-                  f"| {most_memory(words):.0f} MB |")
+        reading_table(program, runs)
+        packed_table(program, runs)
 
 
 main()
