@@ -27,14 +27,14 @@ namespace {
 using Point = std::array<Rational, 2>;
 using Pixels = std::multiset<std::pair<Index, Index>>;
 
-constexpr int size = 12;
+constexpr int side_of_canvas = 12;
 constexpr std::array scalars{"float", "double", "fixed", "adaptive", "exact"};
 
 std::string text_of(const Point& p) {
     return "[\"" + p[0].get_str() + "\",\"" + p[1].get_str() + "\"]";
 }
 
-/// Where the pixels of the canvas are: 0 .. size - 1 with y down, or with y up.
+/// Where the pixels of the canvas are: 0 .. side_of_canvas - 1 with y down, or with y up.
 std::string scene_of(const std::vector<Point>& points, const std::string& primitives,
                      bool is_y_down, const std::string& method) {
     std::string vertices;
@@ -42,7 +42,7 @@ std::string scene_of(const std::vector<Point>& points, const std::string& primit
         vertices += fmt::format(R"({}"{}":{})", i == 0 ? "" : ",", "ABCDEF"[i], text_of(points[i]));
     return fmt::format(
         R"({{"canvas":{{"width":{0},"height":{0},"origin":"{1}"}},"vertices":{{{2}}},{3},"method":{{{4}}}}})",
-        size, is_y_down ? "top-left" : "bottom-left", vertices, primitives, method);
+        side_of_canvas, is_y_down ? "top-left" : "bottom-left", vertices, primitives, method);
 }
 
 Pixels plotted(const Trace& trace) {
@@ -73,7 +73,7 @@ void expect_pixels(const std::vector<Point>& points, const std::string& primitiv
 
 Point random_point(Random& random, int parts) {
     const auto coordinate = [&random, parts] {
-        return Rational(Rational(random.whole(-2 * parts, (size + 1) * parts)) / parts);
+        return Rational(Rational(random.whole(-2 * parts, (side_of_canvas + 1) * parts)) / parts);
     };
     const Rational x = coordinate();
     return {x, coordinate()};
@@ -119,12 +119,12 @@ Pixels rows_of(const std::vector<Point>& t, bool is_y_down, bool is_half_open,
         return y;
     }();
     Pixels pixels;
-    for (Index y = 0; y < size; ++y) {
+    for (Index y = 0; y < side_of_canvas; ++y) {
         const auto ends = ends_in_row(t, Rational(y));
         if (!ends || (is_half_open && lowest == y))
             continue;
         const auto [from, to] = of((*ends)[0], (*ends)[1]);
-        for (Index x = std::max<Index>(from, 0); x <= std::min<Index>(to, size - 1); ++x)
+        for (Index x = std::max<Index>(from, 0); x <= std::min<Index>(to, side_of_canvas - 1); ++x)
             pixels.insert({x, y});
     }
     return pixels;
@@ -190,8 +190,8 @@ TEST(HorizontalEdge, HasItsSamplesAtTheBottomOrAtTheTop) {
         const bool is_y_down = random.chance(2);
         const bool is_bottom = random.chance(2);
         Pixels expected;
-        for (Index y = 0; y < size; ++y)
-            for (Index x = 0; x < size; ++x) {
+        for (Index y = 0; y < side_of_canvas; ++y)
+            for (Index x = 0; x < side_of_canvas; ++x) {
                 const Point p{x + Rational(1, 2), y + Rational(1, 2)};
                 const bool is_inside = [&] {
                     for (std::size_t i = 0; i < 3; ++i) {
@@ -239,8 +239,8 @@ TEST(Tolerance, WidensTheEndsOfRows) {
 Pixels pixels_by_weights(const std::vector<Point>& t, const Point& offset, const Rational& least) {
     const Rational area = cross(t[0], t[1], t[2]);
     Pixels pixels;
-    for (Index y = 0; y < size; ++y)
-        for (Index x = 0; x < size; ++x) {
+    for (Index y = 0; y < side_of_canvas; ++y)
+        for (Index x = 0; x < side_of_canvas; ++x) {
             const Point p{x + offset[0], y + offset[1]};
             if (cross(t[1], t[2], p) / area >= least && cross(t[2], t[0], p) / area >= least &&
                 cross(t[0], t[1], p) / area >= least)
@@ -387,7 +387,8 @@ Pixels pixels_of_line(Point a, Point b, bool between_pixels,
         const Index other = nearest_of(
             at, tie_goes_up(is_x_major ? x_major_ties : y_major_ties, at, b[across] < a[across]));
         const auto pixel = is_x_major ? std::pair(i, other) : std::pair(other, i);
-        if (std::min(pixel.first, pixel.second) >= 0 && std::max(pixel.first, pixel.second) < size)
+        if (std::min(pixel.first, pixel.second) >= 0 &&
+            std::max(pixel.first, pixel.second) < side_of_canvas)
             pixels.insert(pixel);
     }
     return pixels;
@@ -451,7 +452,7 @@ TEST(YMajorTies, DrawTheSharedRoutine) {
         Index p = is_x_major ? 2 * high - wide : 2 * wide - high;
         Pixels expected;
         for (Index i = 0; i <= std::max(wide, high); ++i) {
-            if (std::min(x, y) >= 0 && std::max(x, y) < size)
+            if (std::min(x, y) >= 0 && std::max(x, y) < side_of_canvas)
                 expected.insert({x, y});
             const bool is_straight = is_x_major ? p < 0 : p <= 0;
             if (is_x_major || !is_straight)
@@ -527,8 +528,8 @@ TEST(SamplePlaces, AreWhereDepthsAndColorsAre) {
                 R"("keep":["depth"],"colors":{{"A":"#f00","B":"#0f0","C":"#00f"}},"triangles":["ABC"],)"
                 R"("method":{{{3},"fill":"{4}","rounding":"inside",)"
                 R"("depth":"linear-z","scalar":"{5}"}}}})",
-                size, is_y_down ? "top-left" : "bottom-left", vertices, place.method(), fill,
-                scalar);
+                side_of_canvas, is_y_down ? "top-left" : "bottom-left", vertices, place.method(),
+                fill, scalar);
             const Trace trace = trace_of(scene_in(scene));
             const Redone redone = redo(trace);
             EXPECT_EQ(redone.wrong, 0U) << scene << redone.first.what;
@@ -584,8 +585,8 @@ Pixels pixels_of_diamonds(Point a, Point b, bool is_y_down, const Rational& samp
         (*p)[1] -= (is_y_down ? -1 : 1) * e * e;
     }
     Pixels pixels;
-    for (Index y = 0; y < size; ++y)
-        for (Index x = 0; x < size; ++x) {
+    for (Index y = 0; y < side_of_canvas; ++y)
+        for (Index x = 0; x < side_of_canvas; ++x) {
             const Point center{x + sample, y + sample};
             std::vector<Rational> ts{0, 1};
             for (std::size_t i = 0; i < 2; ++i)
