@@ -191,7 +191,7 @@ void StepFinder::find(std::size_t block, std::string_view text) {
         known_.resize(blocks_found);
         KnownBlock& known = known_[block % blocks_found];
         if (known.block != block || known.places.size() < count) {
-            found_.count = 0; // it may be what stood here
+            found_.count = 0; // its places may be those that are replaced
             known.block = block;
             known.places.clear();
             steps_.check_indexed(block, text);

@@ -55,8 +55,8 @@ struct IndexedBlock;
 
 class StepPlaces;
 
-/// Finds steps, and remembers where the last ones were. Two threads have one each. Of a mapped file, what has been looked
-/// at is forgotten from time to time: each StepFinder leaves some megabytes in memory.
+/// Finds steps, and remembers where the last ones were. Each thread needs its own. The pages of a mapped file that it has
+/// read are given back from time to time, so that some megabytes at most stay in memory for each StepFinder.
 class StepFinder {
 public:
     /// No step is added to `places` while somebody else finds one there.
