@@ -335,7 +335,7 @@ TraceContents contents_of(const Trace& trace, std::size_t jobs, std::size_t step
                           trace.size() < std::numeric_limits<std::uint32_t>::max();
     if (!is_whole)
         return {};
-    jobs = jobs == 0 ? usual_jobs() : jobs;
+    jobs = jobs_or_usual(jobs);
     const std::vector<std::size_t> ends = ends_of_parts(trace, steps_in_part);
     std::vector<TraceContents> parts(ends.size());
     std::vector<StepReader> readers;

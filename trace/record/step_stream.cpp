@@ -300,7 +300,7 @@ void StepStream::let_grow(bool may_grow) {
 std::variant<StepStream, Source> StepStream::open(FirstLine first, std::size_t jobs) {
     if (first.layout == LineLayout::other)
         return std::move(first.source);
-    const bool reads_ahead = (jobs == 0 ? usual_jobs() : jobs) > 1;
+    const bool reads_ahead = jobs_or_usual(jobs) > 1;
     StepStream stream(std::move(first.file), first.layout, first.source.text, reads_ahead);
     stream.state_->jobs = jobs;
     return stream;

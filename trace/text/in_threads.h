@@ -18,6 +18,11 @@ inline std::size_t usual_jobs() {
     return std::max(1U, std::thread::hardware_concurrency());
 }
 
+/// As many threads as are asked for, or, where 0 are, as run at once.
+inline std::size_t jobs_or_usual(std::size_t jobs) {
+    return jobs == 0 ? usual_jobs() : jobs;
+}
+
 /// Calls `work(i, thread)` once for each index i below `end`, in `jobs` threads, numbered from 0; a thread takes `at_once`
 /// neighboring indices at a time. `work` must not throw. It may lower `end`: then no index from there on
 /// is begun. The module for pages has one thread.

@@ -1,0 +1,620 @@
+// SPDX-License-Identifier: MIT
+#include "trace_lines.h"
+
+#include "field_type.h"
+#include "header_check.h"
+#include "scanned_lines.h"
+#include "step_decoder.h"
+#include "step_places.h"
+#include "trace_index.h"
+#include "trace_keys.h"
+#include "write_trace.h"
+
+#include <rastertrace/core/numbers/number.h>
+#include <rastertrace/trace/text/byte_order_mark.h>
+#include <rastertrace/trace/text/canvas_json.h>
+#include <rastertrace/trace/text/color_text.h>
+#include <rastertrace/trace/text/conventions.h>
+#include <rastertrace/trace/text/in_threads.h>
+#include <rastertrace/trace/text/input.h>
+#include <rastertrace/trace/text/json_document.h>
+#include <rastertrace/trace/text/json_scanner.h>
+#include <rastertrace/trace/text/process_files.h>
+#include <rastertrace/trace/text/text.h>
+#include <rastertrace/trace/text/trace_layout.h>
+#include <rastertrace/trace/text/zero_byte.h>
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <limits>
+#include <span>
+#include <utility>
+
+namespace rastertrace {
+
+/// Reads one trace. What makes the rest useless is thrown as a Problem; what does not is damage.
+class TraceReader {
+public:
+    /// How closely a trace is looked at.
+    enum class Care {
+        none,    ///< this program has written it
+        to_use,  ///< a step that cannot be used ends the reading
+        to_tell, ///< such a step is damage, and the rest is read
+    };
+
+    /// Of a block, what it adds is added to `sums`.
+    TraceReader(Source source, Care care, const TraceReading& reading, BlockSums* sums)
+        : care_(care), reading_(reading), is_block_(sums != nullptr),
+          sums_(sums != nullptr ? *sums : own_sums_) {
+        trace_.source_ = std::move(source);
+        if (trace_.source_.mapped)
+            trace_.text_of_file_ = trace_.source_.view();
+        trace_.steps_->set_file(trace_.source_.mapped);
+    }
+
+    /// Reads what may be a trace, or a part of one.
+    static Result<Trace> read_with(Source& source, Care care, const TraceReading& reading = {},
+                                   BlockSums* sums = nullptr);
+
+    Trace read() {
+        const std::string_view first_line = line_at(0);
+        refuse_zero_bytes(0, first_line.size());
+        switch (layout_of(first_line)) {
+        case LineLayout::document:
+            read_line_by_line(first_line, "]}", ']');
+            break;
+        case LineLayout::lines:
+            read_line_by_line(first_line, "", '\0');
+            break;
+        case LineLayout::other:
+            read_document();
+            break;
+        }
+        if (care_ != Care::none)
+            compare_with_end();
+        for (WrongForm& wrong : wrong_forms_)
+            trace_.passed_over.push_back(
+                problem_at(source(), wrong.offset, std::move(wrong.message)));
+        if (own_sums_.state)
+            trace_.end_state_ = std::make_unique<ReplayState>(*std::move(own_sums_.state));
+        return std::move(trace_);
+    }
+
+    const Source& source() const { return trace_.source_; }
+
+private:
+    /// Bytes that are read at once, in parts of one size.
+    static constexpr std::size_t part_size = 1 << 20;
+    static constexpr std::size_t most_at_once = 8 * part_size;
+
+    std::string_view text() const { return trace_.text(); }
+
+    [[noreturn]] void fail(std::size_t offset, std::string message, std::string hint = {}) const {
+        throw problem_at(source(), offset, std::move(message), std::move(hint));
+    }
+
+    /// The line that begins at `offset`, without what ends it.
+    std::string_view line_at(std::size_t offset) const {
+        std::string_view line = text().substr(offset);
+        line = line.substr(0, line.find('\n'));
+        line.remove_suffix(line.size() - (line.find_last_not_of(" \t\r") + 1));
+        return line;
+    }
+
+    /// Any layout of a complete JSON document.
+    void read_document() {
+        refuse_zero_bytes(0);
+        const auto document = parse_json(source());
+        if (!document)
+            throw document.problem();
+        const JsonValue root = document.value().root();
+        read_header(root);
+        const auto steps = root.find("steps");
+        if (!steps || steps->kind != JsonValue::Kind::array)
+            fail(root.begin, R"(expected the key "steps" with an array, found none)");
+        for (const JsonValue& step : steps->elements())
+            add_step(step.begin, step.end() - step.begin);
+        if (const auto end = root.find("end"))
+            read_end(*end);
+    }
+
+    /// Our own layouts. The header becomes an object with `closing`; a line that begins with
+    /// `end_mark` ends the steps of a document.
+    void read_line_by_line(std::string_view header, std::string_view closing, char end_mark) {
+        const Source alone{source().name, std::string(header) + std::string(closing)};
+        const auto parsed = parse_json(alone);
+        if (!parsed)
+            throw parsed.problem();
+        read_header(parsed.value().root());
+
+        const std::size_t last_byte = text().find_last_not_of(" \t\r\n");
+        std::size_t offset = text().find('\n');
+        if (reading_.index)
+            offset = take_indexed_steps() - 1;
+        bool is_free_of_zeros = false;
+        while (offset < text().size()) {
+            offset = take_plain_lines(offset + 1, end_mark != '\0');
+            if (!std::exchange(is_free_of_zeros, true))
+                refuse_zero_bytes(offset);
+            std::string_view line = line_at(offset);
+            const std::size_t begin = offset + std::min(line.find_first_not_of(" \t"), line.size());
+            const std::size_t next = text().find('\n', offset);
+            line = line.substr(begin - offset);
+            const bool is_last = next == std::string_view::npos || next > last_byte;
+            if (line.empty()) {
+                offset = next;
+                continue;
+            }
+            if (end_mark != '\0' && line.front() == end_mark) {
+                read_end_of_document(begin);
+                return;
+            }
+            if (end_mark == '\0' && is_end_line(line)) {
+                read_end_line(begin, line, is_last);
+                return;
+            }
+            if (end_mark != '\0' && line.ends_with(','))
+                line.remove_suffix(1);
+            if (is_last && !is_valid_json(begin, line.size()))
+                return cut_short(begin);
+            add_step(begin, line.size());
+            offset = next;
+        }
+        cut_short(text().size());
+    }
+
+    void read_end_line(std::size_t begin, std::string_view line, bool is_last) {
+        if (!is_valid_json(begin, line.size()) && is_last)
+            return cut_short(begin);
+        const auto record = parse_json(source(), begin, line.size());
+        if (!record)
+            throw record.problem();
+        if (!is_last)
+            fail(text().find_first_not_of(" \t\r\n", begin + line.size()),
+                 "expected nothing behind the end record, found more");
+        read_end(*record.value().root().find("end"));
+    }
+
+    /// From the bracket that closes the steps: `],"end":{...}}`. Read as the object {"end":{...}}.
+    void read_end_of_document(std::size_t bracket) {
+        const std::size_t comma = text().find_first_not_of(" \t\r\n", bracket + 1);
+        if (comma == std::string_view::npos)
+            return cut_short(text().size());
+        if (text()[comma] == '}') {
+            // A document without an end record; compare_with_end says so.
+            const std::size_t more = text().find_first_not_of(" \t\r\n", comma + 1);
+            if (more != std::string_view::npos)
+                fail(more, "expected the end of the file, found more");
+            return;
+        }
+        if (text()[comma] != ',')
+            fail(comma, "expected ',' or '}' behind the steps, found something else");
+
+        // The lines in front of it are left out, and the comma is the object's bracket.
+        const std::size_t line = text().rfind('\n', comma) + 1;
+        Source end{source().name, std::string(text().substr(line)), {}};
+        end.text[comma - line] = '{';
+        if (const auto problem = read_end_in_object(end, comma - line)) {
+            if (ends_at_end_of_file(comma))
+                return cut_short(comma + 1);
+            throw *problem;
+        }
+    }
+
+    /// Reads the end record of the object that begins at `begin` and ends the file.
+    std::optional<Problem> read_end_in_object(const Source& end, std::size_t begin) {
+        const std::size_t before = text().size() - end.text.size();
+        const auto object = parse_json(end, begin);
+        if (!object)
+            return problem_at(source(), before + offset_of(object.problem(), end.text),
+                              object.problem().message, object.problem().hint);
+        try {
+            if (const auto record = object.value().root().find("end"))
+                read_end(*record, before);
+        } catch (const Problem& problem) {
+            return problem;
+        }
+        return std::nullopt;
+    }
+
+    /// The place in a text that a problem points at.
+    static std::size_t offset_of(const Problem& problem, std::string_view text) {
+        std::size_t offset = 0;
+        for (std::size_t line = 1; line < problem.line; ++line)
+            offset = text.find('\n', offset) + 1;
+        return offset + first_characters(text.substr(offset), problem.column - 1).size();
+    }
+
+    /// True if what follows `begin` lacks only its end: brackets are open, or a string is.
+    bool ends_at_end_of_file(std::size_t begin) const {
+        std::string_view rest = text().substr(begin + 1);
+        const std::size_t last = rest.find_last_not_of(" \t\r\n");
+        int depth = 1;
+        bool in_string = false;
+        for (std::size_t i = 0; last != std::string_view::npos && i <= last; ++i) {
+            if (in_string && rest[i] == '\\')
+                ++i;
+            else if (rest[i] == '"')
+                in_string = !in_string;
+            else if (!in_string && (rest[i] == '{' || rest[i] == '['))
+                ++depth;
+            else if (!in_string && (rest[i] == '}' || rest[i] == ']'))
+                --depth;
+        }
+        return depth > 0;
+    }
+
+    void cut_short(std::size_t offset) {
+        if (!was_cut_short_)
+            trace_.damage.push_back(problem_at(source(), offset, truncation_after(trace_.size())));
+        was_cut_short_ = true;
+    }
+
+    void read_header(const JsonValue& header) {
+        if (header.kind != JsonValue::Kind::object)
+            fail(header.begin, fmt::format("expected a trace, found {}", described(header)));
+        const auto version = header.find("rastertrace");
+        if (!version)
+            fail(header.begin, R"(expected a trace with the key "rastertrace", found none)");
+        const auto number = whole_in(version->text);
+        if (version->kind != JsonValue::Kind::number || !number || *number < 1)
+            fail(version->begin,
+                 fmt::format("expected the version of the trace, found {}", described(*version)));
+        if (*number > trace_version)
+            fail(version->begin,
+                 fmt::format("expected a trace of version {}, found version {}", trace_version,
+                             *number),
+                 "a newer rastertrace has written it");
+
+        const auto canvas = header.find("canvas");
+        if (!canvas)
+            fail(header.begin, R"(expected the key "canvas", found none)");
+        const auto read = read_canvas_json(source(), *canvas);
+        if (!read)
+            throw read.problem();
+        if (!read.value().has_width || !read.value().has_height)
+            fail(canvas->begin, R"(expected a canvas with "width" and "height", found less)");
+        trace_.version = *number;
+        trace_.canvas = {read.value().width, read.value().height, read.value().origin};
+        if (const auto fault = fault_of_size(trace_.canvas))
+            fail(canvas->begin, *fault);
+
+        if (const auto background = header.find("background")) {
+            trace_.background = parse_color(background->text);
+            if (!trace_.background)
+                fail(background->begin, fmt::format(R"(expected a color like "#ff8000", found {})",
+                                                    described(*background)));
+        }
+        if (const auto title = header.find("title"))
+            trace_.title = title->text;
+        if (const auto numbers = header.find("numbers"))
+            trace_.numbers = numbers->text;
+        if (const auto projection = header.find("projection"))
+            trace_.projection = projection->text;
+        if (const auto method = header.find("method"))
+            for (const auto& [key, value] : method->members())
+                trace_.method.emplace_back(key.text, value.text);
+        add_convention();
+        if (const auto stages = header.find("stages"))
+            for (const JsonValue& stage : stages->elements())
+                read_stage(stage);
+        read_left_out(header);
+        note_wrong_forms(header, header_keys);
+        if (care_ != Care::none && !is_block_)
+            sums_.state.emplace(trace_.canvas, FrameParts{.writes = true, .depths = true});
+    }
+
+    /// A named set stands for all that it sets, as in a scene. What the header says itself wins.
+    void add_convention() {
+        const std::string name = trace_.method_value("convention");
+        for (const ConventionRow& row : convention_rows())
+            if (row.name == name)
+                for (const auto& [key, value] : row.method)
+                    if (trace_.method_value(key).empty())
+                        trace_.method.emplace_back(key, value);
+    }
+
+    /// What nobody reads because it is not as the format says.
+    void note_wrong_forms(const JsonValue& object, std::span<const JsonKey> keys,
+                          std::size_t before = 0) {
+        if (care_ == Care::none)
+            return;
+        for (WrongForm& wrong : wrong_forms(object, keys)) {
+            wrong.offset += before;
+            wrong_forms_.push_back(std::move(wrong));
+        }
+    }
+
+    /// Which steps were left out.
+    void read_left_out(const JsonValue& header) {
+        LeftOut& left_out = trace_.left_out;
+        const auto region = header.find("region");
+        const auto primitive = header.find("primitive");
+        if (const auto only = header.find("only")) {
+            left_out.only.emplace();
+            for (const JsonValue& name : only->elements())
+                left_out.only->push_back(name.text);
+        }
+        if (region && region->elements().size() == 4) {
+            left_out.region.emplace();
+            for (std::size_t i = 0; i < 4; ++i)
+                (*left_out.region)[i] = whole_in(region->elements()[i].text).value_or(0);
+        }
+        if (primitive)
+            left_out.primitive = primitive->text;
+        left_out.has_places_missing = region || primitive;
+        trace_.is_partial = left_out.only || left_out.has_places_missing;
+    }
+
+    /// A stage that ran. What is no such record is passed over.
+    void read_stage(const JsonValue& stage) {
+        const auto name = stage.find("stage");
+        const auto is_kept = stage.find("kept");
+        if (!name || !is_kept || is_kept->text != "true")
+            return;
+        if (trace_.stages.empty() || trace_.stages.back() != name->text)
+            trace_.stages.push_back(name->text);
+    }
+
+    bool is_valid_json(std::size_t begin, std::size_t size) const {
+        JsonScanner fields(text().substr(begin, size));
+        while (fields.next_field()) {
+        }
+        return !fields.failed() &&
+               (!fields.needs_full_check() || parse_json(source(), begin, size));
+    }
+
+    /// Takes all steps from the index, and tells where the line behind them begins. They are what the end record says, or
+    /// there would be no index.
+    std::size_t take_indexed_steps() {
+        const TraceIndex& index = *reading_.index;
+        trace_.index_ = reading_.index;
+        trace_.steps_->add_indexed(index);
+        sums_.counts = index.counts();
+        sums_.state.reset();
+        check_count();
+        return index.end_of_steps();
+    }
+
+    /// Takes the lines from `offset` on that hold steps as this program writes them, several parts of the text at once;
+    /// tells where the first other line begins.
+    std::size_t take_plain_lines(std::size_t offset, bool is_document) {
+        std::string_view rest = text().substr(offset);
+        if (!take_step(rest, step_))
+            return offset; // of a foreign trace, perhaps every line
+        const LineScan scan{.canvas = trace_.canvas,
+                            .is_document = is_document,
+                            .has_changes = sums_.state.has_value()};
+        const std::size_t jobs = jobs_or_usual(reading_.jobs);
+        constexpr std::size_t most_remembered = 16U << 20U; // bytes
+        for (std::size_t remembered = offset; offset < text().size();) {
+            if (source().mapped && offset - remembered > most_remembered) {
+                source().mapped->forget();
+                remembered = offset;
+            }
+            for (const ScannedLines& part :
+                 scan_parts(text(), offset, offset + sums_.bytes_at_once, part_size, jobs, scan)) {
+                take(part);
+                offset = part.measured.end;
+                if (!part.is_whole) {
+                    // No newline is behind the end record of a block.
+                    if (text().find('\n', offset) != std::string_view::npos)
+                        sums_.bytes_at_once = least_bytes_at_once;
+                    return offset;
+                }
+            }
+            sums_.bytes_at_once = std::min(2 * sums_.bytes_at_once, most_at_once);
+        }
+        return offset;
+    }
+
+    /// Takes lines of plain steps.
+    void take(const ScannedLines& lines) {
+        if (lines.measured.kinds.size() > reading_.most_steps - trace_.size())
+            throw too_many_steps(source().name, reading_.most_steps);
+        if (lines.stray && care_ != Care::none)
+            check_pixel(lines.stray->offset, lines.stray->x, lines.stray->y);
+        if (sums_.state)
+            lines.play(*sums_.state);
+        sums_.counts += lines.counts;
+        trace_.steps_->add_lines(lines.measured);
+        tell_bytes_done(lines.measured.end);
+    }
+
+    /// Throws a Problem that points at the first zero byte of a part of the text.
+    void refuse_zero_bytes(std::size_t from, std::size_t size = std::string_view::npos) const {
+        if (text().substr(from, size).find('\0') != std::string_view::npos)
+            throw *zero_byte_in(source());
+    }
+
+    void check_count() const {
+        if (trace_.size() >= reading_.most_steps)
+            throw too_many_steps(source().name, reading_.most_steps);
+    }
+
+    void add_step(std::size_t begin, std::size_t size) {
+        check_count();
+        if (care_ != Care::to_tell || useless_steps_ == most_useless_steps)
+            return add_usable_step(begin, size);
+        try {
+            add_usable_step(begin, size);
+        } catch (Problem& problem) {
+            ++useless_steps_;
+            trace_.damage.push_back(std::move(problem));
+            add_place(begin, size, std::nullopt);
+        }
+    }
+
+    void add_usable_step(std::size_t begin, std::size_t size) {
+        const std::string_view json = text().substr(begin, size);
+        if (care_ == Care::none) {
+            sums_.counts.add(kind_of_plain_step(json));
+            trace_.steps_->add({.offset = begin,
+                                .length = static_cast<std::uint32_t>(size),
+                                .kind = kind_of_plain_step(json),
+                                .is_plain = true});
+            return;
+        }
+
+        if (size > std::numeric_limits<std::uint32_t>::max())
+            fail(begin, "expected a step shorter than 4 GiB, found a longer one");
+        const auto kind = checked_kind(source(), begin, size);
+        if (kind == StepKind::pixel) {
+            const auto pixel = StepView(json).as<PixelStep>();
+            check_pixel(begin, pixel.x, pixel.y);
+        }
+        if (kind)
+            note_not_finite(trace_.not_finite, source(), begin, json, *kind);
+        if (!kind)
+            sums_.counts.add(StepView(json), kind);
+        add_place(begin, size, kind);
+    }
+
+    void add_place(std::size_t begin, std::size_t size, std::optional<StepKind> kind) {
+        if (kind)
+            sums_.counts.add(*kind);
+        if (sums_.state)
+            sums_.state->take(StepView(text().substr(begin, size)), kind);
+        trace_.steps_->add(
+            {.offset = begin, .length = static_cast<std::uint32_t>(size), .kind = kind});
+        constexpr std::size_t seldom = 4096;
+        if (trace_.size() % seldom == 0)
+            tell_bytes_done(begin);
+    }
+
+    void tell_bytes_done(std::size_t end) {
+        add_bytes_done({.read = end - std::exchange(counted_, end)});
+    }
+
+    /// The first pixel that is off the canvas is told.
+    void check_pixel(std::size_t begin, Index x, Index y) {
+        if (sums_.has_stray_pixel || trace_.canvas.contains(x, y))
+            return;
+        sums_.has_stray_pixel = true;
+        trace_.damage.push_back(problem_at(
+            source(), begin,
+            fmt::format("expected pixels on the canvas (x {}..{}, y {}..{}), found ({}, {})",
+                        trace_.canvas.left(), trace_.canvas.right(), trace_.canvas.top(),
+                        trace_.canvas.bottom(), x, y),
+            "such pixels are not drawn"));
+    }
+
+    /// `before`: so many bytes of the text stand in front of the source that the record was read from.
+    void read_end(const JsonValue& value, std::size_t before = 0) {
+        const auto count_in = [this, before](const JsonValue& number) {
+            const auto count = whole_in(number.text);
+            if (number.kind != JsonValue::Kind::number || !count || *count < 0)
+                fail(before + number.begin,
+                     fmt::format("expected a count, found {}", described(number)));
+            return static_cast<std::uint64_t>(*count);
+        };
+        if (value.kind != JsonValue::Kind::object)
+            fail(before + value.begin,
+                 fmt::format("expected the end record, found {}", described(value)));
+        EndRecord end;
+        if (const auto steps = value.find("steps"))
+            end.steps = count_in(*steps);
+        if (const auto pixels = value.find("pixels"))
+            end.pixels = count_in(*pixels);
+        if (const auto frame = value.find("frame"))
+            end.frame = frame->text;
+        if (const auto count = value.find("count"))
+            for (const auto& [kind, number] : count->members())
+                end.count[kind.text] = count_in(number);
+        trace_.end = std::move(end);
+        end_offset_ = before + value.begin;
+        note_wrong_forms(value, end_keys, before);
+    }
+
+    /// Says what is missing at the end, or does not agree with it.
+    void compare_with_end() {
+        if (!trace_.end) {
+            if (!was_cut_short_)
+                trace_.damage.push_back(
+                    problem_at(source(), text().size(),
+                               "expected an end record, found none: the trace may be truncated"));
+            return;
+        }
+        // They all point at one place, which is looked up once.
+        std::optional<Problem> at;
+        const auto disagree = [&](std::string_view told, std::string_view what, const auto& found) {
+            if (!at)
+                at = problem_at(source(), end_offset_, "");
+            trace_.damage.push_back(*at);
+            trace_.damage.back().message = disagreement(told, what, fmt::format("{}", found));
+        };
+        if (trace_.end->steps && *trace_.end->steps != trace_.size())
+            disagree(fmt::format("{}", *trace_.end->steps), "steps", trace_.size());
+        if (useless_steps_ > 0)
+            return; // nobody knows what they should have been
+        if (!trace_.end->count.empty()) {
+            for (const auto& [name, told] : trace_.end->count) {
+                if (const std::uint64_t steps = sums_.counts.of(name); steps != told)
+                    disagree(fmt::format("{}", told), name + " steps", steps);
+            }
+        }
+        compare_picture_with_end();
+    }
+
+    /// The picture that the steps draw against the end record. A pixel off the canvas has been told already.
+    void compare_picture_with_end() {
+        if (!sums_.state || sums_.has_stray_pixel || !tells_picture(*trace_.end))
+            return;
+        if (auto message = disagreement_of_picture(trace_, *trace_.end, sums_.state->frame().image))
+            trace_.damage.push_back(problem_at(source(), end_offset_, *std::move(message)));
+    }
+
+    Trace trace_;
+    Care care_;
+    TraceReading reading_;
+    bool is_block_;
+    bool was_cut_short_ = false;
+    std::size_t counted_ = 0; ///< of the bytes, see add_bytes_done
+    BlockSums own_sums_;
+    BlockSums& sums_; ///< the picture of its state is that of the end record
+    std::size_t end_offset_ = 0;
+    std::size_t useless_steps_ = 0; ///< that are damage
+    std::vector<WrongForm> wrong_forms_;
+    AnyStep step_; ///< that was looked at last
+};
+
+Result<Trace> read_written_trace(Source source) {
+    try {
+        return TraceReader::read_with(source, TraceReader::Care::none);
+    } catch (const Problem& problem) {
+        return problem;
+    }
+}
+
+Result<Trace> TraceReader::read_with(Source& source, Care care, const TraceReading& reading,
+                                     BlockSums* sums) {
+    // The mark that some editors put in front of UTF-8 says nothing.
+    const std::size_t mark = size_of_mark(source.text);
+    source.text.replace(0, mark, mark, ' ');
+    TraceReader reader(std::move(source), care, reading, sums);
+    try {
+        return reader.read();
+    } catch (const Problem& problem) {
+        // A zero byte is told first, wherever it is.
+        auto zero = zero_byte_in(reader.source());
+        source = std::move(reader.trace_.source_);
+        return zero ? *std::move(zero) : problem;
+    }
+}
+
+Result<Trace> read_trace(Source source, const TraceReading& reading) {
+    return TraceReader::read_with(source, TraceReader::Care::to_use, reading);
+}
+
+Result<Trace> read_block(Source& source, bool to_tell, std::size_t jobs, BlockSums& sums) {
+    return TraceReader::read_with(source,
+                                  to_tell ? TraceReader::Care::to_tell : TraceReader::Care::to_use,
+                                  {.jobs = jobs}, &sums);
+}
+
+Result<Trace> read_trace_to_tell(Source source, const TraceReading& reading) {
+    return TraceReader::read_with(source, TraceReader::Care::to_tell, reading);
+}
+
+} // namespace rastertrace
