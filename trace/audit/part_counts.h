@@ -9,7 +9,7 @@
 //     part.finish(true);
 //     part.writes;
 
-#include "coverage.h"
+#include "drawn_primitive.h"
 #include "row_check.h"
 #include "stats.h"
 #include "stats_needs.h"

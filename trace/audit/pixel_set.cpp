@@ -39,4 +39,10 @@ bool PixelSet::contains(std::uint32_t offset) const {
     return found != end() && *found == offset;
 }
 
+void put_in_order(std::vector<std::uint32_t>& offsets) {
+    if (!std::is_sorted(offsets.begin(), offsets.end()))
+        std::sort(offsets.begin(), offsets.end());
+    offsets.erase(std::unique(offsets.begin(), offsets.end()), offsets.end());
+}
+
 } // namespace rastertrace

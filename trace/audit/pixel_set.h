@@ -97,4 +97,7 @@ private:
     std::vector<std::uint32_t> runs_;
 };
 
+/// Sorts offsets and leaves each once: what a PixelSet is made of.
+void put_in_order(std::vector<std::uint32_t>& offsets);
+
 } // namespace rastertrace

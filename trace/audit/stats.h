@@ -38,6 +38,11 @@ inline constexpr std::size_t most_compared = 8;
 struct PixelList {
     std::uint64_t count = 0;
     std::vector<Pixel> kept; ///< the first ones, from the top row of the picture, left to right
+
+    void add(Pixel pixel) {
+        if (++count <= most_pixels_kept)
+            kept.push_back(pixel);
+    }
 };
 
 /// Why pixels were drawn that should not have been.

@@ -36,20 +36,15 @@ struct OpenEdge {
 /// The open edges of each line, in the order of the triangles.
 std::map<Line, std::vector<OpenEdge>> open_edges(std::span<const ScreenTriangle> triangles) {
     constexpr std::array<std::array<std::size_t, 3>, 3> sides{{{0, 1, 2}, {1, 2, 0}, {2, 0, 1}}};
-    const auto ends_of = [&](std::size_t triangle, std::size_t from, std::size_t to) {
-        const auto& corners = triangles[triangle].corners;
-        const auto [low, high] = std::minmax(corners[from], corners[to]);
-        return std::uint64_t{low} << 32 | high;
-    };
     std::unordered_map<std::uint64_t, std::size_t> uses;
     for (std::size_t i = 0; i < triangles.size(); ++i)
         for (const auto& [from, to, opposite] : sides)
-            ++uses[ends_of(i, from, to)];
+            ++uses[edge_key(triangles[i].corners, from, to)];
 
     std::map<Line, std::vector<OpenEdge>> edges;
     for (std::size_t i = 0; i < triangles.size(); ++i)
         for (const auto& [from, to, opposite] : sides) {
-            if (!triangles[i].is_drawn || uses[ends_of(i, from, to)] > 1)
+            if (!triangles[i].is_drawn || uses[edge_key(triangles[i].corners, from, to)] > 1)
                 continue;
             const TriangleEdge edge{{i, from}, {i, to}};
             const auto& at = triangles[i].at;

@@ -14,6 +14,7 @@
 
 #include "screen_point.h"
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -31,6 +32,13 @@ struct ScreenTriangle {
     /// edges itself.
     bool is_drawn = true;
 };
+
+/// A number for the edge between two corners, the same from either end.
+inline std::uint64_t edge_key(const std::array<std::uint32_t, 3>& corners, std::size_t from,
+                              std::size_t to) {
+    const auto [low, high] = std::minmax(corners[from], corners[to]);
+    return std::uint64_t{low} << 32 | high;
+}
 
 /// A vertex of a triangle.
 struct TriangleCorner {

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// A primitive with three corners, as it is held against what it drew.
+
+#include "drawn_primitive.h"
+#include "screen_point.h"
+#include "triangle_samples.h"
+
+#include <rastertrace/core/raster/canvas.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+
+namespace rastertrace {
+
+/// A triangle or an outline, with its corners.
+struct Cornered {
+    const DrawnPrimitive* drawn = nullptr;
+    std::uint32_t place = 0;                ///< in Stats::primitives
+    std::array<std::uint32_t, 3> corners{}; ///< numbers of the positions; the same for equal ones
+    std::unique_ptr<const TriangleSamples> samples = {}; ///< of a triangle with area
+    bool is_drawn_whole = false; ///< it has all its samples, and rounding matters for none of them
+
+    const std::array<ScreenPoint, 3>& at() const { return *drawn->corners; }
+};
+
+/// The pixel of an offset in a PixelSet.
+inline Pixel pixel_at(std::uint32_t offset, const Canvas& canvas) {
+    const int place = static_cast<int>(offset);
+    return {canvas.left() + place % canvas.width, canvas.y_of(place / canvas.width)};
+}
+
+/// So many primitives, or edges, a thread takes at a time: neighbors, whose steps and corners stand near each other.
+inline std::size_t neighbors_at_once(std::size_t count, std::size_t jobs) {
+    return std::clamp<std::size_t>(count / (8 * jobs), 1, 64);
+}
+
+} // namespace rastertrace
