@@ -30,9 +30,7 @@ void add_order(const Replay& replay, CellTexts& texts) {
     const Trace& trace = replay.trace();
     std::size_t number = 0;
     std::map<std::size_t, std::size_t> number_of;
-    for (std::size_t n = 1; n <= replay.step(); ++n) {
-        if (trace.kind_of(n) != StepKind::pixel)
-            continue;
+    for (const std::size_t n : trace.steps_of({StepKind::pixel}, 1, replay.step())) {
         ++number;
         if (const auto pixel = pixel_of(trace, n))
             number_of[trace.canvas.offset_of(*pixel)] = number;
@@ -61,9 +59,8 @@ void add_view(View view, const Replay& replay, CellTexts& texts) {
 /// The weights of each sample of the current primitive: each over the area, which all of them have.
 void add_weights(const Replay& replay, CellTexts& texts) {
     const Trace& trace = replay.trace();
-    for (std::size_t n = replay.primitive() + 1; n <= replay.step(); ++n) {
-        if (trace.kind_of(n) != StepKind::sample)
-            continue;
+    for (const std::size_t n :
+         trace.steps_of({StepKind::sample}, replay.primitive() + 1, replay.step())) {
         const auto pixel = pixel_of(trace, n);
         if (!pixel)
             continue;

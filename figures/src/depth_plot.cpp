@@ -50,9 +50,7 @@ bool is_parallel(const Replay& replay) {
 /// The depths of the pixels of the row, as they were tested.
 std::vector<Sample> along_row(const Trace& trace, ShownSteps steps) {
     std::vector<Sample> samples;
-    for (std::size_t n = steps.first; n <= steps.last; ++n) {
-        if (trace.kind_of(n) != StepKind::depth)
-            continue;
+    for (const std::size_t n : trace.steps_of({StepKind::depth}, steps.first, steps.last)) {
         const auto test = trace.step(n).as<DepthStep>();
         if (const auto depth = test.depth.nearest_double())
             samples.push_back({static_cast<double>(test.x), *depth});
@@ -70,9 +68,8 @@ struct Side {
 Side along_side(const Replay& replay) {
     const Trace& trace = replay.trace();
     std::vector<Side> sides;
-    for (std::size_t n = replay.primitive() + 1; n <= replay.step(); ++n) {
-        if (trace.kind_of(n) != StepKind::scanline)
-            continue;
+    for (const std::size_t n :
+         trace.steps_of({StepKind::scanline}, replay.primitive() + 1, replay.step())) {
         const auto row = trace.step(n).as<ScanlineStep>();
         for (const bool is_left : {false, true}) {
             const auto depth = (is_left ? row.left_depth : row.right_depth).nearest_double();

@@ -141,9 +141,8 @@ std::vector<std::size_t> in_painters_order(const Panel& panel) {
     if (!panel.is_step() || trace.kind_of(step) != StepKind::order)
         return primitives;
     std::map<std::string, std::size_t> by_name;
-    for (std::size_t n = step + 1; n <= trace.size(); ++n)
-        if (trace.kind_of(n) == StepKind::primitive)
-            by_name.emplace(trace.step(n).as<PrimitiveStep>().name.text(), n);
+    for (const std::size_t n : trace.steps_of({StepKind::primitive}, step + 1))
+        by_name.emplace(trace.step(n).as<PrimitiveStep>().name.text(), n);
     for (const std::string& name : trace.step(step).as<OrderStep>().names.texts())
         if (const auto found = by_name.find(name); found != by_name.end())
             primitives.push_back(found->second);

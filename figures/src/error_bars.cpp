@@ -15,16 +15,13 @@ std::optional<Decisions> decisions_of(const Replay& replay) {
     // An outline has three lines: each begins with its edge.
     std::size_t first = replay.primitive();
     auto octant = trace.step(first).as<PrimitiveStep>().octant;
-    for (std::size_t n = first + 1; n <= replay.step(); ++n)
-        if (trace.kind_of(n) == StepKind::edge) {
-            first = n;
-            octant = trace.step(n).as<EdgeStep>().octant;
-        }
+    for (const std::size_t n : trace.steps_of({StepKind::edge}, first + 1, replay.step())) {
+        first = n;
+        octant = trace.step(n).as<EdgeStep>().octant;
+    }
     Decisions decisions;
     bool goes_straight_up = false;
-    for (std::size_t n = first + 1; n <= replay.step(); ++n) {
-        if (trace.kind_of(n) != StepKind::decide)
-            continue;
+    for (const std::size_t n : trace.steps_of({StepKind::decide}, first + 1, replay.step())) {
         const auto step = trace.step(n).as<DecideStep>();
         const auto pixel = pixel_of(trace, n);
         const auto d = step.d.nearest_double();

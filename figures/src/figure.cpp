@@ -137,9 +137,8 @@ bool has_colors(const Trace& trace) {
 }
 
 bool has_triangle(const Trace& trace) {
-    for (std::size_t n = 1; n <= trace.size(); ++n)
-        if (trace.kind_of(n) == StepKind::primitive &&
-            corners_of(trace.step(n).as<PrimitiveStep>()).size() == 3)
+    for (const std::size_t n : trace.steps_of({StepKind::primitive}))
+        if (corners_of(trace.step(n).as<PrimitiveStep>()).size() == 3)
             return true;
     return false;
 }

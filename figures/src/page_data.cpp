@@ -121,9 +121,7 @@ Numberless without_numbers(const std::string& sentence) {
 /// The grays of all depths of a trace; nothing if it has no depth test.
 std::optional<DepthGrays> depth_grays(const Trace& trace) {
     std::optional<DepthGrays> grays;
-    for (std::size_t n = 1; n <= trace.size(); ++n) {
-        if (trace.kind_of(n) != StepKind::depth)
-            continue;
+    for (const std::size_t n : trace.steps_of({StepKind::depth})) {
         if (!grays)
             grays.emplace();
         if (!grays->knows_which_is_nearer())
@@ -286,14 +284,11 @@ private:
     void add_groups() {
         std::vector<std::size_t> painted;
         std::size_t order = 0;
-        for (std::size_t n = 1; n <= trace_.size(); ++n) {
+        for (const std::size_t n : trace_.steps_of({StepKind::order, StepKind::primitive}))
             if (trace_.kind_of(n) == StepKind::order)
                 order = n;
-            if (trace_.kind_of(n) != StepKind::primitive)
-                continue;
-            if (!trace_.step(n).as<PrimitiveStep>().painted.is_false())
+            else if (!trace_.step(n).as<PrimitiveStep>().painted.is_false())
                 painted.push_back(n);
-        }
         FaceGroups groups = face_groups(trace_, std::move(painted), order, most_groups);
         group_count_ = groups.names.size();
         heading_ = groups.heading;
@@ -576,8 +571,8 @@ std::string page_data(const Trace& trace, const PageDetail& detail, const StepsI
 bool has_answers(const Trace& trace, const PageDetail& detail) {
     const Canvas& canvas = trace.canvas;
     std::size_t primitives = 0;
-    for (std::size_t n = 1; n <= trace.size(); ++n)
-        primitives += trace.kind_of(n) == StepKind::primitive ? 1 : 0;
+    for ([[maybe_unused]] const std::size_t n : trace.steps_of({StepKind::primitive}))
+        ++primitives;
     const auto pixels =
         static_cast<std::size_t>(canvas.width) * static_cast<std::size_t>(canvas.height);
     return std::max(canvas.width, canvas.height) <= largest_side_with_why_not &&

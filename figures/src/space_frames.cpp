@@ -126,9 +126,7 @@ std::vector<Position> square(double half, double z) {
 /// The vertices of a trace, in a space. That of clip space has w in the place of z.
 std::map<std::string, Position> vertices_in(const Trace& trace, Space space, double forward) {
     std::map<std::string, Position> vertices;
-    for (std::size_t n = 1; n <= trace.size(); ++n) {
-        if (trace.kind_of(n) != StepKind::vertex)
-            continue;
+    for (const std::size_t n : trace.steps_of({StepKind::vertex})) {
         const auto step = trace.step(n).as<VertexStep>();
         const auto numbers = step.at.values();
         if (!(step.space == space) || numbers.size() < 2)
@@ -228,10 +226,9 @@ using Flat = std::array<Rational, 2>;
 
 /// The corners of an ear, as its primitive names them.
 std::vector<std::string> corners_named(const Trace& trace, const std::string& ear) {
-    for (std::size_t n = 1; n <= trace.size(); ++n)
-        if (trace.kind_of(n) == StepKind::primitive)
-            if (const auto primitive = trace.step(n).as<PrimitiveStep>(); primitive.name == ear)
-                return primitive.vertices.texts();
+    for (const std::size_t n : trace.steps_of({StepKind::primitive}))
+        if (const auto primitive = trace.step(n).as<PrimitiveStep>(); primitive.name == ear)
+            return primitive.vertices.texts();
     return {};
 }
 

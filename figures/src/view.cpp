@@ -46,13 +46,12 @@ char ramp_at(double share) {
 
 /// What an untouched cell of the buffer holds: what the first depth of all is compared with.
 std::string cleared_depth(const Trace& trace) {
-    for (std::size_t n = 1; n <= trace.size(); ++n)
-        if (trace.kind_of(n) == StepKind::depth) {
-            const TracedNumber stored = trace.step(n).as<DepthStep>().stored;
-            if (stored.json() == "null")
-                break;
-            return short_number(stored.text());
-        }
+    for (const std::size_t n : trace.steps_of({StepKind::depth})) {
+        const TracedNumber stored = trace.step(n).as<DepthStep>().stored;
+        if (stored.json() == "null")
+            break;
+        return short_number(stored.text());
+    }
     return trace.method_value("depth") == "linear-z" &&
                    trace.method_value("depth_compare") != "greater"
                ? "inf"
@@ -96,8 +95,7 @@ FrameParts parts_for(View view, const Trace& trace) {
 }
 
 bool larger_is_nearer(const Trace& trace) {
-    const std::size_t last = trace.size();
-    for (std::size_t n = 0; (n = trace.next_of({StepKind::depth}, n + 1, last)) <= last;)
+    for (const std::size_t n : trace.steps_of({StepKind::depth}))
         if (const auto larger = larger_depth_passes(trace, n))
             return *larger;
     return false;
@@ -122,9 +120,8 @@ std::string_view only_color(std::string_view json) {
 View default_view(const Trace& trace, std::size_t most_steps) {
     std::set<std::string> faces;
     std::set<std::string, std::less<>> colors;
-    const std::size_t last = std::min(trace.size(), most_steps);
-    const StepKindSet telling{StepKind::light, StepKind::primitive};
-    for (std::size_t n = 0; (n = trace.next_of(telling, n + 1, last)) <= last;) {
+    for (const std::size_t n :
+         trace.steps_of({StepKind::light, StepKind::primitive}, 1, most_steps)) {
         if (trace.kind_of(n) == StepKind::light)
             return View::shade;
         const StepView step = trace.step(n);

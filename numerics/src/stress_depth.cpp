@@ -415,9 +415,7 @@ DepthTests depth_tests_of(std::string_view json, const MethodOverrides& method) 
     const auto trace = trace_in(json, method, {StepKind::depth});
     if (!trace)
         return count;
-    for (std::size_t n = 1; n <= trace.value().size(); ++n) {
-        if (trace.value().kind_of(n) != StepKind::depth)
-            continue;
+    for (const std::size_t n : trace.value().steps_of({StepKind::depth})) {
         ++count.tests;
         count.passes += trace.value().step(n).as<DepthStep>().pass.is_true() ? 1 : 0;
     }

@@ -35,8 +35,7 @@ StepKindSet random_kinds(Random& random) {
 
 std::vector<std::size_t> found(const Trace& trace, StepKindSet kinds) {
     std::vector<std::size_t> steps;
-    const std::size_t last = trace.size();
-    for (std::size_t n = 0; (n = trace.next_of(kinds, n + 1, last)) <= last;)
+    for (const std::size_t n : trace.steps_of(kinds))
         steps.push_back(n);
     return steps;
 }

@@ -67,10 +67,8 @@ public:
         for (int row = 0; row < canvas.height; ++row)
             for (int x = canvas.left(); x <= canvas.right(); ++x) {
                 const Pixel pixel{x, canvas.y_of(row)};
-                if (!is_tied_[canvas.offset_of(pixel)])
-                    continue;
-                if (++stats_.depth_ties.count <= most_pixels_kept)
-                    stats_.depth_ties.kept.push_back(pixel);
+                if (is_tied_[canvas.offset_of(pixel)])
+                    stats_.depth_ties.add(pixel);
             }
     }
 
@@ -98,8 +96,7 @@ constexpr std::size_t steps_in_round = 1 << 20;
 std::vector<Part> parts_of(const Trace& trace, std::size_t least) {
     std::vector<Part> parts{{1, 0}};
     std::size_t primitives = 0;
-    const std::size_t last = trace.size();
-    for (std::size_t n = 0; (n = trace.next_of({StepKind::primitive}, n + 1, last)) <= last;) {
+    for (const std::size_t n : trace.steps_of({StepKind::primitive})) {
         if (n >= parts.back().first + least)
             parts.push_back({n, primitives});
         ++primitives;
@@ -174,7 +171,7 @@ std::string names_of(const std::vector<StatsFinding>& findings) {
 }
 
 Stats stats_of(const Trace& trace, std::size_t jobs, std::size_t steps_in_part) {
-    jobs = jobs == 0 ? usual_jobs() : jobs;
+    jobs = jobs_or_usual(jobs);
     Stats stats;
     stats.steps = trace.size();
     WholeCounts counted(trace, stats);

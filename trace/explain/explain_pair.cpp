@@ -39,9 +39,7 @@ struct Pair {
 /// The triangle of a name, as its `primitive` step says.
 PrimitiveText triangle_named(const Trace& trace, const std::string& name) {
     std::vector<std::string> parts;
-    for (std::size_t n = 1; n <= trace.size(); ++n) {
-        if (trace.kind_of(n) != StepKind::primitive)
-            continue;
+    for (const std::size_t n : trace.steps_of({StepKind::primitive})) {
         PrimitiveText primitive = primitive_in(trace.step(n));
         if (primitive.name == name && corners_of(primitive))
             return primitive;
@@ -57,9 +55,8 @@ PrimitiveText triangle_named(const Trace& trace, const std::string& name) {
 /// The two names that a text joins by a comma. A name may have commas too: the split is where both are known.
 std::vector<std::string> names_in(const Trace& trace, const std::string& text) {
     std::set<std::string> known;
-    for (std::size_t n = 1; n <= trace.size(); ++n)
-        if (trace.kind_of(n) == StepKind::primitive)
-            known.insert(name_in(trace.step(n)).text());
+    for (const std::size_t n : trace.steps_of({StepKind::primitive}))
+        known.insert(name_in(trace.step(n)).text());
     for (std::size_t comma = text.find(','); comma != std::string::npos;
          comma = text.find(',', comma + 1))
         if (known.contains(text.substr(0, comma)) && known.contains(text.substr(comma + 1)))

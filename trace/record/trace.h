@@ -16,6 +16,7 @@
 #include <rastertrace/core/raster/image.h>
 #include <rastertrace/trace/text/problem.h>
 
+#include <algorithm>
 #include <array>
 #include <cassert>
 #include <cstddef>
@@ -33,6 +34,7 @@ namespace rastertrace {
 
 class ReplayState;
 class StepFinder;
+class StepNumbers;
 class StepPlaces;
 class TraceIndex;
 struct Plan;
@@ -158,9 +160,13 @@ public:
     std::optional<StepKind> kind_of(std::size_t n) const;
 
     /// The first step from n to `last` that is of one of these kinds; last + 1, if there is none.
-    ///
-    ///     for (std::size_t n = 0; (n = trace.next_of({StepKind::primitive}, n + 1, last)) <= last;)
     std::size_t next_of(StepKindSet kinds, std::size_t n, std::size_t last) const;
+
+    /// The numbers of the steps of these kinds, from `first` to `last`.
+    ///
+    ///     for (const std::size_t n : trace.steps_of({StepKind::primitive}))
+    StepNumbers steps_of(StepKindSet kinds, std::size_t first = 1,
+                         std::size_t last = std::numeric_limits<std::size_t>::max()) const;
 
     /// True if step n is a line as this program writes it: then nothing is wrong with it.
     bool is_plain(std::size_t n) const;
@@ -213,6 +219,46 @@ private:
     std::shared_ptr<const TraceIndex> index_;
     std::vector<std::size_t> numbers_; ///< of an excerpt: those of its steps in the whole trace
 };
+
+/// What Trace::steps_of gives: each number is found when it is asked for.
+class StepNumbers {
+public:
+    class Iterator {
+    public:
+        std::size_t operator*() const { return n_; }
+        Iterator& operator++() {
+            n_ = steps_->next(n_ + 1);
+            return *this;
+        }
+        bool operator==(const Iterator& other) const { return n_ == other.n_; }
+
+    private:
+        friend class StepNumbers;
+        Iterator(const StepNumbers* steps, std::size_t n) : steps_(steps), n_(n) {}
+
+        const StepNumbers* steps_;
+        std::size_t n_;
+    };
+
+    Iterator begin() const { return {this, next(first_)}; }
+    Iterator end() const { return {this, last_ + 1}; }
+
+private:
+    friend class Trace;
+    StepNumbers(const Trace& trace, StepKindSet kinds, std::size_t first, std::size_t last)
+        : trace_(trace), kinds_(kinds), first_(first), last_(std::min(last, trace.size())) {}
+
+    std::size_t next(std::size_t n) const { return trace_.next_of(kinds_, n, last_); }
+
+    const Trace& trace_;
+    StepKindSet kinds_;
+    std::size_t first_;
+    std::size_t last_;
+};
+
+inline StepNumbers Trace::steps_of(StepKindSet kinds, std::size_t first, std::size_t last) const {
+    return {*this, kinds, first, last};
+}
 
 /// The steps of a trace, for one of several threads: each has its own. Not of a trace with an index.
 class StepReader {

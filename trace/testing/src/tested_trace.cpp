@@ -177,9 +177,7 @@ void expect_primitive(const Trace& trace, const std::string& name) {
                                          "they were left out",
                                          printable(name)));
     std::vector<std::string> names;
-    for (std::size_t n = 1; n <= trace.size(); ++n) {
-        if (trace.kind_of(n) != StepKind::primitive)
-            continue;
+    for (const std::size_t n : trace.steps_of({StepKind::primitive})) {
         const auto begun = trace.step(n).as<PrimitiveStep>();
         if (begun.name == name || is_part_of(begun, name))
             return;
