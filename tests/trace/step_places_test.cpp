@@ -33,16 +33,22 @@ StepKindSet random_kinds(Random& random) {
     return kinds;
 }
 
-std::vector<std::size_t> found(const Trace& trace, StepKindSet kinds) {
+/// The steps of some kinds; other steps are asked for between them.
+std::vector<std::size_t> found(const Trace& trace, StepKindSet kinds, std::size_t first,
+                               std::size_t last) {
     std::vector<std::size_t> steps;
-    for (const std::size_t n : trace.steps_of(kinds))
+    for (const std::size_t n : trace.steps_of(kinds, first, last)) {
         steps.push_back(n);
+        (void)trace.kind_of(trace.size() + 1 - n);
+        (void)trace.step(1 + n / 2);
+    }
     return steps;
 }
 
-std::vector<std::size_t> walked_to(const Trace& trace, StepKindSet kinds) {
+std::vector<std::size_t> walked_to(const Trace& trace, StepKindSet kinds, std::size_t first,
+                                   std::size_t last) {
     std::vector<std::size_t> steps;
-    for (std::size_t n = 1; n <= trace.size(); ++n)
+    for (std::size_t n = first; n <= std::min(last, trace.size()); ++n)
         if (const auto kind = trace.kind_of(n); kind && kinds.has(*kind))
             steps.push_back(n);
     return steps;
@@ -89,10 +95,15 @@ TEST(StepPlaces, TheNextStepOfAKindIsTheOneThatAWalkComesTo) {
                                    std::move(read_written_trace({"trace.json", text}).value()),
                                    drawn_trace(drawn, plan, "scene.json", 1'000'000)}) {
             const StepKindSet kinds = random_kinds(random);
-            EXPECT_EQ(found(trace, kinds), walked_to(trace, kinds)) << "seed " << seed;
-            EXPECT_EQ(found(trace, {}), std::vector<std::size_t>());
+            const std::size_t behind = trace.size() + 1;
+            for (const std::size_t first : {std::size_t{1}, (behind + 1) / 2, behind, behind + 9})
+                for (const std::size_t last : {std::size_t{0}, behind / 2, behind - 1, behind + 9})
+                    EXPECT_EQ(found(trace, kinds, first, last),
+                              walked_to(trace, kinds, first, last))
+                        << "seed " << seed << ", " << first << " to " << last;
+            EXPECT_EQ(found(trace, {}, 1, behind), std::vector<std::size_t>());
             expect_same_in_any_order(trace, random);
-            steps += walked_to(trace, kinds).size();
+            steps += walked_to(trace, kinds, 1, behind).size();
         }
     }
     EXPECT_GT(steps, 10'000U);

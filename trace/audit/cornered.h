@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// A primitive with three corners, as it is held against what it drew.
+// A primitive with three corners, as it is held against what it drew, and what both comparisons need (coverage.h,
+// shared_edges.h).
 
 #include "drawn_primitive.h"
 #include "screen_point.h"

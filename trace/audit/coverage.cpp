@@ -4,6 +4,7 @@
 #include "cornered.h"
 #include "outside_causes.h"
 #include "positions.h"
+#include "screen_point.h"
 #include "shared_edges.h"
 #include "triangle_samples.h"
 
@@ -14,11 +15,11 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdint>
 #include <iterator>
 #include <map>
 #include <memory>
 #include <string>
-#include <utility>
 #include <vector>
 
 namespace rastertrace {

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "shared_edges.h"
 
+#include "pixel_set.h"
+#include "screen_point.h"
 #include "t_junctions.h"
+#include "triangle_samples.h"
 
 #include <rastertrace/trace/record/traced_steps.h>
 #include <rastertrace/trace/text/in_threads.h>
@@ -12,6 +15,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdint>
 #include <span>
 #include <string>
 #include <string_view>

@@ -6,6 +6,7 @@
 
 #include "cornered.h"
 #include "stats.h"
+#include "triangle_samples.h"
 
 #include <rastertrace/trace/record/trace.h>
 
@@ -14,7 +15,8 @@
 
 namespace rastertrace {
 
-/// Every pair of the triangles at every edge that they share, in so many threads. They have samples.
+/// Every pair of the triangles at every edge that they share, the first `most_compared` at each. They have samples. In so
+/// many threads.
 std::vector<SharedEdge> compared_edges(const std::vector<Cornered>& triangles, std::size_t jobs,
                                        const CanvasSamples& grid);
 

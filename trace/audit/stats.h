@@ -39,6 +39,7 @@ struct PixelList {
     std::uint64_t count = 0;
     std::vector<Pixel> kept; ///< the first ones, from the top row of the picture, left to right
 
+    /// Counts a pixel, and keeps it if it is among the first.
     void add(Pixel pixel) {
         if (++count <= most_pixels_kept)
             kept.push_back(pixel);

@@ -223,7 +223,7 @@ std::size_t StepFinder::next_of(StepKindSet kinds, std::size_t n, std::size_t la
     for (std::size_t block = block_of(n); n <= last; ++block) {
         const std::size_t end = std::min(steps_.end_of(block), last + 1);
         if (steps_.blocks_[block].kinds.has_any_of(kinds)) {
-            if (!take_measured(block))
+            if (!found_.has(n) && !take_measured(block))
                 find(block, text);
             for (; n < end; ++n)
                 if (const auto its = kind(n, text); its && kinds.has(*its))

@@ -203,4 +203,14 @@ std::vector<Problem> Trace::faults_in_step(std::size_t n) const {
     return faults;
 }
 
+std::optional<Problem> NotFiniteSteps::remark() const {
+    std::optional<Problem> remark = first;
+    if (count > 1)
+        remark->message += fmt::format("; {} more {} such a number", count - 1,
+                                       count == 2 ? "step has" : "steps have");
+    if (remark)
+        remark->hint = "it is told as it stands; formulas, figures and counts leave it out";
+    return remark;
+}
+
 } // namespace rastertrace

@@ -162,7 +162,7 @@ public:
     /// The first step from n to `last` that is of one of these kinds; last + 1, if there is none.
     std::size_t next_of(StepKindSet kinds, std::size_t n, std::size_t last) const;
 
-    /// The numbers of the steps of these kinds, from `first` to `last`.
+    /// The numbers of the steps of these kinds, from `first` to `last`, or to the last step that there is now.
     ///
     ///     for (const std::size_t n : trace.steps_of({StepKind::primitive}))
     StepNumbers steps_of(StepKindSet kinds, std::size_t first = 1,

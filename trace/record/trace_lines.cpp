@@ -14,6 +14,7 @@
 #include <array>
 
 namespace rastertrace {
+
 std::string truncation_after(std::size_t steps) {
     return fmt::format("expected the rest of the trace, found the end of the file: the trace is "
                        "truncated after {} whole steps",
@@ -118,16 +119,6 @@ void note_not_finite(NotFiniteSteps& noted, const Source& source, std::size_t be
                                        field.name, *found));
         return;
     }
-}
-
-std::optional<Problem> NotFiniteSteps::remark() const {
-    std::optional<Problem> remark = first;
-    if (count > 1)
-        remark->message += fmt::format("; {} more {} such a number", count - 1,
-                                       count == 2 ? "step has" : "steps have");
-    if (remark)
-        remark->hint = "it is told as it stands; formulas, figures and counts leave it out";
-    return remark;
 }
 
 bool tells_picture(const EndRecord& end) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The two layouts that have one step a line, and what is said of a trace that ends too soon.
+// What is checked of a step, of a block of lines, and of the end record. The reader is in trace_reader.cpp.
 
 #include "frame.h"
 #include "step_counts.h"

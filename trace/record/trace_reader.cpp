@@ -10,7 +10,6 @@
 #include "trace_keys.h"
 #include "write_trace.h"
 
-#include <rastertrace/core/numbers/number.h>
 #include <rastertrace/trace/text/byte_order_mark.h>
 #include <rastertrace/trace/text/canvas_json.h>
 #include <rastertrace/trace/text/color_text.h>

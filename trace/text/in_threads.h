@@ -18,7 +18,7 @@ inline std::size_t usual_jobs() {
     return std::max(1U, std::thread::hardware_concurrency());
 }
 
-/// As many threads as are asked for, or, where 0 are, as run at once.
+/// The number of threads that was asked for; if that is 0, as many as run at once.
 inline std::size_t jobs_or_usual(std::size_t jobs) {
     return jobs == 0 ? usual_jobs() : jobs;
 }
