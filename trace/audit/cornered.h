@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// A primitive with three corners, as it is held against what it drew, and what both comparisons need (coverage.h,
-// shared_edges.h).
+// A primitive with three corners, to be compared with the pixels that it drew; and what coverage.cpp and shared_edges.cpp
+// both need for that.
 
 #include "drawn_primitive.h"
 #include "screen_point.h"
@@ -35,7 +35,7 @@ inline Pixel pixel_at(std::uint32_t offset, const Canvas& canvas) {
     return {canvas.left() + place % canvas.width, canvas.y_of(place / canvas.width)};
 }
 
-/// So many primitives, or edges, a thread takes at a time: neighbors, whose steps and corners stand near each other.
+/// How many neighboring primitives or edges one thread takes at a time. Their corners lie near each other in memory.
 inline std::size_t neighbors_at_once(std::size_t count, std::size_t jobs) {
     return std::clamp<std::size_t>(count / (8 * jobs), 1, 64);
 }

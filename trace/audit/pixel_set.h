@@ -97,7 +97,7 @@ private:
     std::vector<std::uint32_t> runs_;
 };
 
-/// Sorts offsets and leaves each once: what a PixelSet is made of.
+/// Sorts offsets and removes duplicates, as the constructor of PixelSet needs them.
 void put_in_order(std::vector<std::uint32_t>& offsets);
 
 } // namespace rastertrace

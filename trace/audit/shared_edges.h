@@ -15,13 +15,13 @@
 
 namespace rastertrace {
 
-/// Every pair of the triangles at every edge that they share, the first `most_compared` at each. They have samples. In so
-/// many threads.
+/// Compares every two triangles that share an edge, the first `most_compared` at each edge, in `jobs` threads. All of the
+/// triangles need their samples.
 std::vector<SharedEdge> compared_edges(const std::vector<Cornered>& triangles, std::size_t jobs,
                                        const CanvasSamples& grid);
 
-/// Adds the T-junctions among the triangles that are drawn, which have samples, to stats.t_junctions. The edges of those
-/// that are not drawn count too: whoever shares one has a neighbor.
+/// Adds the T-junctions among the triangles that are drawn, which need their samples, to stats.t_junctions. An edge that one
+/// of them shares with a triangle that is not drawn has no T-junctions.
 void find_junctions(const std::vector<Cornered>& drawn, const std::vector<Cornered>& not_drawn,
                     const Trace& trace, const CanvasSamples& grid, Stats& stats);
 

@@ -220,7 +220,7 @@ private:
     std::vector<std::size_t> numbers_; ///< of an excerpt: those of its steps in the whole trace
 };
 
-/// What Trace::steps_of gives: each number is found when it is asked for.
+/// What Trace::steps_of returns, a view of that trace: it searches for the next step each time that it is advanced.
 class StepNumbers {
 public:
     class Iterator {
