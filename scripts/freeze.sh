@@ -1,7 +1,7 @@
 #!/bin/sh
 # Compares what two builds of the program draw and say: one hash for the trace (or the refusal) of every example
 # and of some thousand random scenes, with every fill, line, depth rule and scalar; for each example one more
-# for every command that tells about a scene; and for 200 scenes with a fault, one for the message.
+# for every command that tells about a scene, and for screens of the player; and for 200 scenes with a fault, one for the message.
 #
 #     scripts/freeze.sh before/rastertrace after/rastertrace   # lists what differs
 #     scripts/freeze.sh build/release/viewer-cli/rastertrace   # prints the hashes
@@ -25,12 +25,20 @@ mkdir "$folder/scenes" "$folder/faults"
 # One call for each line: what comes after the name of the program.
 {
     find examples -name '*.json' | sort | while read -r scene; do
-        for call in trace show 'show --all --working --max-steps 500' plan 'explain --step last' 'explain --pixel 1,2' \
-            'explain --scanline 1' stats sheet 'figure -o - --format svg'; do
+        for call in trace show 'show --all --working --max-steps 500' plan stats 'stats --json' sheet \
+            'figure -o - --format svg' 'figure -o - --format tikz' 'play --print 100x30 --step last' \
+            'diff --against fill=top-left' 'diff --against fill=two-halves --json'; do
             echo "$call $scene"
         done
+        for what in 'step last' 'pixel 1,2' 'scanline 1'; do
+            echo "explain --$what $scene"
+            echo "explain --$what --json $scene"
+        done
+        for step in 2 12 40; do
+            echo "play --print 80x24 --step $step $scene"
+        done
     done
-    find examples -name '*.claims' | sort | sed 's/^/check /'
+    find examples -name '*.claims' | sort | sed 's/^/check /;p;s/^check/& --json/'
     find "$folder/scenes" "$folder/faults" -name '*.json' | sort | sed 's/^/trace /'
 } >"$folder/list"
 
