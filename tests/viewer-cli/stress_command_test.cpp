@@ -49,14 +49,13 @@ TEST_F(ProgramTest, StressWritesTheEntriesOfTheDocumentation) {
         "\n"
         "### L2: many ties\n"
         "\n"
-        "Input: (0,0)-(60,10).\n"
-        "Why: The gcd is 10: ten pixels lie halfway between two rows.\n"
-        "What holds: 61 pixels. Naive with half away from zero and Bresenham differ at the 10 "
+        "(0,0)-(60,10).\n"
+        "The gcd is 10: ten pixels lie halfway between two rows.\n"
+        "\n"
+        "61 pixels. Naive with half away from zero and Bresenham differ at the 10 "
         "ties, "
         "first (3,1) against (3,0); with the same tie rule they are one line, unless rounded sums "
         "miss the ties (dda).\n"
-        "\n"
-        "Wrong:\n"
         "\n"
         "- dda: 2 pixels wrong (float); 8 pixels wrong (double)\n"
         "- naive, away, taken for bresenham: 10 pixels wrong (exact)\n"
@@ -64,13 +63,12 @@ TEST_F(ProgramTest, StressWritesTheEntriesOfTheDocumentation) {
         "\n"
         "### L6: control: long, but not stiff\n"
         "\n"
-        "Input: (0,0)-(4095,4094).\n"
-        "Why: A pixel in 1/8190 of a tie, and sums that may lose 2 px in float; but the roundings "
+        "(0,0)-(4095,4094).\n"
+        "A pixel in 1/8190 of a tie, and sums that may lose 2 px in float; but the roundings "
         "of a "
         "slope this near to 1 do not add up.\n"
-        "What holds: Every pixel right, with every method.\n"
         "\n"
-        "Nothing is wrong.\n"
+        "Every pixel right, with every method.\n"
 
         "\n"
         "## Pipeline\n"
@@ -79,12 +77,11 @@ TEST_F(ProgramTest, StressWritesTheEntriesOfTheDocumentation) {
         "\n"
         "### P7: no normal, no view\n"
         "\n"
-        "Input: B = C; the eye on a vertex; the eye in the plane.\n"
-        "Why: A vector of length 0 has no cosine: 0/0.\n"
-        "What holds: Not drawn, and nothing is normalized to decide it. A textbook's N.E/|N.E| is "
-        "0/0.\n"
+        "B = C; the eye on a vertex; the eye in the plane.\n"
+        "A vector of length 0 has no cosine: 0/0.\n"
         "\n"
-        "Nothing is wrong.\n");
+        "Not drawn, and nothing is normalized to decide it. A textbook's N.E/|N.E| is "
+        "0/0.\n");
 }
 
 TEST_F(ProgramTest, StressWritesEntriesThatMarkdownReadsAsTheyAre) {
@@ -98,9 +95,9 @@ TEST_F(ProgramTest, StressWritesEntriesThatMarkdownReadsAsTheyAre) {
     EXPECT_THAT(entry("P9"), HasSubstr("eye = look\\_at"));
     // What is code already stays, and what is a number's name.
     EXPECT_THAT(entry("L11"), HasSubstr("a loop `while (x < x1)` draws none"));
-    EXPECT_THAT(entry("L11"), HasSubstr("\nWhy: dx = 0, and dx &lt; 0.\n"));
-    EXPECT_THAT(entry("P6"), HasSubstr("\nWhat holds: normal . view = -1: a back face. "));
-    EXPECT_THAT(entry("X9"), HasSubstr("\nWhy: The pictures are the same; are the steps?\n"));
+    EXPECT_THAT(entry("L11"), HasSubstr("\ndx = 0, and dx &lt; 0.\n"));
+    EXPECT_THAT(entry("P6"), HasSubstr("\nnormal . view = -1: a back face. "));
+    EXPECT_THAT(entry("X9"), HasSubstr("\nThe pictures are the same; are the steps?\n"));
     EXPECT_THAT(entry("Z14"),
                 HasSubstr("\n- scanline, rounded ends: 17 pixels wrong (float, double, "
                           "adaptive, exact); 16 pixels wrong (fixed)\n"));

@@ -40,11 +40,12 @@ std::string in_page(std::string_view text) {
     return line;
 }
 
-/// The same as an item of a list, which it begins: no item of a list within it, and no heading.
+/// The same where a line or an item of a list begins: it begins no item of a list, and no heading.
 std::string in_item(std::string_view text) {
     std::string item = in_page(text);
     const std::size_t mark = std::min(item.find_first_not_of("0123456789"), item.size() - 1);
-    const bool is_ordinal = mark > 0 && (item[mark] == '.' || item[mark] == ')');
+    const bool is_ordinal = mark > 0 && (item[mark] == '.' || item[mark] == ')') &&
+                            (mark + 1 == item.size() || item[mark + 1] == ' ');
     if (is_ordinal || (mark == 0 && std::string_view("+-#>").find(item[0]) != std::string::npos))
         item.insert(mark, 1, '\\');
     return item;
@@ -71,7 +72,7 @@ std::string as_sentence(std::string_view text) {
         sentence.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(text[0])));
     if (!sentence.ends_with('.') && !sentence.ends_with(".)") && !sentence.ends_with('?'))
         sentence += '.';
-    return in_page(sentence);
+    return in_item(sentence);
 }
 
 /// The heading of a case, and the anchor that it has on GitHub.
@@ -96,10 +97,10 @@ struct Failing {
     std::size_t scalar_count;
 };
 
-/// What a case has wrong or refused: an item for each method.
+/// What a case has wrong or refused: an item for each method; nothing if all is right.
 std::string failing_items(const RunCase& one) {
     if (one.count(Verdict::refused) == one.rows.size())
-        return "All of it is refused, with every scalar.\n";
+        return "\nAll of it is refused, with every scalar.\n";
     std::vector<Failing> all;
     for (const StressRow& row : one.rows) {
         if (verdict_of(row) != Verdict::wrong && verdict_of(row) != Verdict::refused)
@@ -116,9 +117,7 @@ std::string failing_items(const RunCase& one) {
             ++same->scalar_count;
         }
     }
-    if (all.empty())
-        return "Nothing is wrong.\n";
-    std::string items = "Wrong:\n";
+    std::string items;
     std::string_view method;
     for (const Failing& failing : all) {
         items += failing.method != method ? fmt::format("\n- {}: ", in_item(failing.method)) : "; ";
@@ -127,15 +126,14 @@ std::string failing_items(const RunCase& one) {
         items += fmt::format("{} ({})", in_page(failing.what),
                              is_every ? "every scalar" : in_page(failing.scalars));
     }
-    return items + '\n';
+    return items.empty() ? items : items + '\n';
 }
 
 std::string as_markdown(const RunCase& one) {
     const StressCase& about = *one.about;
-    return fmt::format("\n### {}\n\nInput: {}{}\nWhy: {}\nWhat holds: {}\n\n{}",
-                       in_page(heading_of(about)), as_sentence(about.input),
-                       about.scenes().empty() ? " No scene." : "", as_sentence(about.why),
-                       as_sentence(about.holds), failing_items(one));
+    return fmt::format("\n### {}\n\n{}{}\n{}\n\n{}\n{}", in_page(heading_of(about)),
+                       as_sentence(about.input), about.scenes().empty() ? " No scene." : "",
+                       as_sentence(about.why), as_sentence(about.holds), failing_items(one));
 }
 
 } // namespace
