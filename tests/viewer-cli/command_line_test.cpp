@@ -87,9 +87,9 @@ TEST_F(ProgramTest, UsageErrorsNameTheWordAndANearOne) {
     EXPECT_EQ(shell("$rastertrace shw x").err,
               "rastertrace: expected a command out of trace, "
               "show, play, figure, explain, stats, check, sheet, exercise, diff, review, "
-              "diagnose, tell-apart, mistakes, fuzz, suite, stress, report, validate, plan, "
+              "diagnose, fuzz, suite, stress, report, validate, plan, "
               "convert, scene, "
-              "conventions, examples, renew, help, found "
+              "examples, renew, help, found "
               "\"shw\"\n"
               "hint: did you mean show?\n");
     EXPECT_EQ(shell("$rastertrace show x --evry pixel").err,

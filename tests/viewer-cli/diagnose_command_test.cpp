@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// `rastertrace diagnose`, `mistakes` and `--mistake` as a renderer's developer meets them.
+// `rastertrace diagnose` and `--mistake` as a renderer's developer meets them.
 
 #include "program.h"
 
@@ -163,11 +163,11 @@ TEST_F(DiagnoseTest, AFrameSaysThatItIsDrawnWithAMistake) {
 
 TEST_F(DiagnoseTest, ThePageOfMistakesShowsEachAndIsWhatTheProgramWrites) {
     const std::string page =
-        shell("cd $examples/.. && $rastertrace mistakes --gallery examples").out;
+        shell("cd $examples/.. && $rastertrace diagnose --gallery examples").out;
     std::ostringstream written;
     written << std::ifstream(fs::path(RASTERTRACE_EXAMPLES) / "../docs/mistakes.md").rdbuf();
     EXPECT_EQ(page, written.str())
-        << "to renew it: rastertrace mistakes --gallery examples > docs/mistakes.md";
+        << "to renew it: rastertrace diagnose --gallery examples > docs/mistakes.md";
     for (const Mistake& mistake : mistakes()) {
         const std::size_t begin = page.find("\n## " + std::string(mistake.name) + "\n");
         ASSERT_NE(begin, std::string::npos) << mistake.name;

@@ -155,7 +155,7 @@ TEST_F(HelpTest, BashCompletesWords) {
 TEST_F(HelpTest, EveryCommandHasAnExampleThatWorks) {
     EXPECT_THAT(shell("$rastertrace --version").out, StartsWith("rastertrace "));
     for (const std::string command :
-         {"trace", "show", "figure", "stats", "plan", "stress", "report", "renew", "mistakes"}) {
+         {"trace", "show", "figure", "stats", "plan", "stress", "report", "renew"}) {
         const std::string help = shell("$rastertrace " + command + " --help").out;
         const std::size_t example = help.find("Example:\n  rastertrace ");
         ASSERT_NE(example, std::string::npos) << command;

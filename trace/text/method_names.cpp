@@ -395,7 +395,7 @@ static MethodKey mistake_key() {
                       },
                   .otherwise = [](const Scene&) { return std::string(); },
                   .in_force = [](const Scene& scene) { return scene.method.mistake != nullptr; },
-                  .number = "a name that `rastertrace mistakes` lists"};
+                  .number = "a name that `rastertrace diagnose --list` lists"};
     for (const Mistake& mistake : mistakes()) {
         key.values.push_back(mistake.name);
         key.meanings.push_back(mistake.says);

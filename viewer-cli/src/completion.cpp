@@ -188,9 +188,12 @@ std::vector<std::string> completed_word(std::span<const std::string> words,
     if (const OptionRow* const row = option_with_value(command, before.back()))
         return completed_value(*row, word, before);
     for (const OptionRow& row : command.options)
-        if (row.is_argument())
-            return row.type == "COMMAND" ? beginning_with(word, "", std::move(names))
-                                         : completed_value(row, word, before);
+        if (row.is_argument()) {
+            if (row.type != "COMMAND")
+                return completed_value(row, word, before);
+            names.emplace_back("conventions"); // `help` explains them too
+            return beginning_with(word, "", std::move(names));
+        }
     return {};
 }
 

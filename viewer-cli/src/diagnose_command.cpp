@@ -5,6 +5,7 @@
 #include "command_words.h"
 #include "explain_text.h"
 #include "load.h"
+#include "mistake_list.h"
 #include "option_values.h"
 #include "shared_options.h"
 
@@ -20,7 +21,9 @@
 #include <algorithm>
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace rastertrace {
@@ -33,6 +36,8 @@ struct DiagnoseCommand {
     std::string predicted; ///< a scene that is to be drawn as theirs would be
     std::string folder;    ///< for scenes that tell rules apart
     bool writes_probes = false;
+    std::vector<std::string> rules_apart; ///< two that a scene is to be found for
+    MethodOverrides method;               ///< of that scene
 };
 
 struct PairOfFiles {
@@ -213,8 +218,8 @@ std::string details(const Diagnosis& found, const std::vector<DrawnPair>& pairs,
                     counted(pairs), 100 * found.score());
     text += remarks_on(pairs, files);
     for (std::size_t i = 1; i < found.answer.size(); ++i)
-        text += fmt::format("  or          {}: it draws the same here; rastertrace tell-apart {} "
-                            "{} prints a scene that tells them apart\n",
+        text += fmt::format("  or          {}: it draws the same here; rastertrace diagnose "
+                            "--tell-apart {} {} prints a scene that tells them apart\n",
                             name_of(found.answer[i].rule), words_for(rule),
                             words_for(found.answer[i].rule));
     if (found.runner_up)
@@ -301,16 +306,55 @@ ExitStatus write_probes(const DiagnoseCommand& command) {
     return exit_fine;
 }
 
+Rule rule_in(const std::string& name) {
+    if (name == "asked")
+        return {};
+    if (auto rule = rule_named(name))
+        return *std::move(rule);
+    refuse_value("--tell-apart",
+                 "a mistake, a convention, settings like rounding=truncate, or `asked`", name);
+}
+
+ExitStatus tell_apart(const DiagnoseCommand& command) {
+    const std::string& a = command.rules_apart[0];
+    const std::string& b = command.rules_apart[1];
+    const auto scene = scene_apart(rule_in(a), rule_in(b), command.method);
+    if (!scene) {
+        print_error(fmt::format(
+            "rastertrace: no scene found that {} and {} draw differently, in {} random ones\n",
+            printable(a), printable(b), most_seeds));
+        return exit_difference;
+    }
+    print(scene->text);
+    return exit_fine;
+}
+
+ExitStatus list_mistakes(const std::string& name, bool json) {
+    std::vector<std::string_view> names;
+    for (const Mistake& mistake : mistakes())
+        names.push_back(mistake.name);
+    const Mistake* const one = find_mistake(name);
+    if (!name.empty() && one == nullptr)
+        refuse_value("--list", "a name that `rastertrace diagnose --list` lists", name,
+                     did_you_mean(name, names));
+    print(one != nullptr ? mistake_text(*one) : json ? mistakes_json() : mistakes_text());
+    return exit_fine;
+}
+
 class DiagnoseCommandLine final : public Command {
 public:
     CommandAbout about() const override {
         return {
             "diagnose", "Find the rule, or the mistake, that a renderer has drawn by",
-            "rastertrace diagnose scene.json theirs.png\n\n"
+            "rastertrace diagnose scene.json theirs.png\n"
+            "rastertrace diagnose --list factor-2-dropped\n"
+            "rastertrace diagnose --tell-apart tie-refused-by-both asked --fill top-left\n\n"
             "Theirs is a picture, rows of text, a trace, or claims. Several pairs, or a folder of "
             "scenes and pictures of\n"
             "the same names, add up. Exit status: 0 drawn as the scene asks, 1 by another rule, a "
-            "mistake, or nothing known."};
+            "mistake, or nothing known.\n\n"
+            "A rule that --tell-apart takes is a mistake, a convention, or settings; `asked` is "
+            "the method as the options have it."};
     }
 
     void add_to(OptionList& options) override {
@@ -322,10 +366,29 @@ public:
                        "NAME");
         options.option("--predict", command_.predicted, "Print what they would draw of this scene",
                        "SCENE");
-        options.flag("--probe", command_.writes_probes,
-                     "Write a few scenes that tell the known rules apart");
-        options.option("-o", command_.folder, "Where to write them; probes if not given", "FOLDER");
+        OptionList alone = options.one_of("Without what a renderer has drawn", "");
+        list_ = alone
+                    .option("--list", mistake_,
+                            "List the known mistakes of rasterizers, or tell of this one; "
+                            "--mistake draws with one",
+                            "[NAME]")
+                    .with_optional_value()
+                    .names_of(NamesOf::mistakes);
+        alone.option("--gallery", gallery_,
+                     "Print a page in Markdown: each mistake with a picture of one of the scenes "
+                     "in this folder",
+                     "FOLDER");
+        alone
+            .option("--tell-apart", command_.rules_apart,
+                    "Print a small scene that two rules draw differently", "RULE RULE")
+            .names_of(NamesOf::mistakes);
+        alone.flag("--probe", command_.writes_probes,
+                   "Write a few scenes that tell the known rules apart");
+        options.flag("--json", json_, "Print the list as JSON");
+        options.option("-o", command_.folder, "Where to write the scenes; probes if not given",
+                       "FOLDER");
         options.option("--jobs", jobs_, "Threads; one for each core if not given", "N");
+        method_.add_to(options);
     }
 
     void read() override {
@@ -337,13 +400,31 @@ public:
         command_.options.any_convention = meant_ == "any";
         if (command_.folder.empty())
             command_.folder = "probes";
-        if (command_.files.empty() != command_.writes_probes)
-            throw problem_of("", command_.writes_probes
-                                     ? "expected --probe alone, found files beside it"
-                                     : "expected a scene and what was drawn of it, found nothing");
+        command_.method = method_.overrides();
+        const bool tells_apart = !command_.rules_apart.empty();
+        if (tells_apart && command_.rules_apart.size() != 2)
+            refuse_value("--tell-apart", "two rules", joined(command_.rules_apart, " "));
+        if (!tells_apart && !command_.method.empty())
+            throw problem_of("", "expected --tell-apart beside a choice of the method, found none",
+                             "a scene says its method itself");
+        const bool is_alone =
+            list_->is_given() || !gallery_.empty() || tells_apart || command_.writes_probes;
+        if (command_.files.empty() != is_alone)
+            throw problem_of(
+                "", is_alone ? "expected --list, --gallery, --tell-apart or --probe alone, found "
+                               "files beside it"
+                             : "expected a scene and what was drawn of it, found nothing");
     }
 
     int run() override {
+        if (list_->is_given())
+            return list_mistakes(mistake_, json_);
+        if (!gallery_.empty()) {
+            print(mistake_gallery(gallery_));
+            return exit_fine;
+        }
+        if (!command_.rules_apart.empty())
+            return tell_apart(command_);
         return command_.writes_probes ? write_probes(command_) : answer(command_);
     }
 
@@ -351,6 +432,11 @@ private:
     DiagnoseCommand command_;
     std::string meant_;
     std::string jobs_;
+    std::string mistake_;
+    std::string gallery_;
+    bool json_ = false;
+    std::optional<AddedOption> list_;
+    MethodOptions method_;
 };
 
 } // namespace

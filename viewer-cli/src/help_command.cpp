@@ -3,6 +3,7 @@
 
 #include "command.h"
 #include "completion.h"
+#include "convention_sheet.h"
 #include "load.h"
 #include "option_values.h"
 
@@ -17,16 +18,20 @@ public:
     explicit HelpCommandLine(const std::vector<CommandGroup>& groups) : groups_(groups) {}
 
     CommandAbout about() const override {
-        return {"help", "Explain a command",
-                "rastertrace help show\n\n"
-                "Completions, for the shell that you have:\n"
-                "  bash: eval \"$(rastertrace help --completion bash)\"  in ~/.bashrc\n"
-                "  zsh:  eval \"$(rastertrace help --completion zsh)\"   in ~/.zshrc\n"
-                "  fish: rastertrace help --completion fish | source   in config.fish"};
+        return {
+            "help", "Explain a command, or the conventions",
+            "rastertrace help show\n"
+            "rastertrace help conventions\n\n"
+            "`help conventions` lists whose rules a scene can be drawn by, and what they set.\n\n"
+            "Completions, for the shell that you have:\n"
+            "  bash: eval \"$(rastertrace help --completion bash)\"  in ~/.bashrc\n"
+            "  zsh:  eval \"$(rastertrace help --completion zsh)\"   in ~/.zshrc\n"
+            "  fish: rastertrace help --completion fish | source   in config.fish"};
     }
 
     void add_to(OptionList& options) override {
-        options.option("command", command_, "The command; all of them if none is given", "COMMAND");
+        options.option("command", command_,
+                       "The command, or conventions; all commands if none is given", "COMMAND");
         options.flag("--man", is_man_, "Print its page of the manual, for man -l -");
         options
             .option("--completion", shell_, "Print what a shell has to read to complete words",
@@ -57,6 +62,8 @@ public:
             print(completion_script(shell_));
         else if (command_.empty())
             print(is_man_ ? man_page(groups_) : help_text(groups_));
+        else if (command_ == "conventions" && !is_man_)
+            print(conventions_text());
         else if (const CommandTable& table = table_of(command_, groups_); is_man_)
             print(man_page(table));
         else

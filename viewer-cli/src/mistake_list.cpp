@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: MIT
-// rastertrace mistakes: the known mistakes that a scene can be drawn with.
+#include "mistake_list.h"
 
-#include "command.h"
 #include "load.h"
-#include "option_values.h"
 
 #include <rastertrace/core/draw/model/mistakes.h>
 #include <rastertrace/trace/diagnose/rule.h>
@@ -22,33 +20,6 @@
 namespace rastertrace {
 
 namespace {
-
-/// `factor-2-dropped`, and what is known of it.
-std::string as_text(const Mistake& mistake) {
-    std::string text = fmt::format("{}{}\n  it says   {}\n", mistake.name,
-                                   mistake.is_rule() ? ", a rule of others" : "", mistake.says);
-    if (!mistake.is_rule())
-        text += fmt::format("  should    {}\n", mistake.should);
-    text += fmt::format("  changes   {}\n  symptom   {}\n  source    {}\n", mistake.step,
-                        mistake.symptom, mistake.source);
-    if (!mistake.setting.empty())
-        text += fmt::format("  the same  {}\n", mistake.setting);
-    return text;
-}
-
-std::string as_json() {
-    std::string text = "{\"mistakes\":[";
-    std::string_view separator = "\n";
-    for (const Mistake& mistake : mistakes()) {
-        text += fmt::format(
-            R"({}{{"name":"{}","says":{},"should":{},"step":"{}","symptom":{},"source":{},"setting":"{}"}})",
-            separator, mistake.name, json_quoted(mistake.says), json_quoted(mistake.should),
-            mistake.step, json_quoted(mistake.symptom), json_quoted(mistake.source),
-            mistake.setting);
-        separator = ",\n";
-    }
-    return text + "\n]}\n";
-}
 
 /// A small scene of a gallery, and its right picture.
 struct GalleryScene {
@@ -137,7 +108,42 @@ std::string gallery_entry(const Mistake& mistake, const std::vector<GalleryScene
     return text + "```\n";
 }
 
-std::string gallery(const std::string& folder) {
+} // namespace
+
+std::string mistakes_text() {
+    std::string text;
+    for (const Mistake& mistake : mistakes())
+        text += fmt::format("{:<30} {}\n", mistake.name, mistake.symptom);
+    return text;
+}
+
+std::string mistake_text(const Mistake& mistake) {
+    std::string text = fmt::format("{}{}\n  it says   {}\n", mistake.name,
+                                   mistake.is_rule() ? ", a rule of others" : "", mistake.says);
+    if (!mistake.is_rule())
+        text += fmt::format("  should    {}\n", mistake.should);
+    text += fmt::format("  changes   {}\n  symptom   {}\n  source    {}\n", mistake.step,
+                        mistake.symptom, mistake.source);
+    if (!mistake.setting.empty())
+        text += fmt::format("  the same  {}\n", mistake.setting);
+    return text;
+}
+
+std::string mistakes_json() {
+    std::string text = "{\"mistakes\":[";
+    std::string_view separator = "\n";
+    for (const Mistake& mistake : mistakes()) {
+        text += fmt::format(
+            R"({}{{"name":"{}","says":{},"should":{},"step":"{}","symptom":{},"source":{},"setting":"{}"}})",
+            separator, mistake.name, json_quoted(mistake.says), json_quoted(mistake.should),
+            mistake.step, json_quoted(mistake.symptom), json_quoted(mistake.source),
+            mistake.setting);
+        separator = ",\n";
+    }
+    return text + "\n]}\n";
+}
+
+std::string mistake_gallery(const std::string& folder) {
     const std::vector<GalleryScene> scenes = scenes_in(folder);
     std::string text = "# Known mistakes\n\n"
                        "What a rasterizer says that makes the mistake, what it should say, and a "
@@ -148,59 +154,6 @@ std::string gallery(const std::string& folder) {
     for (const Mistake& mistake : mistakes())
         text += gallery_entry(mistake, scenes);
     return text;
-}
-
-class MistakesCommandLine final : public Command {
-public:
-    CommandAbout about() const override {
-        return {"mistakes", "List the known mistakes of rasterizers; --mistake draws with one",
-                "rastertrace mistakes factor-2-dropped"};
-    }
-
-    void add_to(OptionList& options) override {
-        options.option("name", name_, "Only this one", "NAME").names_of(NamesOf::mistakes);
-        options.flag("--json", json_, "Print JSON");
-        options.option("--gallery", gallery_,
-                       "Print a page in Markdown: each with a picture of one of the scenes in this "
-                       "folder",
-                       "FOLDER");
-    }
-
-    void read() override {
-        std::vector<std::string_view> names;
-        for (const Mistake& mistake : mistakes())
-            names.push_back(mistake.name);
-        if (!name_.empty() && find_mistake(name_) == nullptr)
-            refuse_value("mistakes", "a name that `rastertrace mistakes` lists", name_,
-                         did_you_mean(name_, names));
-    }
-
-    int run() override {
-        if (!gallery_.empty()) {
-            print(gallery(gallery_));
-        } else if (!name_.empty()) {
-            print(as_text(*find_mistake(name_)));
-        } else if (json_) {
-            print(as_json());
-        } else {
-            std::string text;
-            for (const Mistake& mistake : mistakes())
-                text += fmt::format("{:<30} {}\n", mistake.name, mistake.symptom);
-            print(text);
-        }
-        return exit_fine;
-    }
-
-private:
-    std::string name_;
-    std::string gallery_;
-    bool json_ = false;
-};
-
-} // namespace
-
-std::unique_ptr<Command> mistakes_command() {
-    return std::make_unique<MistakesCommandLine>();
 }
 
 } // namespace rastertrace

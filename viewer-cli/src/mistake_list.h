@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// The known mistakes of rasterizers, as `rastertrace diagnose --list` prints them.
+
+#include <rastertrace/core/draw/model/mistakes.h>
+
+#include <string>
+
+namespace rastertrace {
+
+/// A line for each mistake: its name and its symptom.
+std::string mistakes_text();
+
+/// All that is known of one.
+std::string mistake_text(const Mistake& mistake);
+
+/// All that is known of each.
+std::string mistakes_json();
+
+/// A page in Markdown: each with a picture of one of the small scenes in this folder. Throws a Problem if there is no
+/// such folder.
+std::string mistake_gallery(const std::string& folder);
+
+} // namespace rastertrace
