@@ -63,20 +63,19 @@ std::vector<GalleryScene> scenes_in(const std::string& folder) {
     return scenes;
 }
 
-/// A row of the right picture, and beside it what a mistake makes of it: `+` too much, `-` missing, `*` another color.
-std::string both_pictures(const Image& asked, const Image& drawn) {
+/// What a mistake makes of a picture: `+` is too much, `-` missing, `*` has another color.
+std::string marked_picture(const Image& asked, const Image& drawn) {
     std::string text;
     const auto width = static_cast<std::size_t>(asked.canvas().width);
-    for (std::size_t row = 0; row < asked.colors().size(); row += width) {
-        std::string right;
-        std::string wrong;
-        for (std::size_t i = row; i < row + width; ++i) {
-            const Color a = asked.colors()[i];
-            const Color b = drawn.colors()[i];
-            right += a == no_color ? '.' : '#';
-            wrong += a == b ? right.back() : a == no_color ? '+' : b == no_color ? '-' : '*';
-        }
-        text += right + "    " + wrong + "\n";
+    for (std::size_t i = 0; i < asked.colors().size(); ++i) {
+        const Color a = asked.colors()[i];
+        const Color b = drawn.colors()[i];
+        text += a == b          ? a == no_color ? '.' : '#'
+                : a == no_color ? '+'
+                : b == no_color ? '-'
+                                : '*';
+        if ((i + 1) % width == 0)
+            text += '\n';
     }
     return text;
 }
@@ -103,7 +102,7 @@ std::string gallery_entry(const Mistake& mistake, const std::vector<GalleryScene
                 changed += drawn->colors()[i] != scene.asked.colors()[i];
             if (changed >= least)
                 return text + fmt::format("scene     {}\n\n{}```\n", scene.path,
-                                          both_pictures(scene.asked, *drawn));
+                                          marked_picture(scene.asked, *drawn));
         }
     return text + "```\n";
 }
@@ -145,12 +144,13 @@ std::string mistakes_json() {
 
 std::string mistake_gallery(const std::string& folder) {
     const std::vector<GalleryScene> scenes = scenes_in(folder);
-    std::string text = "# Known mistakes\n\n"
-                       "What a rasterizer says that makes the mistake, what it should say, and a "
-                       "small scene: on the left as it should be drawn, on the right\n"
-                       "with the mistake. `+` is too much, `-` is missing, `*` has another color. "
-                       "`rastertrace show SCENE --mistake NAME` draws it;\n"
-                       "[`rastertrace diagnose`](diagnose.md) finds which of them yours makes.\n";
+    std::string text =
+        "# Known mistakes\n\n"
+        "What a rasterizer says that makes the mistake, what it should say, and a "
+        "small scene\n"
+        "drawn with the mistake: `+` is too much, `-` is missing, `*` has another color. "
+        "`rastertrace show SCENE --mistake NAME` draws it;\n"
+        "[`rastertrace diagnose`](diagnose.md) finds which of them yours makes.\n";
     for (const Mistake& mistake : mistakes())
         text += gallery_entry(mistake, scenes);
     return text;
