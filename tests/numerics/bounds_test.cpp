@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The bounds of docs/numerics.md, attacked: from random inputs the search climbs to those with a
+// The bounds of bounds.h, attacked: from random inputs the search climbs to those with a
 // larger error against the bound, moving one number by a few last places or to another size. No step
 // may pass the bound; and it must come near enough to show that the bound says something.
 

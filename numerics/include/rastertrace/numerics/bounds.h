@@ -2,7 +2,7 @@
 #pragma once
 
 // How far off each method can be: bounds on its error, for inputs that are numbers of its type and
-// nothing that overflows or underflows. docs/numerics.md lists them; tests try to break them.
+// nothing that overflows or underflows. Tests try to break them.
 //
 //     direct_bound<float>(1.0 / 3, 1000.0 / 3);  // pixels
 //
