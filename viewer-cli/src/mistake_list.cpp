@@ -63,7 +63,7 @@ std::vector<GalleryScene> scenes_in(const std::string& folder) {
     return scenes;
 }
 
-/// What a mistake makes of a picture: `+` is too much, `-` missing, `*` has another color.
+/// What a mistake makes of a picture, from its first row to its last: `+` is too much, `-` missing, `*` of another color.
 std::string marked_picture(const Image& asked, const Image& drawn) {
     std::string text;
     const auto width = static_cast<std::size_t>(asked.canvas().width);
@@ -77,7 +77,9 @@ std::string marked_picture(const Image& asked, const Image& drawn) {
         if ((i + 1) % width == 0)
             text += '\n';
     }
-    return text;
+    const std::size_t begin =
+        text.rfind('\n', text.find_first_not_of(".\n")) + 1; // 0 in the first row
+    return text.substr(begin, text.find('\n', text.find_last_not_of(".\n")) + 1 - begin);
 }
 
 /// A mistake on the page of all of them, in the smallest scene in which it changes a few pixels.
