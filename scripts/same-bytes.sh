@@ -21,7 +21,7 @@ mkdir -p "$folder"
 hashes() {
     name=$1
     shift
-    find examples -name '*.json' -o -name '*.svg' | LC_ALL=C sort | while read -r scene; do
+    find examples -name '*.json' | LC_ALL=C sort | while read -r scene; do
         "$@" trace "$scene" --frame 1 --format jsonl >"$folder/trace" 2>/dev/null || echo "refused by $name" >"$folder/trace"
         echo "$(sha256sum <"$folder/trace") $scene"
     done >"$folder/$name.hashes"
@@ -36,7 +36,7 @@ unpack_for() {
     }
     scripts/install-packages.sh qemu-user "g++-$2-linux-gnu"
     mkdir -p "$3/packages"
-    (cd "$3/packages" && apt-get download -qq "libagg-dev:$1" "libexpat1-dev:$1" "libfmt-dev:$1" "libfmt9:$1" "libgif-dev:$1" \
+    (cd "$3/packages" && apt-get download -qq "libagg-dev:$1" "libfmt-dev:$1" "libfmt9:$1" "libgif-dev:$1" \
         "libgmp-dev:$1" "libpng-dev:$1" "libunistring-dev:$1" "libzstd-dev:$1" "zlib1g-dev:$1")
     for package in "$3/packages"/*.deb; do
         dpkg-deb -x "$package" "$3"

@@ -88,7 +88,7 @@ TEST_F(ProgramTest, UsageErrorsNameTheWordAndANearOne) {
               "rastertrace: expected a command out of trace, "
               "show, play, figure, explain, stats, check, sheet, exercise, diff, review, "
               "diagnose, fuzz, suite, stress, report, validate, plan, "
-              "convert, scene, "
+              "convert, "
               "examples, renew, help, found "
               "\"shw\"\n"
               "hint: did you mean show?\n");

@@ -140,7 +140,7 @@ TEST_F(FuzzTest, OurProgramAgreesWithItself) {
     for (const std::string options :
          {"--kinds 2d,lines,depth,clip -- $rastertrace trace {scene}",
           "--kinds clip --convention direct3d -- $rastertrace trace {scene}",
-          "--kinds 2d,clip -- $rastertrace trace {cs418}",
+          "--kinds 2d,clip -- $rastertrace trace {triangles}",
           "--kinds 2d,lines --line dda -- $rastertrace trace --line dda {triangles}"}) {
         const Outcome told = shell("$rastertrace fuzz --runs 40 " + options);
         EXPECT_EQ(told.status, 0) << options << told.out << told.err;
@@ -171,7 +171,7 @@ TEST_F(FuzzTest, BadInput) {
           std::pair("-- ./nothing {scene}", "could not be run"),
           std::pair("--kinds 3d -- true {scene}", "--kinds: expected"),
           std::pair("--runs 0 -- true {scene}", "--runs: expected a whole number from 1"),
-          std::pair("-- true {scene} {cs418}", "expected one text of the scene")})
+          std::pair("-- true {scene} {triangles}", "expected one text of the scene")})
         EXPECT_THAT(shell(std::string("$rastertrace fuzz ") + words).err, HasSubstr(problem));
     EXPECT_EQ(shell("$rastertrace fuzz -- true").status, 2);
     const Outcome silent = shell("$rastertrace fuzz -- true {scene}");

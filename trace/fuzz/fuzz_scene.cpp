@@ -263,22 +263,4 @@ std::string triangles_text(const FuzzScene& scene) {
     return text;
 }
 
-std::string cs418_text(const FuzzScene& scene) {
-    std::string text = fmt::format("png {} {} out.png\n", scene.width, scene.height);
-    for (const FuzzPrimitive& primitive : scene.primitives) {
-        // The color is that of the vertices that follow.
-        text += fmt::format("rgb {} {} {}\n", primitive.color.red(), primitive.color.green(),
-                            primitive.color.blue());
-        for (FuzzVertex place : primitive.vertices) {
-            if (scene.kind != FuzzKind::clip) {
-                place[0] = 2 * place[0] / scene.width - fuzz_unit;
-                place[1] = 2 * place[1] / scene.height - fuzz_unit;
-            }
-            text += "xyzw " + coordinates(place, place.size(), " ") + "\n";
-        }
-        text += "tri -3 -2 -1\n";
-    }
-    return text;
-}
-
 } // namespace rastertrace

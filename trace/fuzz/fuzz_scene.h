@@ -70,8 +70,4 @@ std::string scene_json(const FuzzScene& scene);
 /// `clip NAME x y z w x y z w x y z w`. Numbers are exact decimals.
 std::string triangles_text(const FuzzScene& scene);
 
-/// The scene in the text of UIUC CS418 (course_text.h); pixels become places in clip space with w = 1. Lines are not
-/// in that format.
-std::string cs418_text(const FuzzScene& scene);
-
 } // namespace rastertrace

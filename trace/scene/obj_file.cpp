@@ -5,7 +5,6 @@
 #include <rastertrace/core/raster/rounding.h>
 #include <rastertrace/trace/text/byte_order_mark.h>
 #include <rastertrace/trace/text/color_text.h>
-#include <rastertrace/trace/text/number_word.h>
 #include <rastertrace/trace/text/text.h>
 #include <rastertrace/trace/text/typed_digits.h>
 #include <rastertrace/trace/text/zero_byte.h>
@@ -38,6 +37,28 @@ constexpr Color uncolored(255, 255, 255);
 /// Room for every double written out in full: a sign, a point, and 1074 places behind it. The time
 /// for a number grows faster than its length, so longer ones are refused.
 constexpr std::size_t longest_number = 1100;
+
+/// A decimal of C, `.5`, `1.` or `+2e3`, as JSON and parse_number write it: without `+`, with a digit on both sides of
+/// the point. Nothing if it is not the form of a decimal.
+std::optional<std::string> usual_form(std::string_view word) {
+    std::string usual;
+    if (word.starts_with('-'))
+        usual = "-";
+    if (word.starts_with('-') || word.starts_with('+'))
+        word.remove_prefix(1);
+
+    const std::string_view whole = number_text::take_digits(word);
+    const bool has_point = number_text::take(word, '.');
+    const std::string_view fraction = number_text::take_digits(word);
+    const bool exponent_follows = word.starts_with('e') || word.starts_with('E');
+    if ((whole.empty() && fraction.empty()) || !(word.empty() || exponent_follows))
+        return std::nullopt;
+
+    usual += whole.empty() ? "0" : whole;
+    if (has_point)
+        usual.append(".").append(fraction.empty() ? "0" : fraction);
+    return usual.append(word);
+}
 
 /// Statements without which the faces are the same. Nobody needs to be told.
 constexpr std::array<std::string_view, 7> plain_statements{"l", "p",      "g",     "o",

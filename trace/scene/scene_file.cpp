@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "scene_file.h"
 
-#include "course_text.h"
 #include "face_cuts.h"
 #include "obj_file.h"
 #include "pipeline_json.h"
 #include "refusal.h"
 #include "scene_keys.h"
+#include "triangles_text.h"
 #include "variations.h"
 
 #include <rastertrace/core/draw/list/geometry.h>
@@ -1204,7 +1204,7 @@ JsonDocument parsed(const Source& source) {
 } // namespace
 
 struct SceneSequence::State {
-    std::unique_ptr<const Source> converted; ///< of a text of a course: the scene that it describes
+    std::unique_ptr<const Source> converted; ///< of an OBJ file, or a text of `fuzz`
     const Source& source;
     MethodOverrides overrides;
     InputLimits limits;
@@ -1296,7 +1296,8 @@ SceneSequence::SceneSequence(const Source& given, MethodOverrides overrides, Inp
                              const std::vector<Variation>& vary) {
     std::unique_ptr<const Source> converted;
     if (is_foreign_scene(given)) {
-        auto scene = scene_of_foreign(given);
+        auto scene =
+            begins_obj(first_statement(given)) ? scene_of_obj(given) : scene_of_triangles(given);
         if (!scene)
             throw scene.problem();
         converted = std::make_unique<const Source>(std::move(scene.value()));

@@ -60,7 +60,7 @@ bool begins_obj(std::string_view statement) {
 
 bool is_foreign_scene(const Source& source) {
     const std::string_view first = first_statement(source);
-    if (first == "png" || first == "size" || first == "canvas" || first.starts_with('<'))
+    if (first == "canvas")
         return true;
     // A claim about a vertex v has a colon: `v screen: 2, 5`.
     const std::string_view text = source.view();

@@ -34,8 +34,8 @@ std::string_view first_statement(const Source& source);
 /// True of a statement that an OBJ file may begin with.
 bool begins_obj(std::string_view statement);
 
-/// True of a scene in another form than ours: the text of a course begins with `png` or `size`
-/// (trace/scene/course_text.h), SVG with `<` (svg_text.h), and OBJ with one of its statements (obj_file.h).
+/// True of a scene that is not JSON: the text of `fuzz` begins with `canvas` (trace/scene/triangles_text.h), and OBJ with
+/// one of its statements (obj_file.h).
 bool is_foreign_scene(const Source& source);
 
 } // namespace rastertrace

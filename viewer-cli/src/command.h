@@ -135,7 +135,6 @@ std::unique_ptr<Command> review_command();
 std::unique_ptr<Command> suite_command();
 std::unique_ptr<Command> diagnose_command();
 std::unique_ptr<Command> convert_command();
-std::unique_ptr<Command> scene_command();
 std::unique_ptr<Command> examples_command();
 std::unique_ptr<Command> stress_command();
 std::unique_ptr<Command> report_command();

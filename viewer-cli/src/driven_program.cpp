@@ -10,7 +10,6 @@
 #include <rastertrace/trace/picture/picture_diff.h>
 #include <rastertrace/trace/picture/picture_trace.h>
 #include <rastertrace/trace/record/write_trace.h>
-#include <rastertrace/trace/scene/course_text.h>
 #include <rastertrace/trace/scene/scene_file.h>
 #include <rastertrace/trace/text/input.h>
 #include <rastertrace/trace/text/text.h>
@@ -33,8 +32,7 @@ struct SceneText {
     std::string (*write)(const FuzzScene& scene);
 };
 constexpr std::array scene_texts{SceneText{"{scene}", ".json", scene_json},
-                                 SceneText{"{triangles}", ".txt", triangles_text},
-                                 SceneText{"{cs418}", ".txt", cs418_text}};
+                                 SceneText{"{triangles}", ".txt", triangles_text}};
 constexpr std::string_view out_placeholder = "{out}";
 
 const SceneText& text_for(std::string_view placeholder) {
@@ -102,11 +100,11 @@ DrivenProgram::DrivenProgram(std::string_view command, std::vector<std::string> 
             throw problem_of("", fmt::format("{}: expected one text of the scene, found {} and {}",
                                              command, placeholder_, text.placeholder));
     if (words_.empty() || placeholder_.empty())
-        throw problem_of("",
-                         std::string(command) +
-                             ": expected a program behind --, with {scene}, {triangles} or "
-                             "{cs418} among its arguments",
-                         fmt::format("like: rastertrace {} -- ./mine {{scene}}", command));
+        throw problem_of(
+            "",
+            std::string(command) +
+                ": expected a program behind --, with {scene} or {triangles} among its arguments",
+            fmt::format("like: rastertrace {} -- ./mine {{scene}}", command));
     if (runs_for_page())
         throw problem_of("", fmt::format("{}: a page can run no program", command));
     has_out_ = has(out_placeholder);
@@ -127,9 +125,7 @@ std::string_view DrivenProgram::ending() const {
 
 Result<std::string> DrivenProgram::reference(const FuzzScene& scene) const {
     try {
-        Source source{"scene.json", scene_json(scene), {}};
-        if (text_for(placeholder_).write == cs418_text)
-            source = value_or_throw(scene_of_foreign({"scene.txt", cs418_text(scene), {}}));
+        const Source source{"scene.json", scene_json(scene), {}};
         const auto [drawn, plan, remarks] = value_or_throw(read_scene(source, scene.method));
         std::string text;
         StringOutput output(text);

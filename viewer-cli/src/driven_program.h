@@ -41,8 +41,7 @@ std::string_view words_of(DrivenFinding::Kind kind);
 
 class DrivenProgram {
 public:
-    /// `command` is what messages name. `words` are the program and its arguments. `{scene}`, `{triangles}` and `{cs418}` stand for a file with the scene,
-    /// one of them at least; `{out}` for the file that it answers in, else it answers on standard output. Throws a
+    /// `command` is what messages name. `words` are the program and its arguments. `{scene}` or `{triangles}` stands for a file with the scene; `{out}` for the file that it answers in, else it answers on standard output. Throws a
     /// Problem.
     DrivenProgram(std::string_view command, std::vector<std::string> words,
                   const ComparisonOptions& comparison, std::chrono::seconds time);

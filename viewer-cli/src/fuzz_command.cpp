@@ -205,11 +205,10 @@ public:
         return {
             "fuzz", "Drive a rasterizer of your own by random scenes, to the first difference",
             "rastertrace fuzz --runs 1000 --kinds 2d --fill top-left -- ./mine {triangles}\n\n"
-            "{scene} stands for a scene file, {triangles} for a text without a parser's need, "
-            "{cs418}\n"
-            "for that of a course; {out} for the file that the program answers in, if not on\n"
-            "standard output: with a trace or a picture. The scene that it fails on is shrunk,\n"
-            "and written with a golden and a test."};
+            "{scene} stands for a scene file, {triangles} for a text without a parser's need;\n"
+            "{out} for the file that the program answers in, if not on standard output: with a\n"
+            "trace or a picture. The scene that it fails on is shrunk, and written with a golden\n"
+            "and a test."};
     }
 
     void add_to(OptionList& options) override {
