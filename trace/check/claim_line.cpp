@@ -158,11 +158,6 @@ void ClaimLine::leave_out_numbering() {
     if (label > 0 && label + 1 < line.size() && (line[label] == '.' || line[label] == ')') &&
         line[label + 1] == ' ')
         end = label + 2;
-    // A table of steps has their numbers before them.
-    if (digits > 0 && line.substr(digits).starts_with("  ") &&
-        line.find_first_not_of(' ', digits) != std::string_view::npos &&
-        !is_digit(line[line.find_first_not_of(' ', digits)]))
-        end = digits + 2;
     spelled_.erase(0, end);
     places_.erase(places_.begin(), places_.begin() + static_cast<std::ptrdiff_t>(end));
 }

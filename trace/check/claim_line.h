@@ -77,12 +77,8 @@ public:
     /// True of a place behind the last word.
     bool is_end(std::size_t ahead) const { return next_ + ahead >= words_.size(); }
 
-    /// How many words are left.
-    std::size_t left() const { return words_.size() - next_; }
-
-    /// Goes behind so many words, or behind all.
+    /// Goes behind so many words.
     void skip(std::size_t words) { next_ = std::min(next_ + words, words_.size()); }
-    void skip_rest() { next_ = words_.size(); }
 
     /// Goes behind a mark, or fails.
     void expect(std::string_view mark, std::string expected);

@@ -79,9 +79,7 @@ class Finder {
 public:
     Finder(const Claim& claim, const Claims& claims, const TruthIndex& truth)
         : claim_(claim), claims_(claims), truth_(truth), kind_(*step_kind_named(claim.step)),
-          index_(claim.is_answer ? truth.decided() // as the scene's own method tells it
-                 : kind_ == StepKind::face && !is_of_own_test() ? truth.faces()
-                                                                : truth.exact()) {}
+          index_(kind_ == StepKind::face && !is_of_own_test() ? truth.faces() : truth.exact()) {}
 
     Subject find() {
         Subject subject{.kind = kind_, .exact = &index_, .decided = &truth_.decided()};
@@ -101,7 +99,6 @@ public:
             subject.absence = absence(subject.keys);
         const Trace& trace = index_.trace();
         subject.is_left_out = subject.step == 0 && (trace.is_partial || !trace.damage.empty());
-        subject.is_answer = claim_.is_answer;
         subject.culls = &index_ == &truth_.exact();
         return subject;
     }
@@ -245,8 +242,7 @@ private:
     /// The step that has these keys; 0 if none has.
     std::size_t step_in(const StepIndex& index, const StepIndex::Keys& keys) const {
         const auto& steps = index.find(kind_, keys);
-        const bool may_be_any = claim_.is_answer || kind_ == StepKind::matrix;
-        if (may_be_any && steps.size() > 1)
+        if (kind_ == StepKind::matrix && steps.size() > 1)
             if (const std::size_t nearest = step_that_says_most(index, steps); nearest != 0)
                 return nearest;
         if (kind_ == StepKind::decide && is_whole_line())

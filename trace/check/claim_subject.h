@@ -64,8 +64,6 @@ struct Subject {
     std::size_t decided_step = 0;                 ///< of `decided`
     std::string absence = {};                     ///< why there is no such step
     bool is_left_out = false; ///< it may be one of those that the trace leaves out
-    bool is_answer =
-        false;         ///< a sentence about this very step, and not about what is seen in the end
     bool culls = true; ///< of a face: the scene tests faces by itself
 };
 

@@ -38,7 +38,6 @@ struct Claim {
     std::string text;                 ///< as it stands there, in one line
     std::string step;                 ///< the kind: scanline, vertex, ...; "picture" for rows
     std::vector<ClaimedField> fields; ///< in the order in which they were written
-    bool is_answer = false;           ///< a sentence as `show` prints it
     std::vector<std::string> picture; ///< of "picture": rows from the top, `.` for empty
 
     /// The field of that name, or nullptr.
@@ -53,7 +52,6 @@ struct Claims {
     bool is_table = false;        ///< not JSON
     bool truncates = false; ///< "round": "truncate": decimals may be cut off instead of rounded
     bool has_decimal_comma = false; ///< a table in which 0,25 is 1/4
-    std::size_t not_judged = 0;     ///< lines of an answer that say nothing to be checked: pictures
     std::vector<Claim> claims = {};
 };
 

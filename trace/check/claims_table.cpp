@@ -5,9 +5,7 @@
 
 #include "claim_fields.h"
 #include "claim_forms.h"
-#include "claim_sentences.h"
 #include "claims_columns.h"
-#include "pasted_answer.h"
 
 #include <rastertrace/trace/text/byte_order_mark.h>
 #include <rastertrace/trace/text/text.h>
@@ -48,13 +46,10 @@ public:
                 .source = std::move(claims_.source), .is_table = true, .has_decimal_comma = true};
             problems_.clear();
             has_round_ = false;
-            primitive_.clear();
-            answer_ = {};
             table_.reset();
             is_in_unknown_table_ = false;
             read_lines();
         }
-        claims_.not_judged = answer_.not_judged();
         if (problems_.empty())
             return;
         constexpr std::size_t most_in_claims = 3;
@@ -72,10 +67,7 @@ private:
             try {
                 read_line(number, std::min(begin, text.size()), end);
             } catch (Problem& problem) {
-                if (answer_.is_behind_picture())
-                    answer_.leave_out();
-                else
-                    problems_.push_back(std::move(problem));
+                problems_.push_back(std::move(problem));
                 in_picture_ = in_picture_ && begin < text.size();
             }
             begin = end + 1;
@@ -85,9 +77,6 @@ private:
     void read_line(std::size_t number, std::size_t begin, std::size_t end) {
         if (in_picture_)
             return read_row(begin, end);
-        if (answer_.leaves_out(claims_.source.text, begin, end))
-            return;
-        end = answer_.end_of_sentence(claims_.source.text, end);
         const std::string_view text = claims_.source.text;
         if (table_ && table_->read_row(claims_.source, begin, end, number, commas_, claims_.claims))
             return;
@@ -123,14 +112,8 @@ private:
             claim.step = "picture";
             in_picture_ = true;
         } else {
-            const SentenceKind kind = read_sentence(line, claim, primitive_);
-            if (kind == SentenceKind::silent)
-                return;
-            claim.is_answer = kind == SentenceKind::claim;
-            if (!claim.is_answer)
-                read_claim(line, claim);
+            read_claim(line, claim);
         }
-        answer_.end_frame();
         claims_.claims.push_back(std::move(claim));
     }
 
@@ -204,8 +187,6 @@ private:
     std::vector<Problem> problems_;
     bool in_picture_ = false;
     bool has_round_ = false;
-    PastedAnswer answer_;
-    std::string primitive_; ///< that the sentences are about
 };
 
 } // namespace

@@ -211,7 +211,7 @@ ToldValues told_of_pixel(const StepIndex& index, std::size_t step, const Subject
     // Of a primitive that is named, it is asked whether that one has plotted it.
     const bool names_primitive = std::any_of(subject.keys.begin(), subject.keys.end(),
                                              [](const auto& key) { return key.first == "in"; });
-    const bool is_plotted = names_primitive || subject.is_answer ? step != 0 : drawn_by != 0;
+    const bool is_plotted = names_primitive ? step != 0 : drawn_by != 0;
     if (field == "plotted")
         return std::vector<std::string>{is_plotted ? "true" : "false"};
     if (field == "inside")
@@ -222,8 +222,6 @@ ToldValues told_of_pixel(const StepIndex& index, std::size_t step, const Subject
         return std::vector<std::string>{step != 0 && drawn_by == step ? "true" : "false"};
     if (field == "share")
         return told_share(index, drawn_by);
-    if (field == "color" && subject.is_answer)
-        return told_in(index, step, {.name = std::string(field), .values = {}});
     if (field == "color")
         return std::vector{drawn_by == 0 ? "none"
                                          : to_text(index.frame().image.at(pixel_of(subject)))};

@@ -148,10 +148,6 @@ std::string text_of_one(const CheckedFile& file, CheckTold told) {
         else if (const std::string remarks = remarks_in(file, claim); !remarks.empty())
             text += place_of(file, claim) + "\n" + remarks;
     }
-    if (file.claims.not_judged > 0)
-        text += said({"{}: lines of pictures and workings, which are not judged: {}\n",
-                      "{}: linhas de imagens e contas, que não são avaliadas: {}\n"},
-                     printable(file.name), file.claims.not_judged);
     if (file.claims.has_decimal_comma)
         text += said({"{}: commas are read as those of decimals: 0,25 is 1/4\n",
                       "{}: cada vírgula é lida como a de um decimal: 0,25 é 1/4\n"},
