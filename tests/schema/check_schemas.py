@@ -15,6 +15,7 @@ import json
 import os
 import random
 import re
+import shutil
 import subprocess
 import sys
 import tempfile
@@ -440,25 +441,37 @@ def check_headers(folder):
 
 
 def check_marks(folder):
-    """What `check` writes for Gradescope and PrairieLearn is as their pages say."""
-    garbled = os.path.join(folder, "garbled.txt")
-    with open(garbled, "w", encoding="utf-8") as file:
-        file.write("scene: nowhere.json\ny=2: 1/4\n")
-    sheets = sorted(glob.glob(os.path.join(SOURCE, "examples", "claims", "*.claims")))[::EVERY] + [garbled]
-    for system in ("gradescope", "prairielearn"):
-        schema = load(os.path.join(SOURCE, "tests", "schema", system + ".schema.json"))
-        jsonschema.Draft7Validator.check_schema(schema)
-        tests = 0
-        for sheet in sheets:
-            for answers in ([], ["--hint", "2"], ["--no-answers"]):
-                run = subprocess.run([PROGRAM, "check", sheet, "--format", system] + answers, capture_output=True, text=True)
-                results = json.loads(run.stdout)
-                error = jsonschema.exceptions.best_match(jsonschema.Draft7Validator(schema).iter_errors(results))
-                if error is not None:
-                    fail(f"{system}, {sheet}: {list(error.absolute_path)}: {error.message[:120]}")
-                tests += len(results.get("tests", []))
-        print(f"{tests} tests for {system}")
-        assert tests > 0
+    """What the programs in docs/for-teachers.md write for Gradescope and PrairieLearn is as these say."""
+    page = open(os.path.join(SOURCE, "docs", "for-teachers.md"), encoding="utf-8").read()
+    programs = re.findall(r"```python\n(.*?)```", page, re.DOTALL)
+    assert len(programs) == 2
+    scene = os.path.join(SOURCE, "examples", "t0-fill", "first-triangle.json")
+    for place in ("source", "submission", "results", "tests", "student"):
+        os.mkdir(os.path.join(folder, place))
+    for place in ("source", "tests"):
+        shutil.copy(scene, os.path.join(folder, place, "scene.json"))
+    with open(os.path.join(folder, "submission_metadata.json"), "w", encoding="utf-8") as file:
+        json.dump({"users": [{"sid": "4711"}]}, file)
+    os.symlink(PROGRAM, os.path.join(folder, "rastertrace"))
+    environment = {**os.environ, "PATH": folder + os.pathsep + os.environ["PATH"]}
+    sheet = subprocess.run([PROGRAM, "sheet", scene, "--seed", "4711"], capture_output=True, text=True).stdout
+    tests = 0
+    for text in (sheet, sheet.replace("edge AB: ?", "edge AB: 77"), sheet.replace("4711", "4712"), "y=2: 1/4\n", "y=2: x\n"):
+        for place in ("submission", "student"):
+            with open(os.path.join(folder, place, "sheet.txt"), "w", encoding="utf-8") as file:
+                file.write(text)
+        for system, program in zip(("gradescope", "prairielearn"), programs):
+            program = program.replace('"/autograder/"', repr(folder + "/")).replace('"/grade/', f'"{folder}/')
+            subprocess.run([sys.executable, "-c", program], env=environment, check=True)
+            schema = load(os.path.join(SOURCE, "tests", "schema", system + ".schema.json"))
+            jsonschema.Draft7Validator.check_schema(schema)
+            results = load(os.path.join(folder, "results", "results.json"))
+            error = jsonschema.exceptions.best_match(jsonschema.Draft7Validator(schema).iter_errors(results))
+            if error is not None:
+                fail(f"{system}, {text}: {list(error.absolute_path)}: {error.message[:120]}")
+            tests += len(results.get("tests", []))
+    print(f"{tests} tests for Gradescope and PrairieLearn")
+    assert tests > 0
 
 
 def main():

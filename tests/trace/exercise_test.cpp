@@ -1,14 +1,12 @@
 // SPDX-License-Identifier: MIT
 // Exercises are as much work as the scene that they are like, and tell slips apart.
 
-#include <rastertrace/trace/exercise/exercise.h>
-#include <rastertrace/trace/exercise/exercise_id.h>
-#include <rastertrace/trace/exercise/exercise_kinds.h>
-#include <rastertrace/trace/exercise/facts.h>
+#include <rastertrace/trace/check/exercise.h>
 #include <rastertrace/trace/scene/scene_file.h>
 #include <rastertrace/trace/text/input.h>
 
 #include "effort.h"
+#include "exercise_scenes.h"
 #include "traces.h"
 
 #include <gmock/gmock.h>
@@ -62,18 +60,18 @@ TEST(Exercise, HasTheFactsOfTheSceneThatItIsLike) {
     for (const char* const name : templates) {
         const Source like = example(name);
         const Scene scene_like = exact_scene(like);
-        const auto facts = facts_of(trace_of(scene_like));
-        ExerciseMaker maker(like);
+        const auto facts = exercise_facts(trace_of(scene_like));
+        const ExerciseMaker exercise = exercises_like(like);
         std::set<std::string> texts;
         const int seeds = random_cases(20);
         for (int seed = 0; seed < seeds; ++seed) {
-            const Exercise made = maker.exercise("1:" + std::to_string(seed));
-            SCOPED_TRACE(made.scene.text);
-            const Scene scene = exact_scene(made.scene);
-            EXPECT_EQ(facts_of(trace_of(scene)), facts);
+            const Source made = exercise("1:" + std::to_string(seed));
+            SCOPED_TRACE(made.text);
+            const Scene scene = exact_scene(made);
+            EXPECT_EQ(exercise_facts(trace_of(scene)), facts);
             expect_alike(scene, scene_like);
-            EXPECT_NE(made.scene.text, like.text);
-            texts.insert(made.scene.text);
+            EXPECT_NE(made.text, like.text);
+            texts.insert(made.text);
         }
         EXPECT_GT(texts.size() * 2, static_cast<std::size_t>(seeds)) << name;
     }
@@ -86,44 +84,66 @@ int seeds_of_a_kind() {
 }
 
 TEST(Exercise, ThereIsOneOfEachKindForEverySeed) {
-    for (const ExerciseKind& kind : exercise_kinds) {
-        const Source like{std::string(kind.name) + ".json", std::string(kind.scene)};
-        const auto facts = facts_of(trace_of(exact_scene(like)));
-        ExerciseMaker maker(like);
+    for (const ExerciseScene& kind : exercise_scenes) {
+        const Source like{std::string(kind.name) + ".json", std::string(kind.text)};
+        const auto facts = exercise_facts(trace_of(exact_scene(like)));
+        const ExerciseMaker exercise = exercises_like(like);
         for (int seed = 0; seed < seeds_of_a_kind(); ++seed) {
-            const Exercise made = maker.exercise("1:" + std::to_string(seed));
-            SCOPED_TRACE(made.scene.text);
-            const Scene scene = exact_scene(made.scene);
-            EXPECT_EQ(facts_of(trace_of(scene)), facts);
+            const Source made = exercise("1:" + std::to_string(seed));
+            SCOPED_TRACE(made.text);
+            const Scene scene = exact_scene(made);
+            EXPECT_EQ(exercise_facts(trace_of(scene)), facts);
             if (scene.projection.type == ProjectionType::none)
                 expect_alike(scene, exact_scene(like));
-            EXPECT_GT(made.slips.size(), 5U) << kind.name;
+            std::set<std::string> answers;
+            for (const auto& answer : slip_answers_in(trace_of(scene)))
+                if (answer)
+                    answers.insert(*answer);
+            EXPECT_GT(answers.size(), 5U) << kind.name;
         }
     }
 }
 
 TEST(Exercise, IsTheSameForTheSameSeed) {
     const Source like = example(templates[0]);
-    const std::string anna = ExerciseMaker(like).exercise("1:anna").scene.text;
-    ExerciseMaker maker(like);
-    EXPECT_NE(maker.exercise("1:ben").scene.text, anna);
-    EXPECT_EQ(maker.exercise("1:anna").scene.text, anna); // whatever was made before
+    const std::string anna = exercises_like(like)("1:anna").text;
+    EXPECT_EQ(anna, R"({"title": "First triangle",
+ "canvas": {"width": 17, "height": 14},
+ "vertices": {"A": [-1, 4], "B": [-4, -4], "C": [5, -4]},
+ "triangles": ["ABC"],
+ "method": {"scalar": "exact"}}
+)");
+    const ExerciseMaker exercise = exercises_like(like);
+    EXPECT_NE(exercise("1:ben").text, anna);
+    EXPECT_EQ(exercise("1:anna").text, anna); // whatever was made before
 }
 
 TEST(Exercise, AnIdIsAWordOfAKnownVersion) {
     EXPECT_EQ(exercise_id("anna").value(), "1:anna");
     EXPECT_EQ(exercise_id("1:anna").value(), "1:anna");
-    EXPECT_THAT(exercise_id("2:anna").problem().message, HasSubstr("found one of version \"2\""));
-    EXPECT_THAT(exercise_id(std::string(10'000, 'a')).problem().message, HasSubstr("found 10000"));
-    EXPECT_THAT(exercise_id("a\nb").problem().message, HasSubstr("control characters"));
-    EXPECT_FALSE(exercise_id(""));
+    for (const std::string odd : {"2:anna", "a:b", "1:", "", "a\nb", "anna,", "anna "})
+        EXPECT_THAT(exercise_id(odd).problem().message,
+                    HasSubstr("with version 1 before it, as 1:anna; found \""))
+            << odd;
+    EXPECT_FALSE(exercise_id(std::string(10'000, 'a')));
+}
+
+TEST(Exercise, ASheetNamesItAlsoAfterASpreadsheet) {
+    const auto id_in = [](const std::string& text) {
+        return exercise_of_sheet({"sheet.csv", text}).value();
+    };
+    EXPECT_EQ(id_in("\xEF\xBB\xBF# exercise 1:Lee, Anna;;;;\r\ny;left\r\n"), "1:Lee, Anna");
+    EXPECT_EQ(id_in("scene: a.json\n# exercise anna\n"), "1:anna");
+    EXPECT_EQ(id_in("y=2: 1, 2 # exercise 1:anna\n"), "");
+    EXPECT_THAT(exercise_of_sheet({"sheet.csv", "# exercise 3:anna\n"}).problem().message,
+                HasSubstr("found \"3:anna\""));
 }
 
 TEST(Exercise, ASceneWhoseFactsNoOtherNumbersHaveIsRefused) {
     const Source scene{"point.json", R"({"canvas": {"width": 1, "height": 1},
         "vertices": {"A": [0, 0]}, "points": ["A"]})"};
     try {
-        ExerciseMaker maker(scene);
+        exercises_like(scene);
         ADD_FAILURE() << "no Problem";
     } catch (const Problem& problem) {
         EXPECT_THAT(problem.message,

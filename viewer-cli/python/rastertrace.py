@@ -57,7 +57,7 @@ def program():
 
 
 def run(command, *words, stdin="", _hide="", **options):
-    """The Answer to any command: run("exercise", kind="scanline", seed="anna")."""
+    """The Answer to any command: run("check", "anna.txt", json=True)."""
     arguments = [program(), command, *words]
     for name, given in options.items():
         option = "--" + name.rstrip("_").replace("_", "-")

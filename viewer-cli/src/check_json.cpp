@@ -98,9 +98,11 @@ std::string as_json(const CheckedFile& file, CheckTold told) {
         return fmt::format(R"({{"file":{},"problem":{}}})", json_quoted(file.name),
                            json_quoted(to_text(*file.problem)));
     const Checked& checked = file.checked;
-    std::string text = fmt::format(
-        R"({{"file":{},"right":{},"wrong":{},"follow":{},"open":{},"claims":[)",
-        json_quoted(file.name), checked.right, checked.wrong, checked.follow, checked.open);
+    std::string text =
+        fmt::format(R"({{"file":{}{},"right":{},"wrong":{},"follow":{},"open":{},"claims":[)",
+                    json_quoted(file.name),
+                    file.exercise.empty() ? "" : R"(,"exercise":)" + json_quoted(file.exercise),
+                    checked.right, checked.wrong, checked.follow, checked.open);
     std::string_view separator = "\n";
     for (const CheckedClaim& claim : checked.claims) {
         text += separator;

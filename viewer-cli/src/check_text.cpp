@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "check_report.h"
 
+#include <rastertrace/trace/check/slips.h>
 #include <rastertrace/trace/tell/step_text.h>
 #include <rastertrace/trace/tell/working.h>
 #include <rastertrace/trace/text/language.h>
@@ -33,6 +34,37 @@ std::string shown(std::string_view text) {
 
 std::string shown_expected(std::string_view text) {
     return shortened(printable(as_in_working(text)), shown_of_expected);
+}
+
+/// "anna.txt:3: y=2: 0, 25/8"
+std::string place_of(const CheckedFile& file, const CheckedClaim& claim) {
+    return fmt::format("{}:{}: {}", printable(file.name), file.claim_of(claim).line,
+                       shown(file.claim_of(claim).text));
+}
+
+Words words_of(ClaimVerdict verdict) {
+    switch (verdict) {
+    case ClaimVerdict::right:
+        return {"right", "certo"};
+    case ClaimVerdict::wrong:
+        return {"wrong", "errado"};
+    case ClaimVerdict::follows:
+        return {"follows", "decorre"};
+    case ClaimVerdict::open:
+        break;
+    }
+    return {"open", "em aberto"};
+}
+
+/// In the language of steps.
+std::string_view in_words(ClaimVerdict verdict) {
+    return words_of(verdict).in(language_of_steps());
+}
+
+/// With less than the answers only `wrong` for what follows from a wrong number.
+std::string_view verdict_of(const CheckedClaim& claim, CheckTold told) {
+    return in_words(told != CheckTold::answers && is_wrong(claim.verdict) ? ClaimVerdict::wrong
+                                                                          : claim.verdict);
 }
 
 /// `, number 3` of a list.
@@ -155,36 +187,48 @@ std::string text_of_one(const CheckedFile& file, CheckTold told) {
     return text + (text.empty() ? "" : "\n") + counts_text(file.checked) + "\n";
 }
 
-} // namespace
-
-std::string place_of(const CheckedFile& file, const CheckedClaim& claim) {
-    return fmt::format("{}:{}: {}", printable(file.name), file.claim_of(claim).line,
-                       shown_claim(file.claim_of(claim)));
-}
-
-std::string shown_claim(const Claim& claim) {
-    return shown(claim.text);
-}
-
-std::string about_claim(const CheckedFile& file, const CheckedClaim& claim, CheckTold told) {
-    if (told != CheckTold::answers)
-        return hints(file, claim, told);
-    return is_wrong(claim.verdict) ? differences(file, claim) + indented(claim.working, "        ")
-                                   : remarks_in(file, claim);
-}
-
-std::string mark_in_words(const SheetMark& mark, CheckTold told) {
-    std::string text = printable(mark.name);
-    if (!mark.exercise.empty())
-        text += said({" (exercise {})", " (exercício {})"}, printable(mark.exercise));
-    if (mark.problem)
+/// "anna.txt: 12 right, 3 wrong; most likely truncate-for-floor\n"
+std::string line_of_file(const CheckedFile& file, CheckTold told) {
+    std::string text = printable(file.name);
+    if (!file.exercise.empty())
+        text += said({" (exercise {})", " (exercício {})"}, printable(file.exercise));
+    if (file.problem)
         return text + said({": could not be checked\n", ": não pôde ser conferido\n"});
-    return fmt::format(
-        "{}: {}{}\n", text, counts_text(mark.counts),
-        told == CheckTold::answers && !mark.counts.slips.empty()
-            ? said({"; most likely {}", "; o mais provável: {}"}, mark.counts.slips.front())
-            : "");
+    const auto& slips = file.checked.slips;
+    return fmt::format("{}: {}{}\n", text, counts_text(file.checked),
+                       told == CheckTold::answers && !slips.empty()
+                           ? said({"; most likely {}", "; o mais provável: {}"}, slips.front())
+                           : "");
 }
+
+/// The most likely slip of each sheet, and of how many sheets: the most frequent first.
+std::string frequent_slips(const std::vector<CheckedFile>& files) {
+    constexpr Words none("(no slip that is known)", "(nenhum deslize conhecido)");
+    std::map<std::string, std::size_t> counts;
+    std::size_t name_width = 0;
+    for (const CheckedFile& file : files)
+        if (file.checked.wrong + file.checked.follow > 0) {
+            const auto& slips = file.checked.slips;
+            const std::string name(slips.empty() ? none.in(language_of_steps()) : slips.front());
+            ++counts[name];
+            name_width = std::max(name_width, name.size());
+        }
+    std::vector<std::pair<std::string, std::size_t>> slips(counts.begin(), counts.end());
+    std::ranges::stable_sort(slips, std::ranges::greater(),
+                             &std::pair<std::string, std::size_t>::second);
+    std::string text;
+    for (const auto& [name, count] : slips) {
+        const Slip* const known = find_slip(name);
+        text += fmt::format("{:<{}}  {}{}\n", name, name_width, count,
+                            known ? "  " + meaning_of(*known) : "");
+    }
+    return text.empty() ? ""
+                        : said({"\nThe most likely slip of a sheet, and of how many sheets:\n",
+                                "\nO deslize mais provável de uma folha, e de quantas folhas:\n"}) +
+                              text;
+}
+
+} // namespace
 
 std::string CheckedFile::difference(const CheckedField& field, std::string_view expected,
                                     std::string_view found) const {
@@ -199,39 +243,8 @@ std::string CheckedFile::difference(const CheckedField& field, std::string_view 
                 as_written(found));
 }
 
-namespace {
-
-Words words_of(ClaimVerdict verdict) {
-    switch (verdict) {
-    case ClaimVerdict::right:
-        return {"right", "certo"};
-    case ClaimVerdict::wrong:
-        return {"wrong", "errado"};
-    case ClaimVerdict::follows:
-        return {"follows", "decorre"};
-    case ClaimVerdict::open:
-        break;
-    }
-    return {"open", "em aberto"};
-}
-
-} // namespace
-
 std::string_view name_of(ClaimVerdict verdict) {
     return words_of(verdict).in(Language::english);
-}
-
-std::string_view in_words(ClaimVerdict verdict) {
-    return words_of(verdict).in(language_of_steps());
-}
-
-std::string_view verdict_of(const CheckedClaim& claim, CheckTold told) {
-    return in_words(told != CheckTold::answers && is_wrong(claim.verdict) ? ClaimVerdict::wrong
-                                                                          : claim.verdict);
-}
-
-int points_of(ClaimVerdict verdict) {
-    return verdict == ClaimVerdict::right || verdict == ClaimVerdict::follows ? 1 : 0;
 }
 
 bool is_wrong(ClaimVerdict verdict) {
@@ -252,27 +265,13 @@ std::string counts_text(const Checked& checked) {
     return text;
 }
 
-SheetMark mark_of(const CheckedFile& file) {
-    const Checked& checked = file.checked;
-    SheetMark mark{.name = file.name,
-                   .exercise = file.exercise,
-                   .counts = {.right = checked.right,
-                              .wrong = checked.wrong,
-                              .follow = checked.follow,
-                              .open = checked.open,
-                              .claims = {},
-                              .slips = checked.slips},
-                   .problem = file.problem};
-    return mark;
-}
-
 std::string check_text(const std::vector<CheckedFile>& files, CheckTold told) {
     if (files.size() == 1)
         return text_of_one(files.front(), told);
     std::string text;
     for (const CheckedFile& file : files)
-        text += mark_in_words(mark_of(file), told);
-    return text;
+        text += line_of_file(file, told);
+    return told == CheckTold::answers ? text + frequent_slips(files) : text;
 }
 
 } // namespace rastertrace

@@ -2,12 +2,11 @@
 #include "claims_checker.h"
 
 #include <rastertrace/trace/check/claims_template.h>
-#include <rastertrace/trace/exercise/exercise_id.h>
+#include <rastertrace/trace/text/trace_layout.h>
 
 #include <fmt/core.h>
 
 #include <map>
-#include <set>
 #include <utility>
 #include <vector>
 
@@ -35,83 +34,80 @@ ClaimVerdict worse_of(ClaimVerdict a, ClaimVerdict b) {
     return ClaimVerdict::right;
 }
 
-/// Marks a sheet by the empty one: what it lacks is open; what nobody asked for, or asked for once, does not count.
-void mark_by_sheet(const Truth& truth, const std::string& sheet, CheckedFile& file) {
-    struct Said {
-        ClaimVerdict verdict = ClaimVerdict::right;
-        std::vector<std::size_t> claims{};
-    };
-    std::map<std::string, Said> said;
-    for (std::size_t i = 0; i < file.checked.claims.size(); ++i)
-        for (const auto& [number, verdict] : numbers_of(file.claims, file.checked.claims[i])) {
-            Said& one = said[number];
-            one.verdict = worse_of(one.verdict, verdict);
-            one.claims.push_back(i);
+/// Counts the lines of the empty sheet: what a sheet lacks is open; what nobody asked for, or asked for once, does not
+/// count.
+void count_by_empty_sheet(const Truth& truth, const std::string& sheet, CheckedFile& file) {
+    std::map<std::string, ClaimVerdict> said;
+    for (const CheckedClaim& claim : file.checked.claims)
+        for (const auto& [number, verdict] : numbers_of(file.claims, claim)) {
+            ClaimVerdict& known = said.try_emplace(number, verdict).first->second;
+            known = worse_of(known, verdict);
         }
     const Claims asked = value_or_throw(read_claims({.name = file.name, .text = sheet}));
     Checked& counts = file.checked;
     counts.right = counts.wrong = counts.follow = counts.open = 0;
     for (const CheckedClaim& claim : rastertrace::check(truth, asked).claims) {
-        Mark mark{.verdict = ClaimVerdict::right, .asked = asked.claims[claim.claim].text};
-        std::set<std::size_t> claims;
-        for (const auto& [number, verdict] : numbers_of(asked, claim)) {
+        ClaimVerdict verdict = ClaimVerdict::right;
+        for (const auto& [number, open] : numbers_of(asked, claim)) {
             const auto found = said.find(number);
-            mark.verdict = worse_of(mark.verdict, found == said.end() ? ClaimVerdict::open
-                                                                      : found->second.verdict);
-            if (found != said.end())
-                claims.insert(found->second.claims.begin(), found->second.claims.end());
+            verdict = worse_of(verdict, found == said.end() ? ClaimVerdict::open : found->second);
         }
-        mark.claims.assign(claims.begin(), claims.end());
-        ++(mark.verdict == ClaimVerdict::right     ? counts.right
-           : mark.verdict == ClaimVerdict::wrong   ? counts.wrong
-           : mark.verdict == ClaimVerdict::follows ? counts.follow
-                                                   : counts.open);
-        file.marks.push_back(std::move(mark));
+        ++(verdict == ClaimVerdict::right     ? counts.right
+           : verdict == ClaimVerdict::wrong   ? counts.wrong
+           : verdict == ClaimVerdict::follows ? counts.follow
+                                              : counts.open);
     }
 }
 
 } // namespace
 
-std::string ClaimsChecker::exercise_of(const Source& sheet) const {
-    return exercises_ ? value_or_throw(exercise_of_sheet(sheet)) : "";
+void ClaimsChecker::hold_against(Source source) {
+    if (!is_trace(source))
+        given_scene_ = source;
+    given_.emplace(told_truth(std::move(source)));
 }
 
 CheckedFile ClaimsChecker::check(Source source) {
     CheckedFile file{.name = source.name};
+    if (!given_ || given_scene_)
+        file.exercise = value_or_throw(exercise_of_sheet(source));
     file.claims = value_or_throw(read_claims(std::move(source)));
     if (file.claims.claims.empty())
         throw problem_of(file.name, "expected claims, found none",
                          "rastertrace sheet SCENE writes a sheet to fill in");
-    const Truth& truth = truth_for(file.claims);
+    const Truth& truth = truth_for(file);
     file.checked = rastertrace::check(truth, file.claims);
-    if (exercises_) {
-        mark_by_sheet(truth, last_sheet_, file);
-        file.exercise = last_name_;
-    } else {
-        for (std::size_t i = 0; i < file.checked.claims.size(); ++i)
-            file.marks.push_back({.claims = {i}, .verdict = file.checked.claims[i].verdict});
-    }
+    if (!file.exercise.empty())
+        count_by_empty_sheet(truth, last_sheet_, file);
     return file;
 }
 
-const Truth& ClaimsChecker::truth_for(const Claims& claims) {
-    if (given_)
+const Truth& ClaimsChecker::truth_for(const CheckedFile& file) {
+    if (given_ && file.exercise.empty())
         return *given_;
-    const std::string exercise = exercise_of(claims.source);
-    const std::string name = exercises_ ? exercise : path_of_scene(claims);
+    const std::string scene = given_ ? given_scene_->name : path_of_scene(file.claims);
+    const std::string name = file.exercise + "\n" + scene;
     if (last_ && name == last_name_)
         return *last_;
     last_.reset();
-    Source scene = exercises_ ? exercises_->exercise(exercise).scene
-                              : load_scene_of_claims(claims, options_.limits);
-    last_name_ = name;
-    if (exercises_) {
+    const auto load = [&] {
+        return given_ ? *given_scene_ : load_scene_of_claims(file.claims, options_.limits);
+    };
+    if (file.exercise.empty()) {
+        last_.emplace(told_truth(load()));
+    } else {
+        if (!make_exercise_ || like_ != scene)
+            make_exercise_ = exercises_like(load());
+        like_ = scene;
+        Source exercise = make_exercise_(file.exercise);
         const auto planned =
-            value_or_throw(read_scene(scene, options_.method, options_.limits, options_.frames));
+            value_or_throw(read_scene(exercise, options_.method, options_.limits, options_.frames));
         last_sheet_ = claims_template(
-            drawn_trace(planned.scene, planned.plan, scene.name, options_.limits.steps));
+            drawn_trace(planned.scene, planned.plan, exercise.name, options_.limits.steps));
+        last_.emplace(told_truth(std::move(exercise)));
     }
-    return last_.emplace(told_truth(std::move(scene)));
+    last_name_ = name;
+    return *last_;
 }
 
 Truth ClaimsChecker::told_truth(Source source) const {

@@ -126,7 +126,6 @@ std::unique_ptr<Command> explain_command();
 std::unique_ptr<Command> stats_command();
 std::unique_ptr<Command> check_command();
 std::unique_ptr<Command> sheet_command();
-std::unique_ptr<Command> exercise_command();
 std::unique_ptr<Command> diff_command();
 std::unique_ptr<Command> validate_command();
 std::unique_ptr<Command> plan_command();

@@ -112,7 +112,7 @@ struct MakersOfGroup {
 const std::array<MakersOfGroup, 5> command_groups{
     {{"Draw and look",
       {trace_command, show_command, play_command, figure_command, explain_command, stats_command}},
-     {"Work by hand", {check_command, sheet_command, exercise_command}},
+     {"Work by hand", {check_command, sheet_command}},
      {"Test a renderer",
       {diff_command, review_command, diagnose_command, fuzz_command, suite_command}},
      {"Error and time", {stress_command, report_command}},

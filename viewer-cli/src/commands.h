@@ -151,10 +151,7 @@ struct StatsCommand {
 };
 int run(const StatsCommand& command);
 
-/// How `check` tells what it has found.
-enum class CheckFormat { text, json, junit, csv, markdown, gradescope, prairielearn };
-
-/// How much of it is given away.
+/// How much `check` gives away of what it has found.
 enum class CheckTold {
     verdicts, ///< only what is right and what is wrong
     rule,     ///< where, and by which rule
@@ -165,12 +162,8 @@ enum class CheckTold {
 struct CheckCommand {
     std::vector<std::string>
         files; ///< a scene or a trace, then claims; or claims that name their scenes
-    CheckFormat format = CheckFormat::text;
+    bool json = false;
     CheckTold told = CheckTold::answers;
-    std::string_view visibility = "visible"; ///< of the tests, in Gradescope's words
-    std::string class_folder;                ///< the sheets of a class, in the place of claims
-    std::string chart;                       ///< of a class: where its slips go as bars
-    std::optional<Source> exercises_like;    ///< claims are about exercises, which they name
     MethodOverrides method;
     InputLimits input;
     FrameChoice frames;

@@ -49,7 +49,7 @@ std::string module_for_pages() {
         file = installed_module();
     if (file.empty())
         return {};
-    std::string text = value_or_throw(read_named_file(file.string(), {})).text;
+    const std::string text = value_or_throw(read_named_file(file.string(), {})).text;
     if (text.find("var rastertrace = ") == std::string::npos ||
         text.find("</script") != std::string::npos)
         throw problem_of(file.string(), "expected the module for pages, found another file",

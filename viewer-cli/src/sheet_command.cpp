@@ -3,33 +3,68 @@
 
 #include "command.h"
 #include "commands.h"
-#include "figure_file.h"
 #include "load.h"
+#include "option_values.h"
 #include "output_ending.h"
 #include "shared_options.h"
-#include "sheet_page.h"
 
 #include <rastertrace/trace/check/claims.h>
+#include <rastertrace/trace/check/claims_table.h>
 #include <rastertrace/trace/check/claims_template.h>
+#include <rastertrace/trace/check/exercise.h>
+#include <rastertrace/trace/text/json_document.h>
 #include <rastertrace/trace/text/output.h>
 #include <rastertrace/trace/text/process_files.h>
+#include <rastertrace/trace/text/text.h>
+#include <rastertrace/trace/text/trace_layout.h>
 
+#include <fmt/core.h>
+
+#include <algorithm>
 #include <array>
+#include <filesystem>
 #include <memory>
 #include <string>
+#include <string_view>
+#include <system_error>
 #include <utility>
 
 namespace rastertrace {
 
 namespace {
 
-enum class SheetFormat { text, columns, svg, png, tex };
+enum class SheetFormat { text, columns };
 
-constexpr std::array<Ending<SheetFormat>, 5> endings{{{".txt", SheetFormat::text},
-                                                      {".csv", SheetFormat::columns},
-                                                      {".svg", SheetFormat::svg},
-                                                      {".png", SheetFormat::png},
-                                                      {".tex", SheetFormat::tex}}};
+constexpr std::array<Ending<SheetFormat>, 2> endings{
+    {{".txt", SheetFormat::text}, {".csv", SheetFormat::columns}}};
+
+/// What a scene gives to work with, and by which rules, as comments: `# vertices: {A: [2, 5], B: [-4, -3]}`. Without
+/// quotes, which a spreadsheet would double.
+std::string given_lines(const Source& scene, const Trace& trace) {
+    std::string lines;
+    const auto document = value_or_throw(parse_json(scene));
+    for (const auto& [key, value] : document.root().members()) {
+        if (key.text == "method" || key.text.starts_with('$'))
+            continue;
+        std::string text = in_one_line(scene.view().substr(value.begin, value.end() - value.begin));
+        std::erase(text, '"');
+        lines += fmt::format("# {}: {}\n", key.text, text);
+    }
+    std::vector<std::string> rules;
+    for (const auto& [key, value] : trace.method)
+        if (key != "scalar") // who works by hand has exact numbers
+            rules.push_back(fmt::format("{} {}", key, value));
+    return lines + fmt::format("# method: {}\n", joined(rules, ", "));
+}
+
+/// Throws a Problem if another file than this empty sheet is there: what was filled in would be lost.
+void refuse_filled_sheet(const std::string& path, std::string_view empty) {
+    std::error_code error;
+    if (std::filesystem::is_regular_file(path, error) &&
+        value_or_throw(read_named_file(path, {})).view() != empty)
+        throw problem_of(path, "expected no sheet that has been filled in, found one",
+                         "give -o another name, or remove the file");
+}
 
 class SheetCommandLine final : public Command {
 public:
@@ -43,19 +78,28 @@ public:
 
     void add_to(OptionList& options) override {
         options.option("scene", path_, trace_input, "FILE").required();
+        options.option(
+            "--seed", seed_,
+            "Of an exercise: the scene with other numbers, as much work, the same for the "
+            "same word, such as a student's number",
+            "NAME");
+        options
+            .option("--format", format_name_, "How to write it, whatever the file's name", "NAME")
+            .values({"text", "csv"});
         options.option("-o,--output", output_,
-                       "Where it goes: .txt, .csv for a spreadsheet, .svg, .png or .tex to print; "
-                       "none: standard output, as text",
+                       "Where it goes: .txt, or .csv for a spreadsheet; none: standard output, as "
+                       "text",
                        "FILE");
         drawing_.add_to(options, Holds::steps);
     }
 
     void read() override {
         drawing_.read_into(options_);
-        if (ending_of(output_) == ".pdf")
-            throw problem_of(output_, "expected .txt, .csv, .svg, .png or .tex, found .pdf",
-                             "write a .tex, and pdflatex makes the PDF of it");
-        if (!output_.empty() && output_ != "-")
+        if (!seed_.empty())
+            exercise_ = value_or_throw(exercise_id(seed_));
+        if (!format_name_.empty())
+            format_ = *value_of<SheetFormat>("--format", format_name_, {"text", "csv"});
+        else if (!output_.empty() && output_ != "-")
             format_ = format_by_ending<SheetFormat>(output_, endings).value_or(SheetFormat::text);
     }
 
@@ -63,17 +107,22 @@ public:
         Source source = load_scene_trace_or_claims(path_, options_.input);
         if (is_claims(source))
             throw problem_of(source.name, "expected a scene or a trace, found claims");
+        if (!exercise_.empty()) {
+            if (is_trace(source))
+                throw problem_of(source.name, "--seed: expected a scene, found a trace");
+            source = exercises_like(source)(exercise_);
+        }
+        const Source scene = exercise_.empty() ? Source{} : source;
         InputFrames input(
             path_, std::move(source),
             {.method = options_.method, .limits = options_.input, .frames = options_.frames});
         const Trace trace = input.trace(input.first());
-        const std::string sheet = sheet_of(trace, input.given_scene());
+        const std::string sheet = sheet_of(scene, trace);
         if (output_.empty() || output_ == "-") {
             print(sheet);
         } else {
             const std::vector<FileId> read = opened_files();
-            if (format_ == SheetFormat::text || format_ == SheetFormat::columns)
-                refuse_filled_sheet(output_, sheet);
+            refuse_filled_sheet(output_, sheet);
             write_file(output_, sheet, read);
         }
         return report_damage(trace);
@@ -86,24 +135,22 @@ private:
         FrameChoice frames;
     };
 
-    std::string sheet_of(const Trace& trace, const Source* scene) const {
-        switch (format_) {
-        case SheetFormat::columns:
-            return claims_template_in_columns(trace);
-        case SheetFormat::svg:
-            return figure_in(FigureFormat::svg, sheet_page(trace, scene), {});
-        case SheetFormat::png:
-            return figure_in(FigureFormat::png, sheet_page(trace, scene), {});
-        case SheetFormat::tex:
-            return figure_in(FigureFormat::tex, sheet_page(trace, scene), {});
-        case SheetFormat::text:
-            break;
-        }
-        return (path_ == "-" ? "" : scene_line(path_) + "\n") + claims_template(trace);
+    std::string sheet_of(const Source& scene, const Trace& trace) const {
+        const bool is_text = format_ == SheetFormat::text;
+        std::string head = exercise_.empty() ? "" : exercise_line(exercise_);
+        if (is_text && path_ != "-")
+            head += scene_line(path_);
+        if (!exercise_.empty())
+            head += given_lines(scene, trace);
+        return (head.empty() ? "" : head + "\n") +
+               (is_text ? claims_template(trace) : claims_template_in_columns(trace));
     }
 
     std::string path_;
+    std::string seed_;
+    std::string exercise_; ///< the ID of one, or ""
     std::string output_;
+    std::string format_name_;
     SheetFormat format_ = SheetFormat::text;
     Options options_;
     DrawingOptions drawing_;
