@@ -16,7 +16,7 @@ import os
 import subprocess
 import tempfile
 
-CALLS = ["validate -", "stats -", "show --last -", "explain - --pixel 50,50", "figure - --heat overdraw -o - --format svg"]
+CALLS = ["validate -", "stats -", "show --last -", "explain - --pixel 50,50"]
 SIDE = 100
 
 

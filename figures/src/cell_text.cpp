@@ -97,12 +97,6 @@ void add_levels(const Replay& replay, CellTexts& texts) {
     });
 }
 
-void add_counts(const HeatMap& heat, std::size_t pixels, CellTexts& texts) {
-    for (std::size_t offset = 0; offset < pixels; ++offset)
-        if (const auto number = heat.at(offset))
-            texts[offset].push_back(heat.text_of(*number));
-}
-
 CellTexts cell_texts(const Panel& panel, const FigureParts& parts) {
     const Replay& replay = panel.replay;
     CellTexts texts;
@@ -118,8 +112,6 @@ CellTexts cell_texts(const Panel& panel, const FigureParts& parts) {
         add_owners(replay, texts);
     if (parts.has(FigurePart::levels))
         add_levels(replay, texts);
-    if (parts.has(FigurePart::counts) && panel.heat != nullptr)
-        add_counts(*panel.heat, replay.frame().drawn_by.size(), texts);
     return texts;
 }
 
@@ -127,8 +119,7 @@ CellTexts cell_texts(const Panel& panel, const FigureParts& parts) {
 
 bool has_cell_texts(const FigureParts& parts) {
     constexpr std::array in_cells{FigurePart::order,   FigurePart::depths, FigurePart::writes,
-                                  FigurePart::weights, FigurePart::owners, FigurePart::levels,
-                                  FigurePart::counts};
+                                  FigurePart::weights, FigurePart::owners, FigurePart::levels};
     return std::any_of(in_cells.begin(), in_cells.end(),
                        [&parts](FigurePart part) { return parts.has(part); });
 }

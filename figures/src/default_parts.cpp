@@ -74,8 +74,6 @@ void set_parts(const FigureOptions& options, Panel& panel) {
     };
     if (panel.view == View::depth && !wanted(options, FigurePart::depths))
         set(FigurePart::depths, have_room(FigurePart::depths));
-    set(FigurePart::counts,
-        panel.heat != nullptr && lattice.cell >= cell_for_digits && have_room(FigurePart::counts));
     make_room();
 
     // Grays mean nothing without numbers or a legend, half-planes nothing without a legend.
@@ -83,7 +81,7 @@ void set_parts(const FigureOptions& options, Panel& panel) {
                            (panel.view == View::writes && !panel.parts.has(FigurePart::writes));
     set(FigurePart::half_planes, false);
     set(FigurePart::legend, panel.view == View::faces || panel.against != nullptr || has_grays ||
-                                panel.heat != nullptr || panel.parts.has(FigurePart::half_planes));
+                                panel.parts.has(FigurePart::half_planes));
 
     // What the step is about.
     const bool is_step = panel.is_step();
@@ -91,7 +89,7 @@ void set_parts(const FigureOptions& options, Panel& panel) {
     set(FigurePart::current, is_step);
     set(FigurePart::rejected, is_step);
     set(FigurePart::row, is_step || panel.frame.is_question);
-    set(FigurePart::caption, is_step || options.caption.has_value() || panel.heat != nullptr);
+    set(FigurePart::caption, is_step || options.caption.has_value());
     set(FigurePart::title, true);
     set(FigurePart::step, panel.parts.has(FigurePart::title));
     set(FigurePart::axes, true);

@@ -176,19 +176,6 @@ void check_parts(const std::vector<FigurePart>& with, const Trace& trace) {
             throw problem_of("", std::string(needed.message), std::string(needed.hint));
 }
 
-/// Refuses a part that is about a picture.
-void check_parts_of_heat(const std::vector<FigurePart>& with) {
-    constexpr std::array of_heat{FigurePart::grid,   FigurePart::axes,   FigurePart::pixels,
-                                 FigurePart::title,  FigurePart::counts, FigurePart::legend,
-                                 FigurePart::caption};
-    for (const FigurePart part : with)
-        if (std::find(of_heat.begin(), of_heat.end(), part) == of_heat.end())
-            throw problem_of("",
-                             fmt::format("--with {}: expected grid, axes, pixels, counts, title, "
-                                         "legend or caption with --heat, found another part",
-                                         figure_parts()[static_cast<std::size_t>(part)].name));
-}
-
 /// Refuses a part that is about pixels.
 void check_parts_in_space(const std::vector<FigurePart>& with) {
     constexpr std::array in_space{FigurePart::title, FigurePart::step, FigurePart::caption,
@@ -326,10 +313,6 @@ FigureMaker::FigureMaker(const Trace& trace, std::vector<FigureFrame> frames, Fi
     }
     if (options_.is_in_space)
         check_parts_in_space(options_.with);
-    if (options_.heat != nullptr)
-        check_parts_of_heat(options_.with);
-    else if (is_in(options_.with, FigurePart::counts))
-        throw problem_of("", "--with counts: expected --heat, found none");
     check_parts(options_.with, trace);
     if (options_.against != nullptr)
         against_ = frame_after(*options_.against, options_.against->size());
@@ -376,9 +359,7 @@ Drawing FigureMaker::figure(std::size_t n) {
                 .groups = groups_,
                 .palette = options_.palette,
                 .against = against_ ? &*against_ : nullptr,
-                .has_colors = has_colors_,
-                .heat = options_.heat,
-                .heat_in_grays = options_.heat_in_grays};
+                .has_colors = has_colors_};
     const ShownSteps steps = panel.frame.steps;
 
     // What is said of a step is said at the step; its pixels come after it.
@@ -390,8 +371,6 @@ Drawing FigureMaker::figure(std::size_t n) {
             caption = with_six_digits(describe_step(replay_));
         working = working_of(replay_);
     }
-    if (panel.heat != nullptr && !options_.caption)
-        caption = heat_caption(panel);
     replay_.go_to(panel.frame.is_question ? steps.first - 1 : steps.last);
     set_parts(options_, panel);
 
@@ -442,11 +421,8 @@ Drawing FigureMaker::figure(std::size_t n) {
     if (parts.has(FigurePart::working))
         y += add_working(working, column, y, sheet.shapes);
     sheet.height = std::ceil(y + margin);
-    sheet.description =
-        said({"{} x {} pixels", "{} x {} pixels"}, lattice.columns(), lattice.rows());
-    sheet.description += panel.heat != nullptr ? "."
-                                               : said({", {} drawn.", ", {} desenhados."},
-                                                      replay_.frame().image.drawn());
+    sheet.description = said({"{} x {} pixels, {} drawn.", "{} x {} pixels, {} desenhados."},
+                             lattice.columns(), lattice.rows(), replay_.frame().image.drawn());
     if (!caption.empty())
         sheet.description += " " + caption;
     return sheet;

@@ -30,11 +30,9 @@ struct Panel {
     View view;
     const FaceGroups& groups;
     FacePalette palette;
-    const Frame* against;          ///< a picture to compare with; nullptr for none
-    bool has_all_edges = false;    ///< not only those of the current primitive
-    bool has_colors = true;        ///< some pixel, or the background, has another color than black
-    const HeatMap* heat = nullptr; ///< what is shown in the place of the picture; nullptr for none
-    bool heat_in_grays = false;
+    const Frame* against;       ///< a picture to compare with; nullptr for none
+    bool has_all_edges = false; ///< not only those of the current primitive
+    bool has_colors = true;     ///< some pixel, or the background, has another color than black
 
     const Trace& trace() const { return replay.trace(); }
 

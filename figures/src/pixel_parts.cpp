@@ -204,11 +204,6 @@ const ComparisonMark* comparison_at(const Panel& panel, std::size_t offset) {
 }
 
 PixelColors own_colors_of(const Panel& panel) {
-    if (panel.heat != nullptr)
-        return [&heat = *panel.heat, in_grays = panel.heat_in_grays](Pixel, std::size_t offset) {
-            const auto number = heat.at(offset);
-            return number ? heat.color_of(*number, in_grays) : no_color;
-        };
     if (panel.against != nullptr)
         return {};
     switch (panel.view) {

@@ -118,23 +118,6 @@ std::vector<Entry> entries_of_grays(View view) {
     return entries;
 }
 
-/// Some numbers of the scale, each with its color.
-std::vector<Entry> entries_of_heat(const HeatMap& heat, bool in_grays) {
-    constexpr std::uint32_t most_steps = 7; // from the least to the most
-    const std::uint32_t range = heat.most() - heat.least();
-    const std::uint32_t steps = std::min(range, most_steps);
-    std::vector<Entry> entries;
-    for (std::uint32_t i = 0; i <= steps; ++i) {
-        const std::uint64_t part = steps == 0 ? 0 : std::uint64_t{i} * range / steps;
-        const std::uint32_t number = heat.least() + static_cast<std::uint32_t>(part);
-        entries.push_back({.layers = {Role::plotted},
-                           .color = heat.color_of(number, in_grays),
-                           .pattern = {},
-                           .text = heat.text_of(number)});
-    }
-    return entries;
-}
-
 /// What the layers of half-planes add up to; nothing for a frame that has none.
 std::vector<Entry> entries_of_half_planes(const Panel& panel) {
     if (!has_half_planes(panel))
@@ -157,9 +140,7 @@ std::vector<Entry> entries_of_half_planes(const Panel& panel) {
 
 /// What colors and patterns stand for.
 std::vector<Entry> entries_of(const Panel& panel, const std::string& against) {
-    std::vector<Entry> entries = panel.heat != nullptr
-                                     ? entries_of_heat(*panel.heat, panel.heat_in_grays)
-                                 : panel.against != nullptr  ? entries_of_comparison(panel, against)
+    std::vector<Entry> entries = panel.against != nullptr    ? entries_of_comparison(panel, against)
                                  : panel.view == View::faces ? entries_of_faces(panel)
                                                              : entries_of_grays(panel.view);
     if (panel.parts.has(FigurePart::half_planes))
@@ -223,40 +204,6 @@ double add_legend(const Panel& panel, const std::string& against, const Column& 
         x += needed;
     }
     return y + legend_line - top;
-}
-
-std::string heat_caption(const Panel& panel) {
-    std::uint64_t sum = 0;
-    std::uint32_t most = 0;
-    std::size_t pixels = 0;
-    std::size_t equal = 0;
-    panel.for_each_pixel([&](Pixel, std::size_t offset) {
-        const auto number = panel.heat->at(offset);
-        if (!number)
-            return;
-        ++pixels;
-        sum += *number;
-        most = std::max(most, *number);
-        equal += *number == equal_depths ? 1 : 0;
-    });
-    switch (panel.heat->heat()) {
-    case Heat::overdraw:
-        return said({"writes: {}   pixels written: {}   most writes of one pixel: {}",
-                     "escritas: {}   pixels escritos: {}   no máximo em um pixel: {}"},
-                    sum, pixels, most);
-    case Heat::tests:
-        return said(
-            {"depth tests: {}   pixels tested: {}   most tests of one pixel: {}",
-             "testes de profundidade: {}   pixels testados: {}   no máximo em um pixel: {}"},
-            sum, pixels, most);
-    case Heat::depth_fights:
-        break;
-    }
-    return said({"digits in which the two nearest depths agree (=: all)   pixels with two depths: "
-                 "{}   with equal ones: {}",
-                 "dígitos em que as duas profundidades mais próximas concordam (=: todos)   pixels "
-                 "com duas profundidades: {}   com iguais: {}"},
-                pixels, equal);
 }
 
 std::string with_six_digits(std::string_view sentence) {

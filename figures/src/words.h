@@ -29,9 +29,6 @@ double add_title(const std::string& title, const Panel& panel, const Column& col
 double add_legend(const Panel& panel, const std::string& against, const Column& column, double y,
                   std::vector<Shape>& shapes);
 
-/// What the numbers of a heat map add up to, of the pixels that are shown.
-std::string heat_caption(const Panel& panel);
-
 /// A sentence whose decimals have six digits at most: it is told exactly elsewhere.
 std::string with_six_digits(std::string_view sentence);
 

@@ -84,8 +84,6 @@ def figures(source, folder):
         Figure("depths", depths, ["--view", "depth", "--with", "depths"]),
         Figure("depths-of-a-row", depths, ["--step", "scanline in=DEF y=2", "--with", "plot"], drawn=False),
         Figure("writes", depths, ["--view", "writes", "--with", "writes"]),
-        Figure("heat", depths, ["--heat", "overdraw"]),
-        Figure("heat-in-print", depths, ["--heat", "tests", "--theme", "print"], drawn=False),
         Figure("weights", example("t3-sweep-and-box/barycentric"), ["--with", "weights", "--cell", "44"]),
         Figure("rejected", example("t3-sweep-and-box/barycentric"), ["--with", "rejected"]),
         Figure("scene", example("t0-hidden/cube-culled"), ["--with", "space"]),

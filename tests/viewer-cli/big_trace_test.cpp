@@ -29,10 +29,9 @@ bool is_long() {
 }
 
 /// What is asked of a trace, each of one that lies beside a sound one.
-constexpr std::array<std::string_view, 6> questions{
-    "stats --json t",      "validate t",
-    "diff --json t sound", "explain t --pixel 0,0 --json",
-    "show t --last",       "figure t --heat overdraw --format svg -o -"};
+constexpr std::array<std::string_view, 5> questions{
+    "stats --json t", "validate t", "diff --json t sound", "explain t --pixel 0,0 --json",
+    "show t --last"};
 
 class BigTrace : public ProgramTest {
 protected:

@@ -132,7 +132,6 @@ struct FigureCommand {
     std::optional<SpaceFrames> frames_in_space; ///< in the place of all other pictures
     std::string house_style;                    ///< a file, see HouseStyle
     bool is_animated = false;                   ///< all frames in one .svg
-    std::optional<Heat> heat;                   ///< the map of all steps, in the place of frames
     bool is_bare = false;                       ///< only the pixels
     std::string against;                        ///< METHOD, or a file: see FigureOptions
     MethodOverrides method;

@@ -43,22 +43,6 @@ void check_options_of_page(const FigureCommand& command) {
     refuse_if(options.region.has_value(), "--region");
 }
 
-/// Refuses what is about steps, or about the picture, where a map of all steps is asked for.
-void check_options_of_heat(const FigureCommand& command, FigureFormat format) {
-    using enum FigureFormat;
-    check_option(true, "--heat", format, {svg, png, tex, gif, html});
-    const FigureOptions& options = command.options;
-    const auto refuse_if = [](bool is_there, std::string_view option) {
-        if (is_there)
-            throw problem_of("", fmt::format("--heat: expected no {}, found one", option));
-    };
-    refuse_if(command.sheet || command.frames_in_space, "--sheet");
-    refuse_if(command.is_animated, "--animate");
-    refuse_if(options.view || options.is_in_space, "--view");
-    refuse_if(!command.against.empty(), "--against");
-    refuse_if(options.palette != FacePalette::distinct, "--palette");
-}
-
 /// Refuses what is about pixels where the picture in space is asked for.
 void check_options_in_space(const FigureCommand& command, FigureFormat format) {
     using enum FigureFormat;
@@ -101,12 +85,10 @@ void check_format(const FigureCommand& command, FigureFormat format) {
                             "found {}",
                             name_of(format)));
     using enum FigureFormat;
-    if (command.heat)
-        check_options_of_heat(command, format);
     check_option(command.frames_in_space.has_value(), "--sheet", format, {svg, png, tex, gif});
     if (command.options.is_in_space)
         check_options_in_space(command, format);
-    if (format == html && !command.heat)
+    if (format == html)
         check_options_of_page(command);
     check_option(command.style.scale.has_value() && !command.is_bare, "--scale", format,
                  {png, gif});

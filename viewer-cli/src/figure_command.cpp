@@ -416,8 +416,6 @@ int run(const FigureCommand& asked) {
     FigureCommand command = asked;
     const FigureFormat format = format_of(command);
     check_format(command, format);
-    if (command.heat)
-        return write_heat_map(command, format);
     if (command.frames_in_space)
         return write_space_frames(command, format);
     if (format == FigureFormat::html) {

@@ -8,7 +8,6 @@
 #include <rastertrace/figures/png.h>
 #include <rastertrace/figures/svg.h>
 #include <rastertrace/figures/tikz.h>
-#include <rastertrace/trace/text/language.h>
 
 #include <nlohmann/json.hpp>
 
@@ -134,14 +133,9 @@ std::string figure_in(FigureFormat format, const Drawing& drawing, const FigureS
         return value_or_throw(tikz_of(drawing, style.theme, width_of(drawing, style)));
     case FigureFormat::gif:
         return animation_in(format, {1, [&drawing](std::size_t) { return drawing; }}, style);
-    case FigureFormat::html:
-        return fmt::format("<!doctype html>\n<html lang=\"{}\">\n<head>\n<meta charset=\"utf-8\">\n"
-                           "<meta name=\"color-scheme\" content=\"light dark\">\n"
-                           "<title>{}</title>\n</head>\n<body>\n{}</body>\n</html>\n",
-                           code_of(language_of_steps()), escaped(drawing.title),
-                           value_or_throw(svg_of(drawing, style.theme)));
     case FigureFormat::txt:
     case FigureFormat::cast:
+    case FigureFormat::html:
         break;
     }
     return {};

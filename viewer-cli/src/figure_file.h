@@ -62,7 +62,7 @@ struct FigureFrames {
 FigureFrames of_one_size(std::size_t count, std::function<Drawing(std::size_t)> draw,
                          std::size_t room = 200'000'000);
 
-/// The bytes of a file with one drawing: .svg, .png, .tex, .gif, .html. Throws a Problem.
+/// The bytes of a file with one drawing: .svg, .png, .tex, .gif. Throws a Problem.
 std::string figure_in(FigureFormat format, const Drawing& drawing, const FigureStyle& style);
 
 /// The bytes of a file with all of them, one after the other: .svg, .gif, .tex (overlays of beamer). Throws a Problem.

@@ -66,14 +66,6 @@ public:
                         "step in space: {}",
                         joined(space_frames_names(), ", ")),
             "CxR|NAME");
-        which
-            .option("--heat", heat_,
-                    "In the place of frames a number of each pixel, from all steps: how often it "
-                    "was written, how many depth tests it had, or in how many digits the two "
-                    "nearest depths there agree; of a folder, all of its scenes and traces "
-                    "together",
-                    "NAME")
-            .values(heat_names());
         options.flag(
             "--animate", command_.is_animated,
             "All frames in one .svg, which moves, or in one .tex: the overlays of a beamer frame");
@@ -146,7 +138,6 @@ public:
         if (!every_.empty())
             command_.which = Which::every;
         command_.selector = step_ + until_ + every_; // one of them, at most
-        command_.heat = value_of("--heat", heat_, heat_names(), heat_named);
 
         FigureOptions& options = command_.options;
         options.with = values_of("--with", "parts", with_, part_names(), figure_part_named);
@@ -198,8 +189,7 @@ public:
             for (const FigurePartRow& row : figure_parts())
                 if (row.part != FigurePart::pixels)
                     options.without.push_back(row.part);
-            if (!command_.heat)
-                options.view = options.view.value_or(View::shade);
+            options.view = options.view.value_or(View::shade);
             options.cell = options.cell.value_or(1);
             if (!style.width && !style.height)
                 style.scale = style.scale.value_or(1);
@@ -287,7 +277,6 @@ private:
     std::string step_;
     std::string until_;
     std::string every_;
-    std::string heat_;
     std::string format_;
     std::string with_;
     std::string without_;

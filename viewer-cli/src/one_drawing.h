@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Figures that are one drawing, whatever the frames: sheets of a step in space, and heat maps.
+// Figures of a step in space, in small pictures on one sheet.
 
 #include "commands.h"
 
@@ -17,8 +17,5 @@ bool chooses_letters(const FigureCommand& command, FigureFormat format);
 
 /// Writes the frames of one step in space, on a sheet. Throws a Problem.
 ExitStatus write_space_frames(const FigureCommand& command, FigureFormat format);
-
-/// Writes the map of numbers that --heat names. Throws a Problem.
-ExitStatus write_heat_map(const FigureCommand& command, FigureFormat format);
 
 } // namespace rastertrace

@@ -9,7 +9,6 @@
 
 #include <rastertrace/figures/drawing.h>
 #include <rastertrace/figures/face_groups.h>
-#include <rastertrace/figures/heat_map.h>
 #include <rastertrace/figures/shown_steps.h>
 #include <rastertrace/figures/space_eye.h>
 #include <rastertrace/figures/view.h>
@@ -51,7 +50,6 @@ enum class FigurePart : std::uint8_t {
     weights,
     owners,
     levels,
-    counts,
     patterns,
     half_planes,
     errors,
@@ -117,8 +115,6 @@ struct FigureOptions {
     std::optional<std::string> caption = {}; ///< none: what the step says
     const Trace* against = nullptr;          ///< another one, whose final pixels are compared
     std::string against_name = {};
-    const HeatMap* heat = nullptr; ///< numbers of pixels in the place of the picture
-    bool heat_in_grays = false;    ///< their scale, for print
 };
 
 /// A frame of a figure.
