@@ -105,8 +105,8 @@ public:
 
     void paint(const Lines& lines) {
         const Paint paint = paint_of(lines.role, theme_);
-        Color color = lines.color.value_or(paint.color);
-        double width = lines.width.value_or(paint.width) * scale_;
+        Color color = paint.color;
+        double width = paint.width * scale_;
         const bool is_sharp = is_furniture(lines.role) && paint.dashes.empty();
         if (is_sharp && width < 1) {
             // A fine line is a whole pixel of a fainter color.
@@ -132,11 +132,11 @@ public:
     void paint(const Polygons& polygons) {
         for (const Path& path : polygons.paths)
             coverage_.add(to_pixels(path));
-        paint_covered(polygons.color.value_or(color_of(polygons.role)));
+        paint_covered(color_of(polygons.role));
     }
 
     void paint(const Dots& dots) {
-        const Color color = dots.color.value_or(color_of(dots.role));
+        const Color color = color_of(dots.role);
         // Some at a time: what all of them cover may be more than there is memory for.
         constexpr std::size_t at_a_time = 4096;
         std::size_t waiting = 0;

@@ -63,14 +63,11 @@ public:
 
 private:
     /// The attributes that all shapes have.
-    std::string attributes(std::string_view kind, Role role, const std::optional<Color>& color,
-                           const std::optional<double>& width = {}) {
+    std::string attributes(std::string_view kind, Role role,
+                           const std::optional<Color>& fill = {}) {
         roles_used_.insert(role);
-        std::string style = color ? paint_css(kind == "line" ? "stroke" : "fill", *color) : "";
-        if (width)
-            style += fmt::format("{}stroke-width:{}", style.empty() ? "" : ";", decimal(*width));
         return fmt::format(R"(class="{} {}"{})", kind, name_of(role),
-                           style.empty() ? "" : fmt::format(R"( style="{}")", style));
+                           fill ? fmt::format(R"( style="{}")", paint_css("fill", *fill)) : "");
     }
 
     std::string written(const Areas& areas) {
@@ -91,8 +88,7 @@ private:
             data += path_data(path, lines.are_closed);
         if (data.empty())
             return {};
-        return fmt::format("<path {} d=\"{}\"/>\n",
-                           attributes("line", lines.role, lines.color, lines.width), data);
+        return fmt::format("<path {} d=\"{}\"/>\n", attributes("line", lines.role), data);
     }
 
     std::string written(const Polygons& polygons) {
@@ -102,8 +98,7 @@ private:
             data += path_data(path, true);
         if (data.empty())
             return {};
-        return fmt::format("<path {} d=\"{}\"/>\n",
-                           attributes("shape", polygons.role, polygons.color), data);
+        return fmt::format("<path {} d=\"{}\"/>\n", attributes("shape", polygons.role), data);
     }
 
     std::string written(const Dots& dots) {
@@ -116,8 +111,7 @@ private:
                                 decimal(center.x - dots.radius), decimal(center.y), radius, across);
         if (data.empty())
             return {};
-        return fmt::format("<path {} d=\"{}\"/>\n", attributes("shape", dots.role, dots.color),
-                           data);
+        return fmt::format("<path {} d=\"{}\"/>\n", attributes("shape", dots.role), data);
     }
 
     std::string written(const Pixels& pixels) {

@@ -153,7 +153,7 @@ private:
         return fmt::format("{}{}", prefix, *colors_used_.insert(hex(*color)).first);
     }
 
-    std::string fill_options(Role role, const std::optional<Color>& color) {
+    std::string fill_options(Role role, const std::optional<Color>& color = {}) {
         const Color painted = color.value_or(paint_of(role, theme_).color);
         return color_name(role, color) +
                (painted.alpha() == 255 ? "" : ",fill opacity=" + decimal(painted.alpha() / opaque));
@@ -237,11 +237,7 @@ private:
         roles_used_.insert(lines.role);
         lines_used_.insert(lines.role);
         std::string options = fmt::format("{}line {}", prefix, name_of(lines.role));
-        if (lines.color)
-            options += ",draw=" + color_name(lines.role, lines.color);
-        if (lines.width)
-            options += ",line width=" + in_mm(*lines.width);
-        const Color painted = lines.color.value_or(paint_of(lines.role, theme_).color);
+        const Color painted = paint_of(lines.role, theme_).color;
         if (painted.alpha() != 255)
             options += ",draw opacity=" + decimal(painted.alpha() / opaque);
         write_in_paths(fmt::format("\\draw[{}] ", options), written);
@@ -256,8 +252,7 @@ private:
                 written += (written.empty() ? "" : "\n  ") + joined_places(part) + " -- cycle";
         }
         if (!written.empty()) // one path: what two of the polygons cover is not twice as dark
-            body_ += fmt::format("\\fill[{}] {};\n", fill_options(polygons.role, polygons.color),
-                                 written);
+            body_ += fmt::format("\\fill[{}] {};\n", fill_options(polygons.role), written);
     }
 
     void write(const Dots& dots) {
@@ -271,7 +266,7 @@ private:
             if (clip_.has(center))
                 written.push_back(
                     fmt::format("{} circle[radius={}]", text_of(center), in_mm(radius)));
-        write_in_paths(fmt::format("\\fill[{}] ", fill_options(dots.role, dots.color)), written);
+        write_in_paths(fmt::format("\\fill[{}] ", fill_options(dots.role)), written);
     }
 
     void write(const Label& label) {

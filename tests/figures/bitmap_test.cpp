@@ -19,21 +19,29 @@
 namespace rastertrace {
 namespace {
 
-/// Rows of text: `#` black, `.` white, `r` red, `+` what lies between.
-std::string picture_of(const Bitmap& bitmap) {
+/// What true edges and vertices are painted in.
+const Color ink = paint_of(Role::true_edge, Theme::light).color;
+
+/// Rows of text: `#` what shapes are painted in, `.` white, `r` red, `+` what lies between.
+std::string picture_of(const Bitmap& bitmap, Color painted = black) {
     std::string text;
     for (std::size_t y = 0; y < bitmap.height; ++y) {
         for (std::size_t x = 0; x < bitmap.width; ++x) {
             const Color color = bitmap.at(x, y);
-            text += color == black ? '#' : color == white ? '.' : color == red ? 'r' : '+';
+            text += color == painted ? '#' : color == white ? '.' : color == red ? 'r' : '+';
         }
         text += '\n';
     }
     return text;
 }
 
-std::string picture_of(Drawing drawing, double scale = 1) {
-    return picture_of(bitmap_of(drawing, Theme::print, scale));
+std::string picture_of(const Drawing& drawing, double scale = 1, Color painted = black) {
+    return picture_of(bitmap_of(drawing, Theme::light, scale), painted);
+}
+
+/// The same of lines of a role.
+std::string picture_of(const Drawing& drawing, Role role) {
+    return picture_of(drawing, 1, paint_of(role, Theme::light).color);
 }
 
 Drawing sheet(double width, double height, std::vector<Shape> shapes) {
@@ -44,9 +52,9 @@ Areas areas(std::vector<Rectangle> rectangles, Color color = black) {
     return {.color = color, .rectangles = std::move(rectangles)};
 }
 
-/// How much of a pixel is black, 0 to 1.
+/// How much of a pixel is ink, 0 to 1.
 double coverage_at(const Bitmap& bitmap, std::size_t x, std::size_t y) {
-    return (255.0 - bitmap.at(x, y).red()) / 255;
+    return (255.0 - bitmap.at(x, y).red()) / (255.0 - ink.red());
 }
 
 double covered(const Bitmap& bitmap) {
@@ -178,7 +186,7 @@ constexpr double tolerance = 1.0 / 16 + 1.0 / 16;
 
 template <typename IsOn>
 void expect_covers(const Drawing& drawing, double scale, const IsOn& is_on_shape) {
-    const Bitmap bitmap = bitmap_of(drawing, Theme::print, scale);
+    const Bitmap bitmap = bitmap_of(drawing, Theme::light, scale);
     for (std::size_t y = 0; y < bitmap.height; ++y)
         for (std::size_t x = 0; x < bitmap.width; ++x)
             ASSERT_NEAR(coverage_at(bitmap, x, y), sampled(x, y, scale, is_on_shape), tolerance)
@@ -186,57 +194,56 @@ void expect_covers(const Drawing& drawing, double scale, const IsOn& is_on_shape
 }
 
 TEST(Bitmap, LinesOfAllSlopesCoverWhatSamplesSay) {
-    const double width = paint_of(Role::true_edge, Theme::print).width;
+    const double width = paint_of(Role::true_edge, Theme::light).width;
     for (const Place end : {Place{22, 3}, Place{20, 21}, Place{12, 22.5}, Place{3.2, 1.1},
                             Place{22, 11.5}, Place{11.5, 22}, Place{1.5, 20}})
         for (const double scale : {0.5, 1.0, 2.5}) {
             const Path path{{11.5, 11.5}, end};
             SCOPED_TRACE(testing::Message() << end.x << ", " << end.y << " at " << scale);
-            expect_covers(
-                sheet(24, 24, {Lines{.role = Role::true_edge, .color = black, .paths = {path}}}),
-                scale, [&](Place place) { return is_on(path, false, width, place); });
+            expect_covers(sheet(24, 24, {Lines{.role = Role::true_edge, .paths = {path}}}), scale,
+                          [&](Place place) { return is_on(path, false, width, place); });
         }
 }
 
 TEST(Bitmap, CornersAreRoundAndCoveredOnce) {
-    const double width = paint_of(Role::true_edge, Theme::print).width;
+    const double width = paint_of(Role::true_edge, Theme::light).width;
     for (const bool is_closed : {false, true}) {
         const Path path{{3, 3}, {20, 5}, {4, 8}, {18, 20}, {17, 12}};
-        expect_covers(sheet(24, 24,
-                            {Lines{.role = Role::true_edge,
-                                   .color = black,
-                                   .paths = {path},
-                                   .are_closed = is_closed}}),
-                      2, [&](Place place) { return is_on(path, is_closed, width, place); });
+        expect_covers(
+            sheet(24, 24,
+                  {Lines{.role = Role::true_edge, .paths = {path}, .are_closed = is_closed}}),
+            2, [&](Place place) { return is_on(path, is_closed, width, place); });
     }
 }
 
 TEST(Bitmap, LinesThatCrossInTranslucentColorsAreMixedOnce) {
-    const Bitmap bitmap =
-        bitmap_of(sheet(20, 20,
-                        {Lines{.role = Role::true_edge,
-                               .color = Color{0, 0, 0, 51},
-                               .paths = {{{0, 0}, {20, 20}}, {{0, 20}, {20, 0}}}}}),
-                  Theme::light, 4);
-    EXPECT_EQ(bitmap.at(40, 40), Color(204, 204, 204));
-    EXPECT_EQ(bitmap.at(20, 20), Color(204, 204, 204));
+    ASSERT_EQ(paint_of(Role::inside, Theme::light).color, Color(0x1f, 0x7f, 0xbf, 70));
+    const Bitmap bitmap = bitmap_of(
+        sheet(20, 20,
+              {Lines{.role = Role::inside, .paths = {{{0, 0}, {20, 20}}, {{0, 20}, {20, 0}}}}}),
+        Theme::light, 4);
+    EXPECT_EQ(bitmap.at(40, 40), Color(194, 220, 237));
+    EXPECT_EQ(bitmap.at(20, 20), Color(194, 220, 237));
 }
 
 TEST(Bitmap, DashesAreDrawnAndLeftOutByTurns) {
     // 4 drawn, 3 left out; the line is one pixel wide.
     const auto dashed = [](Path path) {
-        return Lines{.role = Role::other_edge, .color = black, .paths = {std::move(path)}};
+        return Lines{.role = Role::other_edge, .paths = {std::move(path)}};
     };
-    EXPECT_EQ(picture_of(sheet(20, 3, {dashed({{0, 1.5}, {20, 1.5}})})), "....................\n"
-                                                                         "####...####...####..\n"
-                                                                         "....................\n");
+    EXPECT_EQ(picture_of(sheet(20, 3, {dashed({{0, 1.5}, {20, 1.5}})}), Role::other_edge),
+              "....................\n"
+              "####...####...####..\n"
+              "....................\n");
     // A dash goes on around a corner, and what lies outside of the sheet counts.
-    EXPECT_EQ(picture_of(sheet(4, 6, {dashed({{-7, 0.5}, {2.5, 0.5}, {2.5, 20}})})), "###.\n"
-                                                                                     "..#.\n"
-                                                                                     "....\n"
-                                                                                     "....\n"
-                                                                                     "....\n"
-                                                                                     "..#.\n");
+    EXPECT_EQ(
+        picture_of(sheet(4, 6, {dashed({{-7, 0.5}, {2.5, 0.5}, {2.5, 20}})}), Role::other_edge),
+        "###.\n"
+        "..#.\n"
+        "....\n"
+        "....\n"
+        "....\n"
+        "..#.\n");
 }
 
 TEST(Bitmap, DashesOfALineThatComesFromFarAwayAreThoseOfTheWholeLine) {
@@ -251,35 +258,33 @@ TEST(Bitmap, GridsAreOneSharpPixelEvenAtTheSheetsBorder) {
     // A line of 0.6 pixels is a pixel of six tenths of its color, also where two cross.
     const Lines grid{
         .role = Role::grid,
-        .color = black,
         .paths = {{{0, 0}, {0, 5}}, {{3, 0}, {3, 5}}, {{5, 0}, {5, 5}}, {{0, 2}, {5, 2}}}};
-    const Bitmap bitmap = bitmap_of(sheet(5, 5, {grid}), Theme::print, 1);
+    ASSERT_EQ(paint_of(Role::grid, Theme::light).color, Color(0xb9, 0xbe, 0xc5));
+    const Bitmap bitmap = bitmap_of(sheet(5, 5, {grid}), Theme::light, 1);
     EXPECT_EQ(picture_of(bitmap), "+..++\n"
                                   "+..++\n"
                                   "+++++\n"
                                   "+..++\n"
                                   "+..++\n");
-    EXPECT_EQ(bitmap.at(0, 0), Color(102, 102, 102));
-    EXPECT_EQ(bitmap.at(3, 2), Color(102, 102, 102));
+    EXPECT_EQ(bitmap.at(0, 0), Color(213, 216, 220));
+    EXPECT_EQ(bitmap.at(3, 2), Color(213, 216, 220));
 }
 
 TEST(Bitmap, ABorderIsClosed) {
-    const Lines border{.role = Role::border,
-                       .color = black,
-                       .paths = {{{1, 1}, {5, 1}, {5, 4}, {1, 4}}},
-                       .are_closed = true};
-    EXPECT_EQ(picture_of(sheet(7, 6, {border})), ".......\n"
-                                                 ".#####.\n"
-                                                 ".#...#.\n"
-                                                 ".#...#.\n"
-                                                 ".#####.\n"
-                                                 ".......\n");
+    const Lines border{
+        .role = Role::border, .paths = {{{1, 1}, {5, 1}, {5, 4}, {1, 4}}}, .are_closed = true};
+    EXPECT_EQ(picture_of(sheet(7, 6, {border}), Role::border), ".......\n"
+                                                               ".#####.\n"
+                                                               ".#...#.\n"
+                                                               ".#...#.\n"
+                                                               ".#####.\n"
+                                                               ".......\n");
 }
 
 TEST(Bitmap, PolygonsCoverWhatSamplesSay) {
     const Path triangle{{2.3, 1.7}, {21.9, 9.2}, {5.5, 22.1}};
     for (const double scale : {0.5, 1.0, 2.0})
-        expect_covers(sheet(24, 24, {Polygons{.color = black, .paths = {triangle}}}), scale,
+        expect_covers(sheet(24, 24, {Polygons{.role = Role::vertex, .paths = {triangle}}}), scale,
                       [&](Place place) {
                           bool is_inside = true;
                           for (std::size_t i = 0; i < 3; ++i) {
@@ -296,16 +301,17 @@ TEST(Bitmap, PolygonsCoverWhatSamplesSay) {
 TEST(Bitmap, PolygonsThatShareAnEdgeCoverAllOfIt) {
     const Path left{{0, 0}, {7, 0}, {3, 10}, {0, 10}};
     const Path right{{7, 0}, {10, 0}, {10, 10}, {3, 10}};
-    EXPECT_EQ(covered(bitmap_of(sheet(10, 10, {Polygons{.color = black, .paths = {left, right}}}),
-                                Theme::print, 1)),
-              100);
+    EXPECT_EQ(
+        covered(bitmap_of(sheet(10, 10, {Polygons{.role = Role::vertex, .paths = {left, right}}}),
+                          Theme::light, 1)),
+        100);
 }
 
 TEST(Bitmap, DotsAreDiscs) {
     for (const double radius : {0.7, 2.0, 9.0, 40.0}) {
         const Drawing drawing =
             sheet(100, 100, {Dots{.role = Role::vertex, .radius = radius, .centers = {{50, 50}}}});
-        const Bitmap bitmap = bitmap_of(drawing, Theme::print, 1);
+        const Bitmap bitmap = bitmap_of(drawing, Theme::light, 1);
         EXPECT_NEAR(covered(bitmap), std::numbers::pi * radius * radius,
                     0.03 * std::numbers::pi * radius * radius + 0.2);
         expect_covers(drawing, 1, [radius](Place place) {

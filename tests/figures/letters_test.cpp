@@ -16,10 +16,11 @@
 namespace rastertrace {
 namespace {
 
-/// A label alone on a sheet.
-Bitmap picture_of(const Label& label, double scale = 1) {
+/// A label alone on a sheet, in black.
+Bitmap picture_of(Label label, double scale = 1) {
+    label.color = Color{0, 0, 0};
     return bitmap_of({.width = 200, .height = 80, .title = "letters", .shapes = {label}},
-                     Theme::print, scale);
+                     Theme::light, scale);
 }
 
 Bitmap picture_of(const std::string& text, double scale = 1) {
@@ -240,7 +241,7 @@ TEST(Letters, WithARimHaveThePaperAroundThem) {
                    .height = 13,
                    .title = "rim",
                    .shapes = {Areas{.color = red, .rectangles = {{{0, 0}, 14, 13}}}, label}},
-                  Theme::print, 2);
+                  Theme::light, 2);
     // The I is from 5.98 to 6.97 and from 3 to 10; its rim is 1.5 wide.
     for (std::size_t row = 0; row < bitmap.height; ++row)
         for (std::size_t column = 0; column < bitmap.width; ++column) {

@@ -77,20 +77,6 @@ TEST_F(FigureLooks, NotesPointToPlaces) {
     EXPECT_THAT(told.out, HasSubstr(">the top</text>"));
 }
 
-TEST_F(FigureLooks, AStyleOfADocumentsOwn) {
-    write("house.json", R"({"true-edge": {"color": "#ff0000"}})");
-    EXPECT_THAT(figure("--style house.json --format svg -o -").out, HasSubstr("stroke:#ff0000"));
-    EXPECT_EQ(refusal("--style none.json -o x.svg"),
-              "rastertrace: none.json: expected a file that can be read, found: No such file or "
-              "directory\n");
-    write("house.json", R"({"true-edge": {"color": "rad"}})");
-    EXPECT_EQ(refusal("--style house.json -o x.svg"),
-              "rastertrace: house.json:1:25: expected a color, like \"#003366\", found \"rad\"\n"
-              "{\"true-edge\": {\"color\": \"rad\"}}\n"
-              "                        ^\n");
-    EXPECT_THAT(refusal("--style house.json -o x.html"), HasSubstr("--style: expected one of "));
-}
-
 TEST_F(FigureLooks, FramesOfAStepInSpaceStandOnASheet) {
     EXPECT_EQ(refusal("--sheet spaces -o x.svg"),
               "rastertrace: --sheet spaces: expected a vertex step, found none\n");

@@ -130,7 +130,6 @@ struct FigureCommand {
     FigureStyle style;
     std::optional<Sheet> sheet;
     std::optional<SpaceFrames> frames_in_space; ///< in the place of all other pictures
-    std::string house_style;                    ///< a file, see HouseStyle
     bool is_animated = false;                   ///< all frames in one .svg
     bool is_bare = false;                       ///< only the pixels
     std::string against;                        ///< METHOD, or a file: see FigureOptions

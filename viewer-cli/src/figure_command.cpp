@@ -8,12 +8,10 @@
 #include "frame_files.h"
 #include "frame_text.h"
 #include "load.h"
-#include "one_drawing.h"
 #include "progress.h"
 
 #include <rastertrace/figures/figure.h>
 #include <rastertrace/figures/gif.h>
-#include <rastertrace/figures/house_style.h>
 #include <rastertrace/figures/shown_steps.h>
 #include <rastertrace/trace/record/frame.h>
 #include <rastertrace/trace/record/selector.h>
@@ -243,7 +241,7 @@ private:
 class AllFigures {
 public:
     AllFigures(const FigureCommand& command, InputFrames& input)
-        : command_(command), input_(input), style_(style_of(command)) {
+        : command_(command), input_(input) {
         bool is_empty = command.is_bare; // no frame so far has a pixel
         std::string hint;
         for (std::size_t scene = input.first(); scene <= input.last(); ++scene) {
@@ -272,7 +270,6 @@ public:
 
     Drawing drawing(std::size_t i) {
         Drawing drawn = of(places_[i].scene).drawing(places_[i].frame);
-        apply(style_, drawn);
         drawn_ = i + 1;
         return drawn;
     }
@@ -326,7 +323,6 @@ private:
 
     const FigureCommand& command_;
     InputFrames& input_;
-    HouseStyle style_;
     std::size_t scene_ = 0; ///< that figures_ are of
     std::atomic<std::uint64_t> drawn_ = 0;
     std::unique_ptr<TraceFigures> figures_;
@@ -348,6 +344,11 @@ FigureFormat format_of(const FigureCommand& command) {
 
 bool is_animation(const FigureCommand& command, FigureFormat format) {
     return command.is_animated || format == FigureFormat::gif || format == FigureFormat::cast;
+}
+
+/// True of a .tex without --font-size: letters are chosen so that they have room.
+bool chooses_letters(const FigureCommand& command, FigureFormat format) {
+    return format == FigureFormat::tex && !command.style.letter_scale && !command.is_bare;
 }
 
 /// The contents of the files to write: one, or one for each frame or sheet.
@@ -409,6 +410,39 @@ private:
     FigureFrames frames_;
     std::size_t count_ = 0;
 };
+
+/// Writes the frames of one step in space, on a sheet. Throws a Problem.
+ExitStatus write_space_frames(const FigureCommand& command, FigureFormat format) {
+    InputFrames input(command.trace, {.method = command.method,
+                                      .limits = command.input,
+                                      .frames = command.frames,
+                                      .tells_steps = true});
+    if (input.is_sequence())
+        throw problem_of("", "--sheet: expected one scene, found a sequence",
+                         "--frame N takes one");
+    const Trace trace = input.trace(input.first());
+    std::optional<std::size_t> step;
+    if (command.which == FigureCommand::Which::step) {
+        const Selector selector =
+            value_or_throw(parse_selector({"--step", command.selector}, trace));
+        step = value_or_throw(matching_step(selector, trace, "say which"));
+    }
+    const ExitStatus status = report_damage(trace);
+    const auto draw = [&](double letter_scale) {
+        return space_frames(trace, *command.frames_in_space, step, command.options.eye,
+                            letter_scale);
+    };
+    const Drawing drawing = draw(
+        chooses_letters(command, format)
+            ? letter_scale_for_tex([&](double scale) { return draw(scale).width; }, command.style)
+            : command.options.letter_scale);
+    const std::string bytes = figure_in(format, drawing, command.style);
+    if (command.output == "-")
+        print(bytes);
+    else
+        write_file(command.output, bytes, opened_files());
+    return status;
+}
 
 } // namespace
 

@@ -110,8 +110,6 @@ public:
             .option("--theme", theme_,
                     "auto is, in an .svg, as the reader has set it; print has grays", "NAME")
             .values(theme_names());
-        options.option("--style", command_.house_style,
-                       "A file with colors, widths and marks of a document's own", "FILE");
         options.option("--cell", cell_, "The side of a pixel, in units; by default by the canvas",
                        "PX");
         options.option("--scale", scale_,

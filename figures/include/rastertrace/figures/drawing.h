@@ -141,8 +141,6 @@ using Path = std::vector<Place>;
 /// Lines, in the role's dashes.
 struct Lines {
     Role role = Role::true_edge;
-    std::optional<Color> color = {};
-    std::optional<double> width = {}; ///< in the place of the role's
     std::vector<Path> paths = {};
     bool are_closed = false; ///< the last place is joined with the first
 };
@@ -150,13 +148,11 @@ struct Lines {
 /// Polygons without a border.
 struct Polygons {
     Role role = Role::inside;
-    std::optional<Color> color = {};
     std::vector<Path> paths = {};
 };
 
 struct Dots {
     Role role = Role::vertex;
-    std::optional<Color> color = {};
     double radius = 2;
     std::vector<Place> centers = {};
 };
