@@ -15,7 +15,7 @@ fi
 # shellcheck disable=SC2046  # a list of words
 scripts/install-packages.sh $(cat scripts/program-packages.txt) binutils libgtest-dev libgmock-dev librapidcheck-dev libtinyobjloader-dev \
     tmux git
-[ "$all" = OFF ] || scripts/install-packages.sh asciinema bsdextrautils chromium clang fish fonts-dejavu-core gdb libbenchmark-dev libosmesa6-dev librsvg2-bin man-db \
+[ "$all" = OFF ] || scripts/install-packages.sh bsdextrautils chromium clang fish fonts-dejavu-core gdb libbenchmark-dev libosmesa6-dev librsvg2-bin man-db \
     mkdocs pandoc pkg-config poppler-utils python3-ipykernel python3-jsonschema python3-nbconvert python3-pil python3-pymdownx python3-sphinx \
     texlive-latex-base texlive-latex-recommended texlive-pictures zsh
 [ "$all" = OFF ] || command -v rustc >/dev/null || scripts/install-packages.sh rustc

@@ -1,6 +1,6 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: MIT
-"""Has figures read by programs that others wrote: a browser, librsvg, LaTeX, asciinema and Pillow.
+"""Has figures read by programs that others wrote: a browser, librsvg, LaTeX and Pillow.
 
     check_figures.py PROGRAM SOURCE_FOLDER
 
@@ -459,59 +459,6 @@ def check_slides(scene, folder):
             fail(f"beamer: {page}: expected edges in the color of the style, found none")
 
 
-# --- casts ----------------------------------------------------------------------------------------------------------
-
-
-def without_colors(text):
-    return re.sub(r"\x1b\[[0-9;]*m", "", text)
-
-
-def columns_in(text):
-    return sum(0 if unicodedata.combining(c) else 2 if unicodedata.east_asian_width(c) in "WF" else 1 for c in text)
-
-
-def check_cast(name, scene, options, shown, markers, folder):
-    """`shown`: the options by which `show` prints the same frames, the last of which is compared."""
-    path = os.path.join(folder, name + ".cast")
-    rastertrace("figure", scene, *options, "-o", path)
-    with open(path, encoding="utf-8") as file:
-        header, *events = [json.loads(line) for line in file]
-    if header["version"] != 2:
-        fail(f"{name}.cast: version {header['version']}")
-    times = [event[0] for event in events]
-    if times != sorted(times) or times[0] != 0 or times[-1] <= 0:
-        fail(f"{name}.cast: its times do not rise: {times}")
-    found = [event[2] for event in events if event[1] == "m"]
-    if found != markers:
-        fail(f"{name}.cast: expected the markers {markers}, found {found}")
-    for _, kind, text in events:
-        lines = without_colors(text.replace("\x1b[H\x1b[2J", "")).split("\r\n")
-        if kind == "o" and (len(lines) > header["height"] or max(map(columns_in, lines)) > header["width"]):
-            fail(f"{name}.cast: a screen larger than {header['width']} x {header['height']}: {lines}")
-    # A player writes to a terminal, so it gets one.
-    played = run("script", "-qec", f"asciinema play -s 1000 '{path}'", "/dev/null", env={**os.environ, "TERM": "xterm"})
-    last = without_colors(played.split("\x1b[H\x1b[2J")[-1]).replace("\r", "")
-    # Below its last frame `show` tells which stages ran.
-    expected = without_colors(rastertrace("show", scene, *shown, "--color", "always")).partition("\n\nstages: ")[0].rstrip("\n")
-    last = last.rstrip("\n")
-    if last.count("\n") < 5 or last != expected[-len(last):]:
-        fail(f"{name}.cast: asciinema ends with\n{last}\nand not with\n{expected[-len(last):]}")
-    count("casts")
-
-
-def check_casts(source, folder):
-    by_name = {figure.name: figure for figure in figure_list.figures(source, folder)}
-    hostile = by_name["hostile"].scene
-    check_cast("rows", TRIANGLE, ["--every", "scanline"], ["--every", "scanline", "--frames"], ["ABC"], folder)
-    check_cast("last", TRIANGLE, ["--step", "last"], ["--last"], ["ABC"], folder)
-    check_cast("depth", by_name["depths"].scene, ["--every", "pixel", "--view", "depth"],
-               ["--every", "pixel", "--frames", "--view", "depth"], ["ABC", "DEF"], folder)
-    primitives = [json.loads(line) for line in rastertrace("trace", hostile, "--format", "jsonl").splitlines()]
-    names = [step["name"] for step in primitives if step.get("step") == "primitive"]
-    check_cast("hostile", hostile, ["--every", "pixel"], ["--every", "pixel", "--frames"],
-               ["".join(f"<U+{ord(c):04X}>" if c in "\n\x1b\u202e" else c for c in name) for name in names], folder)
-
-
 def main():
     with tempfile.TemporaryDirectory() as folder:
         figures = figure_list.figures(SOURCE, folder)
@@ -520,7 +467,6 @@ def main():
         check_gif(folder)
         check_tikz(figures, points_of, folder)
         check_slides(os.path.join(SOURCE, "examples", "t0-fill", "first-triangle.json"), folder)
-        check_casts(SOURCE, folder)
     print(", ".join(f"{number} {what}" for what, number in counted.items()))
     for message in failures[:40]:
         print(message)

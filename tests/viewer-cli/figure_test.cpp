@@ -26,8 +26,7 @@ namespace {
 using ::testing::HasSubstr;
 using ::testing::StartsWith;
 
-constexpr std::array<std::string_view, 7> endings{".svg",  ".png", ".tex", ".txt",
-                                                  ".cast", ".gif", ".html"};
+constexpr std::array<std::string_view, 6> endings{".svg", ".png", ".tex", ".txt", ".gif", ".html"};
 
 class FigureTest : public ProgramTest {
 protected:
@@ -51,11 +50,11 @@ protected:
 
 TEST_F(FigureTest, AnUnknownEndingIsToldWithThoseThatAreKnown) {
     EXPECT_EQ(refusal("-o x.webp"),
-              "rastertrace: x.webp: expected a name that ends in .svg, .png, .tex, .txt, .cast, "
-              ".gif or .html, found .webp\n"
+              "rastertrace: x.webp: expected a name that ends in .svg, .png, .tex, .txt, .gif or "
+              ".html, found .webp\n"
               "hint: --format says what to write\n");
     EXPECT_EQ(refusal("-o x"),
-              "rastertrace: x: expected a name that ends in .svg, .png, .tex, .txt, .cast, .gif or "
+              "rastertrace: x: expected a name that ends in .svg, .png, .tex, .txt, .gif or "
               ".html, found none of them\n"
               "hint: --format says what to write\n");
 }
@@ -140,7 +139,7 @@ TEST_F(FigureTest, Parts) {
     EXPECT_EQ(refusal("--with eges -o x.svg"),
               "rastertrace: --with: expected parts out of "
               "grid,axes,edges,hidden-edges,vertices,coordinates,samples,row,"
-              "pixels,current,rejected,order,depths,writes,weights,owners,levels,counts,patterns,"
+              "pixels,current,rejected,order,depths,writes,weights,owners,levels,patterns,"
               "half-planes,"
               "errors,space,plot,title,step,legend,caption,working, found \"eges\"\n"
               "hint: did you mean edges?\n");
@@ -219,15 +218,12 @@ TEST_F(FigureTest, PartsThatTheSceneCannotHave) {
 }
 
 TEST_F(FigureTest, WhatAFormatCannotShow) {
-    EXPECT_EQ(
-        refusal("--animate -o x.png"),
-        "rastertrace: --animate: expected a format that moves (svg, gif, cast, tex), found png\n");
+    EXPECT_EQ(refusal("--animate -o x.png"),
+              "rastertrace: --animate: expected a format that moves (svg, gif, tex), found png\n");
     EXPECT_EQ(refusal("--every scanline --sheet 2x2 -o x.txt"),
               "rastertrace: --sheet: expected a format of drawings (svg, png, tex, gif), found "
               "txt\n"
-              "hint: without --sheet, --every writes a .txt for each frame, and a .cast shows one "
-              "after the other\n");
-    EXPECT_THAT(refusal("--every scanline --sheet 2x2 -o x.cast"), HasSubstr("found cast\n"));
+              "hint: without --sheet, --every writes a .txt for each frame\n");
     EXPECT_EQ(refusal("--every scanline --sheet 2x2 --animate -o x.svg"),
               "rastertrace: --animate: expected no --sheet, found both\n"
               "hint: --animate shows frames one after the other, --sheet side by side\n");
@@ -269,9 +265,8 @@ TEST_F(FigureTest, TheSmallestAndALargeCanvasInEveryFormat) {
             if (ending == ".html" && side > 1024)
                 continue; // refused, see APageHasLimits
             const std::string file = "x" + std::string(ending);
-            const bool is_film = ending == ".cast" || ending == ".gif";
             const Outcome told = shell("$rastertrace figure scene.json -o " + file +
-                                       (is_film ? " --step last" : ""));
+                                       (ending == ".gif" ? " --step last" : ""));
             EXPECT_EQ(told.status, 0) << side << ending << told.err;
             EXPECT_GT(content(file).size(), 100U) << side << ending;
         }
@@ -327,14 +322,21 @@ TEST_F(FigureTest, FramesOfOneSizeAreDrawnOnceAsFarAsThereIsRoom) {
 }
 
 TEST_F(FigureTest, WhatMovesIsAFilmOfRowsPixelsOfLinesAndVertices) {
-    /// The sentences of a film's frames, each from its kind of step to the next three blanks.
+    /// The first lines of the sentences of a film's frames, with the signs of a keyboard.
     const auto frames = [this](const std::string& scene) {
-        EXPECT_EQ(shell("$rastertrace figure " + scene + " -o film.cast").err, "");
-        const std::string film = content("film.cast");
-        static const std::regex caption(R"(of \d+\\r\\n(.*?)(?:   |\\r))");
+        EXPECT_EQ(shell("$rastertrace figure " + scene + " --animate -o film.svg").err, "");
+        std::string film = content("film.svg");
+        constexpr std::string_view minus = "\u2212";
+        for (std::size_t at = film.find(minus); at != std::string::npos; at = film.find(minus))
+            film.replace(at, minus.size(), "-");
         std::vector<std::string> captions;
-        for (std::sregex_iterator one(film.begin(), film.end(), caption), end; one != end; ++one)
-            captions.push_back((*one)[1]);
+        constexpr std::string_view frame = "<g class=\"frame";
+        constexpr std::string_view size_of_captions = "font-size=\"11\">";
+        for (std::size_t at = film.find(frame); at != std::string::npos;
+             at = film.find(frame, at + 1)) {
+            const std::size_t begin = film.find(size_of_captions, at) + size_of_captions.size();
+            captions.push_back(film.substr(begin, film.find("</text>", begin) - begin));
+        }
         return captions;
     };
     using ::testing::ElementsAre;
@@ -368,19 +370,19 @@ TEST_F(FigureTest, WhatMovesIsAFilmOfRowsPixelsOfLinesAndVertices) {
         EXPECT_EQ(figure("--every scanline " + film).status, 0);
         EXPECT_EQ(content(film.substr(film.rfind(' ') + 1)), whole);
     }
-    EXPECT_EQ(figure("--step last -o x.cast").status, 0);
-    EXPECT_EQ(shell("grep -c '\"o\"' x.cast").out, "2\n") << "the frame, and its end";
-    EXPECT_EQ(shell("$rastertrace figure $examples/t0-projection/turning.json -o x.cast; "
-                    "grep -c '\"o\"' x.cast")
+    EXPECT_EQ(figure("--step last --animate -o x.svg").status, 0);
+    EXPECT_EQ(shell("grep -c 'class=\"frame' x.svg").out, "0\n");
+    EXPECT_EQ(shell("$rastertrace figure $examples/t0-projection/turning.json --animate -o x.svg; "
+                    "grep -c 'class=\"frame' x.svg")
                   .out,
-              "7\n")
-        << "the six frames of the sequence, and its end";
+              "6\n")
+        << "the frames of the sequence";
 }
 
 TEST_F(FigureTest, AFilmOfALargeCanvasNamesRegion) {
     // The rows of ABC are 301, of 2^24 pixels each.
     write("scene.json", scene_of_size(4096));
-    for (const std::string output : {"x.gif", "x.cast"}) {
+    for (const std::string output : {"x.gif", "x.svg --animate"}) {
         const Outcome told = shell("$rastertrace figure scene.json -o " + output);
         EXPECT_EQ(told.status, 2);
         EXPECT_EQ(told.err,
@@ -395,7 +397,7 @@ TEST_F(FigureTest, AFilmOfALargeCanvasNamesRegion) {
 TEST_F(FigureTest, AFilmOfMoreThan500FramesNamesEvery) {
     write("rows.json", R"({"canvas": {"width": 2, "height": 501, "origin": "top-left"},
 "vertices": {"A": [0, 0], "B": [1, 0], "C": [0, 500]}, "triangles": ["ABC"]})");
-    for (const std::string output : {"x.gif", "x.cast", "x.svg --animate"}) {
+    for (const std::string output : {"x.gif", "x.svg --animate"}) {
         const Outcome told = shell("$rastertrace figure rows.json -o " + output);
         EXPECT_EQ(told.status, 2);
         EXPECT_EQ(told.err, "rastertrace: expected at most 500 rows, pixels of lines and vertices "
@@ -404,7 +406,7 @@ TEST_F(FigureTest, AFilmOfMoreThan500FramesNamesEvery) {
                             "shows one step\n");
     }
     EXPECT_EQ(visible_files(), 1U);
-    EXPECT_EQ(shell("$rastertrace figure rows.json --every scanline -o x.cast").status, 0);
+    EXPECT_EQ(shell("$rastertrace figure rows.json --every scanline -o x.gif").status, 0);
 }
 
 TEST_F(FigureTest, BarePixelsThatAreNoneAreToldWithTheOptionThatLeavesThemOut) {
@@ -435,7 +437,7 @@ TEST_F(FigureTest, BarePixelsThatAreNoneAreToldWithTheOptionThatLeavesThemOut) {
 TEST_F(FigureTest, AnAnimationOfTooManyFramesIsRefusedBeforeItIsDrawn) {
     write("scene.json", R"({"canvas": {"width": 400, "height": 400, "origin": "top-left"},
 "vertices": {"A": [0, 0], "B": [399, 0], "C": [0, 399]}, "triangles": ["ABC"]})");
-    for (const std::string output : {"x.gif", "x.cast", "x.svg --animate"}) {
+    for (const std::string output : {"x.gif", "x.svg --animate"}) {
         const Outcome told = shell("$rastertrace figure scene.json --every pixel -o " + output);
         EXPECT_EQ(told.status, 2);
         EXPECT_EQ(told.err, "rastertrace: expected at most 10000 frames that follow one another, "
@@ -449,7 +451,7 @@ TEST_F(FigureTest, AnAnimationOfTooManyFramesIsRefusedBeforeItIsDrawn) {
 // --- pages --------------------------------------------------------------------------------------
 
 TEST_F(FigureTest, APageRefusesWhatItHasNot) {
-    const std::string formats = "expected one of svg, png, tex, txt, cast, gif, found html\n";
+    const std::string formats = "expected one of svg, png, tex, txt, gif, found html\n";
     for (const std::string option :
          {"--until 3", "--every scanline", "--with edges", "--without edges", "--caption x",
           "--region 0,0,1,1", "--bare"}) {

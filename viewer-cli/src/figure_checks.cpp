@@ -32,7 +32,7 @@ void check_options_of_page(const FigureCommand& command) {
     const FigureOptions& options = command.options;
     using enum FigureFormat;
     const auto refuse_if = [](bool is_there, std::string_view option) {
-        check_option(is_there, option, html, {svg, png, tex, txt, cast, gif});
+        check_option(is_there, option, html, {svg, png, tex, txt, gif});
     };
     refuse_if(command.is_bare, "--bare");
     refuse_if(command.sheet.has_value(), "--sheet");
@@ -66,24 +66,21 @@ void check_options_in_space(const FigureCommand& command, FigureFormat format) {
 } // namespace
 
 void check_format(const FigureCommand& command, FigureFormat format) {
-    const bool is_text = format == FigureFormat::txt || format == FigureFormat::cast;
-    const bool moves = format == FigureFormat::svg || format == FigureFormat::gif ||
-                       format == FigureFormat::cast || format == FigureFormat::tex;
-    if ((command.sheet || command.frames_in_space) && is_text)
+    const bool moves =
+        format == FigureFormat::svg || format == FigureFormat::gif || format == FigureFormat::tex;
+    if ((command.sheet || command.frames_in_space) && format == FigureFormat::txt)
         throw problem_of("",
                          fmt::format("--sheet: expected a format of drawings (svg, png, tex, gif), "
                                      "found {}",
                                      name_of(format)),
-                         "without --sheet, --every writes a .txt for each frame, and a .cast shows "
-                         "one after the other");
+                         "without --sheet, --every writes a .txt for each frame");
     if (command.sheet && command.is_animated)
         throw problem_of("", "--animate: expected no --sheet, found both",
                          "--animate shows frames one after the other, --sheet side by side");
     if (command.is_animated && !moves)
-        throw problem_of(
-            "", fmt::format("--animate: expected a format that moves (svg, gif, cast, tex), "
-                            "found {}",
-                            name_of(format)));
+        throw problem_of("", fmt::format("--animate: expected a format that moves (svg, gif, tex), "
+                                         "found {}",
+                                         name_of(format)));
     using enum FigureFormat;
     check_option(command.frames_in_space.has_value(), "--sheet", format, {svg, png, tex, gif});
     if (command.options.is_in_space)
@@ -102,7 +99,7 @@ void check_format(const FigureCommand& command, FigureFormat format) {
     if (has_size && command.style.scale)
         throw problem_of("", "--scale: expected no --width or --height, found one",
                          "--width says how wide the picture is, --scale how wide a unit");
-    check_option(command.style.seconds.has_value(), "--seconds", format, {svg, gif, cast});
+    check_option(command.style.seconds.has_value(), "--seconds", format, {svg, gif});
     const auto is_drawn = [](FigurePart part) { return part != FigurePart::working; };
     const FigureOptions& options = command.options;
     check_option(std::any_of(options.with.begin(), options.with.end(), is_drawn), "--with", format,

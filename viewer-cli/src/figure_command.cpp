@@ -15,7 +15,6 @@
 #include <rastertrace/figures/shown_steps.h>
 #include <rastertrace/trace/record/frame.h>
 #include <rastertrace/trace/record/selector.h>
-#include <rastertrace/trace/record/traced_steps.h>
 #include <rastertrace/trace/tell/describe.h>
 #include <rastertrace/trace/tell/working.h>
 #include <rastertrace/trace/text/output.h>
@@ -191,7 +190,7 @@ public:
 
     /// The same frame as `show` prints it. Faces that have had letters in another scene of the
     /// sequence keep them.
-    TextFrame text(std::size_t n, ColorDepth colors, FaceGroups& lettered) {
+    std::string text(std::size_t n, FaceGroups& lettered) {
         const FigureFrame& frame = frames_[n];
         const View view = command_.options.view.value_or(default_view(trace_));
         if (!replay_) {
@@ -205,7 +204,6 @@ public:
                         .first_step = frame.steps.first,
                         .last_step = frame.steps.last,
                         .view = view,
-                        .colors = colors,
                         .region = command_.options.region,
                         .faces = &faces_};
         if (frame.is_question) {
@@ -221,10 +219,7 @@ public:
                 about.working = working_of(*replay_);
         }
         replay_->go_to(about.last_step);
-        TextFrame result{.text = frame_text(*replay_, about, {}), .primitive = {}};
-        if (replay_->primitive() != 0)
-            result.primitive = name_in(trace_.step(replay_->primitive())).text();
-        return result;
+        return frame_text(*replay_, about, {});
     }
 
 private:
@@ -273,8 +268,8 @@ public:
         drawn_ = i + 1;
         return drawn;
     }
-    TextFrame text(std::size_t i, ColorDepth colors) {
-        return of(places_[i].scene).text(places_[i].frame, colors, lettered_);
+    std::string text(std::size_t i) {
+        return of(places_[i].scene).text(places_[i].frame, lettered_);
     }
 
     /// As wide as the widest one, of the first, the last and one between.
@@ -343,7 +338,7 @@ FigureFormat format_of(const FigureCommand& command) {
 }
 
 bool is_animation(const FigureCommand& command, FigureFormat format) {
-    return command.is_animated || format == FigureFormat::gif || format == FigureFormat::cast;
+    return command.is_animated || format == FigureFormat::gif;
 }
 
 /// True of a .tex without --font-size: letters are chosen so that they have room.
@@ -369,8 +364,7 @@ public:
                                              most, figures.count()),
                                  "--every with a rarer step, like scanline or \"pixel y=2\", makes "
                                  "fewer");
-            if (format != FigureFormat::cast)
-                frames_ = figures.frames_of_one_size();
+            frames_ = figures.frames_of_one_size();
             count_ = 1;
         } else {
             count_ = figures.count();
@@ -389,17 +383,10 @@ public:
                 contact_sheet(frames_, i * each, last, command_.sheet->columns, figures_.title()),
                 command_.style);
         }
-        if (format_ == FigureFormat::cast) {
-            std::vector<TextFrame> screens;
-            for (std::size_t n = 0; n < figures_.count(); ++n)
-                screens.push_back(figures_.text(n, ColorDepth::truecolor));
-            return cast_of(screens, figures_.title(),
-                           command_.style.seconds.value_or(seconds_for(screens.size())));
-        }
         if (is_animation(command_, format_))
             return animation_in(format_, frames_, command_.style);
         if (format_ == FigureFormat::txt)
-            return figures_.text(i, ColorDepth::none).text;
+            return figures_.text(i);
         return figure_in(format_, figures_.drawing(i), command_.style);
     }
 

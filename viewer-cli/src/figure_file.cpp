@@ -9,8 +9,6 @@
 #include <rastertrace/figures/svg.h>
 #include <rastertrace/figures/tikz.h>
 
-#include <nlohmann/json.hpp>
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -100,6 +98,18 @@ double width_of(const Drawing& drawing, const FigureStyle& style) {
     return style.width || style.height ? width : std::min(widest_mm, width);
 }
 
+/// How long each of so many frames is seen, if nothing else was asked for: all of them for 20 seconds, one for a second
+/// at most.
+double seconds_for(std::size_t frames) {
+    constexpr double altogether = 20;
+    constexpr double shortest = 0.05;
+    constexpr double longest = 1;
+    constexpr double hundred = 100; // a GIF has hundredths
+    return std::round(hundred *
+                      std::clamp(altogether / static_cast<double>(frames), shortest, longest)) /
+           hundred;
+}
+
 } // namespace
 
 double letter_scale_for_tex(const std::function<double(double scale)>& width_with,
@@ -134,21 +144,10 @@ std::string figure_in(FigureFormat format, const Drawing& drawing, const FigureS
     case FigureFormat::gif:
         return animation_in(format, {1, [&drawing](std::size_t) { return drawing; }}, style);
     case FigureFormat::txt:
-    case FigureFormat::cast:
     case FigureFormat::html:
         break;
     }
     return {};
-}
-
-double seconds_for(std::size_t frames) {
-    constexpr double altogether = 20;
-    constexpr double shortest = 0.05;
-    constexpr double longest = 1;
-    constexpr double hundred = 100; // a GIF has hundredths
-    return std::round(hundred *
-                      std::clamp(altogether / static_cast<double>(frames), shortest, longest)) /
-           hundred;
 }
 
 std::string animation_in(FigureFormat format, const FigureFrames& frames,
@@ -185,45 +184,6 @@ Drawing contact_sheet(const FigureFrames& frames, std::size_t first, std::size_t
         place(std::move(frame), corner, sheet);
     }
     return sheet;
-}
-
-std::string cast_of(const std::vector<TextFrame>& frames, const std::string& title,
-                    double seconds) {
-    std::size_t columns = 1;
-    std::size_t lines = 1;
-    std::vector<std::vector<std::string>> screens;
-    for (const TextFrame& frame : frames) {
-        auto& screen = screens.emplace_back(split_at(frame.text, '\n'));
-        if (screen.back().empty())
-            screen.pop_back();
-        lines = std::max(lines, screen.size());
-        for (const std::string& line : screen)
-            columns = std::max(columns, columns_in(line));
-    }
-
-    // One line for the header, then an event a line: [seconds, code, text]. Times rise.
-    nlohmann::ordered_json header{{"version", 2}, {"width", columns}, {"height", lines}};
-    if (!title.empty())
-        header["title"] = printable(title);
-    std::string text = header.dump() + "\n";
-    const auto add = [&](std::size_t frame, std::string_view code, const std::string& what) {
-        // Hundredths, so that the number is the same everywhere.
-        const auto hundredths = std::llround(static_cast<double>(frame) * seconds * 100);
-        text += fmt::format("[{}.{:02}, \"{}\", {}]\n", hundredths / 100, hundredths % 100, code,
-                            nlohmann::ordered_json(what).dump());
-    };
-    std::string primitive;
-    for (std::size_t i = 0; i < screens.size(); ++i) {
-        if (frames[i].primitive != primitive) {
-            primitive = frames[i].primitive;
-            add(i, "m", printable(primitive));
-        }
-        // Home, clear, and the lines; a terminal begins a line by carriage return and line feed.
-        add(i, "o", "\x1b[H\x1b[2J" + joined(screens[i], "\r\n"));
-    }
-    // The last screen is seen as long as the others.
-    add(screens.size(), "o", "");
-    return text;
 }
 
 } // namespace rastertrace

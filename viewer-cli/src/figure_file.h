@@ -20,14 +20,13 @@
 
 namespace rastertrace {
 
-enum class FigureFormat : std::uint8_t { svg, png, tex, txt, cast, gif, html };
+enum class FigureFormat : std::uint8_t { svg, png, tex, txt, gif, html };
 
-inline constexpr std::array<Ending<FigureFormat>, 7> figure_endings{
+inline constexpr std::array<Ending<FigureFormat>, 6> figure_endings{
     {{".svg", FigureFormat::svg},
      {".png", FigureFormat::png},
      {".tex", FigureFormat::tex},
      {".txt", FigureFormat::txt},
-     {".cast", FigureFormat::cast},
      {".gif", FigureFormat::gif},
      {".html", FigureFormat::html}}};
 
@@ -68,21 +67,8 @@ std::string figure_in(FigureFormat format, const Drawing& drawing, const FigureS
 /// The bytes of a file with all of them, one after the other: .svg, .gif, .tex (overlays of beamer). Throws a Problem.
 std::string animation_in(FigureFormat format, const FigureFrames& frames, const FigureStyle& style);
 
-/// How long each of so many frames is seen, if nothing else was asked for: all of them for 20 seconds, one for a second
-/// at most.
-double seconds_for(std::size_t frames);
-
 /// Drawings on one sheet, in rows of so many columns: those from `first` to `last`, both included.
 Drawing contact_sheet(const FigureFrames& frames, std::size_t first, std::size_t last,
                       std::size_t columns, const std::string& title);
-
-/// A frame as text, and the primitive that it is about.
-struct TextFrame {
-    std::string text;
-    std::string primitive;
-};
-
-/// A recording for asciinema, version 2: a screen for each frame, and a marker where a primitive begins.
-std::string cast_of(const std::vector<TextFrame>& frames, const std::string& title, double seconds);
 
 } // namespace rastertrace

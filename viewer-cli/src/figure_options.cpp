@@ -48,8 +48,8 @@ public:
         options.option("--format", format_, "How to write it, whatever the file's name", "NAME")
             .values(figure_format_names());
         OptionList which = options.one_of(
-            "Which frames", "One of these; if none is given, the last one, and of a .gif, "
-                            ".cast or --animate each row, pixel of a line and vertex");
+            "Which frames", "One of these; if none is given, the last one, and of a .gif or "
+                            "--animate each row, pixel of a line and vertex");
         which.option(
             "--step", step_,
             "After this step, together with the pixels that belong to it; of an .html, the "
@@ -57,8 +57,7 @@ public:
             "STEP");
         which.option("--until", until_, "Before this step, which is not told: an exercise", "STEP");
         which.option("--every", every_,
-                     "After every such step: a file for each, but for --sheet, --animate, .gif "
-                     "and .cast",
+                     "After every such step: a file for each, but for --sheet, --animate and .gif",
                      "STEP");
         options.option(
             "--sheet", sheet_,
