@@ -1,5 +1,5 @@
-// <raster-trace>: the player as an element of any page. RESOURCES (page.cpp) has its content, its style sheet, the keys
-// and the patterns.
+// <raster-trace>: the player as an element of any page. RESOURCES (page.cpp) has its content, its style sheet and the
+// keys.
 //
 //     <raster-trace src="scene.json" step="14" view="depth"><img src="first.svg" alt="..."></raster-trace>
 //

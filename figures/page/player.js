@@ -131,15 +131,10 @@ function sidesOf({points}) {
   return points.length < 2 ? [] : Array.from({length: count}, (_, i) => [points[i], points[(i + 1) % points.length]]);
 }
 
-function swatch(color, strokes = "") {
+function swatch(color) {
   const box = document.createElement("span");
   box.className = "swatch";
   box.style.background = color;
-  if (strokes) {
-    const over = shape("svg", {viewBox: "0 0 1 1", "aria-hidden": "true"});
-    over.append(shape("path", {class: "pattern", d: strokes, "stroke-width": 0.08}));
-    box.append(over);
-  }
   return box;
 }
 
@@ -162,7 +157,7 @@ const numberIn = text => { const [above, below = 1] = String(text).split("/").ma
 /**
  * Shows frames in the root of an element, and lets a reader go through them.
  *
- * options: keys with their language and strokes (page.cpp), language, title; view, step, scene and whether it is movable, if given. `program`
+ * options: keys with their language (page.cpp), language, title; view, step, scene and whether it is movable, if given. `program`
  * draws a changed scene; none if undefined. What it returns is what the element does: goTo(step), setView(name), repaint() in other colors, end().
  */
 function startPlayer(host, options, frames, program) {
@@ -252,28 +247,6 @@ function paint(pixels) {
       brush.putImageData(image, 0, 0, pixel % trace.width, Math.floor(pixel / trace.width), 1, 1);
     }
   }
-  drawPatterns();
-}
-
-/** The group of faces that a pixel shows, or -1. */
-const faceAt = pixel => drawnBy[pixel] > 0 ? groupOf(drawnBy[pixel]) : -1;
-const strokesOf = group => options.strokes[group % options.strokes.length];
-
-/** Strokes over the pixels of faces, so that these differ without color. */
-function drawPatterns() {
-  const {cell, left, top} = layout, runs = new Map(); // of each pattern, the rows of pixels that have it
-  for (let from = 0, to; view === "faces" && cell >= 3 && from < trace.pixels; from = to) {
-    const group = faceAt(from);
-    for (to = from + 1; to % trace.width !== 0 && faceAt(to) === group; ++to);
-    const strokes = group < 0 ? "" : strokesOf(group), {x, y} = squareOf(from, 0), width = (to - from) * cell;
-    if (strokes) runs.set(strokes, (runs.get(strokes) ?? "") + `M${x} ${y}h${width}v${cell}h${-width}z`);
-  }
-  const size = cell * Math.max(1, Math.round(12 / cell));
-  by("patterns").replaceChildren(...[...runs].flatMap(([strokes, d], n) => {
-    const tile = shape("pattern", {id: "strokes-" + n, x: left, y: top, width: size, height: size, patternUnits: "userSpaceOnUse", viewBox: "0 0 1 1"});
-    tile.append(shape("path", {class: "pattern", d: strokes, "stroke-width": 0.8 / size}));
-    return [tile, shape("path", {d, fill: `url(#strokes-${n})`})];
-  }));
 }
 
 /** How large pixels are, and where the picture is on its sheet. */
@@ -296,7 +269,7 @@ function lay() {
   Object.assign(raster.style, {left: `${margin.left}px`, top: `${margin.top}px`, width: `${layout.width}px`,
                                height: `${layout.height}px`});
   image = brush.createImageData(width, height);
-  overlay.replaceChildren(shape("g", {id: "patterns"}), backdrop(), shape("g", {id: "cells"}), shape("g", {id: "marks"}));
+  overlay.replaceChildren(backdrop(), shape("g", {id: "cells"}), shape("g", {id: "marks"}));
   paint();
   drawCells();
   drawMarks();
@@ -493,12 +466,12 @@ function drawLegend() {
   const tells = JSON.stringify([view, frame, view === "faces" ? Array.from(seen, count => count > 0) : 0]);
   if (tells === legendOf) return;
   legendOf = tells;
-  const entries = [], entry = (color, text, strokes) => entries.push({color, text, strokes});
+  const entries = [], entry = (color, text) => entries.push({color, text});
   if (view === "plotted") { entry("var(--plotted)", "drawn"); entry("var(--current)", "by this step"); }
   if (view === "faces") {
     const groups = [...trace.data.groups.keys()].filter(group => seen[group] > 0);
     if (trace.data.heading) entry("", trace.data.heading);
-    groups.slice(0, 24).forEach(i => entry(`var(--face-${i % 8 + 1})`, trace.words[trace.data.groups[i]], strokesOf(i)));
+    groups.slice(0, 24).forEach(i => entry(`var(--face-${i % 8 + 1})`, trace.words[trace.data.groups[i]]));
     if (groups.length > 24) entry("", `and ${groups.length - 24} more`);
   }
   if (view === "shade") entry("", "pixels in their own colors");
@@ -506,9 +479,9 @@ function drawLegend() {
   if (view === "writes")
     trace.data.write_grays.forEach((level, i, all) =>
       entry(`rgb(${level} ${level} ${level})`, `${i + 1}${i + 1 === all.length ? " or more writes" : ""}`));
-  by("legend").replaceChildren(...entries.map(({color, text, strokes}) => {
+  by("legend").replaceChildren(...entries.map(({color, text}) => {
     const item = document.createElement("li");
-    if (color) item.append(swatch(color, strokes));
+    if (color) item.append(swatch(color));
     item.append(text);
     return item;
   }));
@@ -1165,7 +1138,7 @@ function showFrame({names, owners, colors, pixels, depths}) {
              : view === "faces" && groups.get(names[owners[i]]) >= 0 ? shades.faces[groups.get(names[owners[i]]) % 8]
              : view === "plotted" ? shades.plotted : own[pixels[i]];
   brush.putImageData(image, 0, 0);
-  for (const over of ["patterns", "cells", "marks"]) by(over).replaceChildren();
+  for (const over of ["cells", "marks"]) by(over).replaceChildren();
   by("sentence").textContent = "...";
   host.dispatchEvent(new CustomEvent("frame"));
 }

@@ -162,8 +162,7 @@ void add_cell_texts(const Panel& panel, std::vector<Shape>& shapes) {
                                    .size = text_size,
                                    .anchor = Anchor::middle,
                                    .has_rim = !color && panel.against == nullptr &&
-                                              (panel.parts.has(FigurePart::patterns) ||
-                                               panel.parts.has(FigurePart::edges))});
+                                              panel.parts.has(FigurePart::edges)});
             y += line_height;
         }
     });

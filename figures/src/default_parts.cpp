@@ -18,7 +18,6 @@ constexpr double highest_panel = 480;
 
 // Parts that are there by themselves need pixels of at least so many units ...
 constexpr double cell_for_grid = 5;
-constexpr double cell_for_patterns = 3;
 constexpr double cell_for_samples = 14;
 constexpr double room_for_vertices = 150; ///< of all pixels together
 constexpr double cell_for_digits = 9;
@@ -96,8 +95,6 @@ void set_parts(const FigureOptions& options, Panel& panel) {
 
     // What needs room, and what is too much if there is too much of it.
     set(FigurePart::grid, lattice.cell >= cell_for_grid);
-    set(FigurePart::patterns, panel.parts.has(FigurePart::pixels) && panel.view == View::faces &&
-                                  panel.against == nullptr && lattice.cell >= cell_for_patterns);
     set(FigurePart::samples, tests_samples(panel.trace()) && lattice.cell >= cell_for_samples &&
                                  !has_cell_texts(panel.parts));
     set(FigurePart::hidden_edges, false);

@@ -29,7 +29,7 @@ constexpr double margin_of_sheet = 10; // in units
 
 constexpr double smallest_scene = 220; // in units
 
-/// More groups of faces than can be told apart: eight colors, each with eight patterns.
+/// Faces of more groups are put together by mesh or by color, if that makes fewer. After eight, colors come again.
 constexpr std::size_t most_groups = 64;
 
 Lattice lattice_of(const Trace& trace, const std::optional<Region>& region) {
@@ -87,9 +87,8 @@ std::optional<Problem> problem_of_nothing(FigurePart part) {
 void add_raster(const Panel& panel, const std::vector<FigurePart>& needed,
                 std::vector<Shape>& shapes) {
     using AddPart = void (*)(const Panel&, std::vector<Shape>&);
-    constexpr std::array<std::pair<FigurePart, AddPart>, 12> on_pixels{
+    constexpr std::array<std::pair<FigurePart, AddPart>, 11> on_pixels{
         {{FigurePart::pixels, add_pixels},
-         {FigurePart::patterns, add_patterns},
          {FigurePart::half_planes, add_half_planes},
          {FigurePart::grid, add_grid},
          {FigurePart::axes, add_axes},

@@ -2,7 +2,6 @@
 #include <rastertrace/figures/page.h>
 
 #include "page_parts.h"
-#include "panel.h"
 
 #include <rastertrace/figures/player_keys.h>
 #include <rastertrace/figures/svg.h>
@@ -133,19 +132,6 @@ std::string keys_text() {
     return text + "]";
 }
 
-/// The patterns of the first groups of faces, as paths in a square whose sides are 1; after so many they come again.
-std::string strokes_text() {
-    constexpr std::size_t count = 64; // eight colors with eight patterns each
-    std::string text = "[";
-    for (std::size_t group = 0; group < count; ++group) {
-        std::string path;
-        for (const Path& stroke : pattern_strokes(group, {{0, 0}, 1, 1}))
-            path += fmt::format("M{} {}L{} {}", stroke[0].x, stroke[0].y, stroke[1].x, stroke[1].y);
-        text += (group > 0 ? "," : "") + json_quoted(path);
-    }
-    return text + "]";
-}
-
 std::string options_text(const PageOptions& options) {
     std::string text =
         fmt::format("{{\"language\":{},\"title\":{}", json_quoted(code_of(language_of_steps())),
@@ -173,9 +159,9 @@ std::string data_text(std::span<const PageFrame> frames) {
 
 std::string page_element() {
     const std::string resources = fmt::format(
-        R"({{"steps_with_working":{},"keys":{},"keys_language":{},"strokes":{},"html":{},"css":{}}})",
+        R"({{"steps_with_working":{},"keys":{},"keys_language":{},"html":{},"css":{}}})",
         most_steps_with_working, keys_text(), json_quoted(code_of(language_of_steps())),
-        strokes_text(), json_quoted(squeezed(element_html())),
+        json_quoted(squeezed(element_html())),
         json_quoted(squeezed_css(colors_of_themes() + element_css() + rules_of_roles("in-space"))));
     return fmt::format(
         "// SPDX-License-Identifier: MIT\n\"use strict\";\nconst RESOURCES = {};\n{}\n{}",

@@ -80,7 +80,6 @@ using PixelColors = std::function<Color(Pixel pixel, std::size_t offset)>;
 /// Those of the view; nothing if it paints in the theme's colors.
 PixelColors own_colors_of(const Panel& panel);
 void add_pixels(const Panel& panel, std::vector<Shape>& shapes);
-void add_patterns(const Panel& panel, std::vector<Shape>& shapes);
 void add_current(const Panel& panel, std::vector<Shape>& shapes);
 void add_rejected(const Panel& panel, std::vector<Shape>& shapes);
 
@@ -102,9 +101,6 @@ void add_border(const Panel& panel, std::vector<Shape>& shapes);
 /// How much room the numbers of rows need at the left, and those of columns below.
 double axis_margin(const Lattice& lattice);
 inline constexpr double axis_height = 16;
-
-/// The strokes that stand for a group of faces, in a square.
-std::vector<Path> pattern_strokes(std::size_t group, const Rectangle& square);
 
 // edge_parts.cpp
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The pixels of a figure: what their colors mean, patterns, which are new, which were tested and not drawn.
+// The pixels of a figure: what their colors mean, which are new, which were tested and not drawn.
 
 #include "panel.h"
 
@@ -142,49 +142,7 @@ void add_comparison(const Panel& panel, std::vector<Shape>& shapes) {
     std::move(pixels).move_to(shapes);
 }
 
-/// A stroke of a pattern: where it runs in a pixel, its sides being 1, and which pixels have it where not all do: those
-/// in which columns and rows, so often taken, add up to a multiple.
-struct Stroke {
-    Place from;
-    Place to;
-    int of_column = 0;
-    int of_row = 0;
-};
-constexpr Stroke rising{{0, 1}, {1, 0}, 1, 1};
-constexpr Stroke falling{{0, 0}, {1, 1}, 1, -1};
-constexpr Stroke horizontal{{0, 0.5}, {1, 0.5}, 0, 1};
-constexpr Stroke vertical{{0.5, 0}, {0.5, 1}, 1, 0};
-constexpr Stroke short_rising{{0.25, 0.75}, {0.75, 0.25}, 1, 1};
-
-/// A pattern for each of eight groups. Strokes meet those of the pixels beside them.
-const std::vector<Stroke>& pattern_of(std::size_t group) {
-    static const std::array<std::vector<Stroke>, 8> patterns{{{},
-                                                              {rising},
-                                                              {falling},
-                                                              {horizontal},
-                                                              {vertical},
-                                                              {rising, falling},
-                                                              {horizontal, vertical},
-                                                              {short_rising}}};
-    // After all colors, each has another pattern.
-    return patterns[(group + group / patterns.size()) % patterns.size()];
-}
-
-Path stroke_in(const Rectangle& square, const Stroke& stroke) {
-    return {{square.corner.x + stroke.from.x * square.width,
-             square.corner.y + stroke.from.y * square.height},
-            {square.corner.x + stroke.to.x * square.width,
-             square.corner.y + stroke.to.y * square.height}};
-}
-
 } // namespace
-
-std::vector<Path> pattern_strokes(std::size_t group, const Rectangle& square) {
-    std::vector<Path> paths;
-    for (const Stroke& stroke : pattern_of(group))
-        paths.push_back(stroke_in(square, stroke));
-    return paths;
-}
 
 std::span<const ComparisonMark> comparison_marks() {
     static constexpr std::array<ComparisonMark, 4> marks{
@@ -243,24 +201,6 @@ void add_pixels(const Panel& panel, std::vector<Shape>& shapes) {
         add_in_ink(panel, shapes);
     else
         add_plotted(panel, shapes);
-}
-
-void add_patterns(const Panel& panel, std::vector<Shape>& shapes) {
-    // Strokes are about so many units from one another: in small pixels, not each has one.
-    constexpr double distance = 12;
-    const int every = std::max(1, static_cast<int>(std::lround(distance / panel.lattice.cell)));
-    Lines strokes{.role = Role::pattern};
-    panel.for_each_pixel([&](Pixel pixel, std::size_t offset) {
-        const auto group = group_at(panel, offset);
-        if (!group)
-            return;
-        const auto column = pixel.x - panel.lattice.canvas.left();
-        const auto row = static_cast<int>(panel.lattice.canvas.row_of(pixel.y));
-        for (const Stroke& stroke : pattern_of(*group))
-            if ((stroke.of_column * column + stroke.of_row * row) % every == 0)
-                strokes.paths.push_back(stroke_in(panel.lattice.square_of(pixel), stroke));
-    });
-    shapes.push_back(std::move(strokes));
 }
 
 void add_current(const Panel& panel, std::vector<Shape>& shapes) {

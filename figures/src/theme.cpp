@@ -37,7 +37,7 @@ struct Row {
 
 // Faces are the colors of Okabe and Ito (Color Universal Design, 2008), mixed with the paper so that what is written on
 // them can be read, then moved apart until every kind of color vision tells each from the others and from the paper. In
-// print, eight grays. Patterns and legends say the same without color.
+// print, eight grays. Legends say the same in words.
 constexpr std::array all{
     Row{Role::paper, "paper", rgb(0xffffff), rgb(0x15181d), rgb(0xffffff)},
     Row{Role::plotted, "plotted", rgb(0xa8cdea), rgb(0x2f5f8a), rgb(0xc8c8c8)},
@@ -53,7 +53,6 @@ constexpr std::array all{
     Row{Role::face_8, "face-8", rgb(0xa2a5a2), rgb(0x636367), rgb(0xc3c3c3)},
     Row{Role::empty, "empty", rgb(0xffffff, 0), rgb(0x15181d, 0), rgb(0xffffff, 0)},
     Row{Role::ink, "ink", rgb(0x000000), rgb(0xf4f4f4), rgb(0x000000)},
-    Row{Role::pattern, "pattern", rgb(0x000000, 110), rgb(0xffffff, 110), rgb(0x000000, 150), 0.8},
     Row{Role::grid, "grid", rgb(0xb9bec5), rgb(0x434a54), rgb(0x9a9a9a), 0.6},
     Row{Role::border, "border", rgb(0x5a616b), rgb(0x98a1ad), rgb(0x000000), 1},
     Row{Role::axis, "axis", rgb(0x5a616b), rgb(0x98a1ad), rgb(0x444444), 1.2},

@@ -51,7 +51,6 @@ std::string shown_steps_text(const Panel& panel) {
 struct Entry {
     std::vector<Role> layers; ///< one over the other
     std::optional<Color> color;
-    std::optional<std::size_t> pattern;
     std::string text;
 };
 
@@ -68,10 +67,7 @@ std::vector<Entry> entries_of_faces(const Panel& panel) {
     for (const std::size_t group : seen) {
         Entry& entry = entries.emplace_back(Entry{.layers = {face_role(group)},
                                                   .color = {},
-                                                  .pattern = {},
                                                   .text = printable(panel.groups.names[group])});
-        if (panel.parts.has(FigurePart::patterns))
-            entry.pattern = group;
         if (panel.palette == FacePalette::scene)
             entry.color = scene_color_of(panel, group);
     }
@@ -92,17 +88,14 @@ std::vector<Entry> entries_of_comparison(const Panel& panel, const std::string& 
     std::vector<Entry> entries;
     for (std::size_t i = 0; i < words.size(); ++i)
         if (const Role role = comparison_marks()[i].role; seen.contains(role))
-            entries.push_back({.layers = {role}, .color = {}, .pattern = {}, .text = words[i]});
+            entries.push_back({.layers = {role}, .color = {}, .text = words[i]});
     return entries;
 }
 
 /// What the grays of depths and of writes say; nothing for other views.
 std::vector<Entry> entries_of_grays(View view) {
     const auto entry = [](double share, std::string text) {
-        return Entry{.layers = {Role::plotted},
-                     .color = gray(share),
-                     .pattern = {},
-                     .text = std::move(text)};
+        return Entry{.layers = {Role::plotted}, .color = gray(share), .text = std::move(text)};
     };
     if (view == View::depth)
         return {entry(0, said({"farthest", "mais distante"})), entry(0.5, ""),
@@ -123,7 +116,7 @@ std::vector<Entry> entries_of_half_planes(const Panel& panel) {
     if (!has_half_planes(panel))
         return {};
     const auto entry = [](std::size_t negative, std::string text) {
-        Entry one{.layers = {}, .color = {}, .pattern = {}, .text = std::move(text)};
+        Entry one{.layers = {}, .color = {}, .text = std::move(text)};
         one.layers.assign(3 - negative, Role::inside);
         one.layers.insert(one.layers.end(), negative, Role::outside);
         return one;
@@ -138,7 +131,7 @@ std::vector<Entry> entries_of_half_planes(const Panel& panel) {
             entry(2, said({"two of them < 0", "duas delas < 0"}))};
 }
 
-/// What colors and patterns stand for.
+/// What colors stand for.
 std::vector<Entry> entries_of(const Panel& panel, const std::string& against) {
     std::vector<Entry> entries = panel.against != nullptr    ? entries_of_comparison(panel, against)
                                  : panel.view == View::faces ? entries_of_faces(panel)
@@ -152,9 +145,6 @@ std::vector<Entry> entries_of(const Panel& panel, const std::string& against) {
 void add_swatch(const Entry& entry, const Rectangle& box, std::vector<Shape>& shapes) {
     for (const Role role : entry.layers)
         shapes.emplace_back(Areas{.role = role, .color = entry.color, .rectangles = {box}});
-    if (entry.pattern)
-        shapes.emplace_back(
-            Lines{.role = Role::pattern, .paths = pattern_strokes(*entry.pattern, box)});
     shapes.emplace_back(Lines{.role = Role::grid, .paths = {corners_of(box)}, .are_closed = true});
 }
 

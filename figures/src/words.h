@@ -25,7 +25,7 @@ inline constexpr double narrowest_for_words = 300;
 double add_title(const std::string& title, const Panel& panel, const Column& column, double y,
                  std::vector<Shape>& shapes);
 
-/// What colors and patterns stand for. `against` is the name of the picture that is compared with.
+/// What colors stand for. `against` is the name of the picture that is compared with.
 double add_legend(const Panel& panel, const std::string& against, const Column& column, double y,
                   std::vector<Shape>& shapes);
 

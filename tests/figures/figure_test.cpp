@@ -559,21 +559,6 @@ TEST(Figures, CaptionsHaveSixDigitsAtMost) {
               "0.5 and 3.25; -> 2 .. 4, v1.2.3456789");
 }
 
-TEST(Figures, WithoutPixelsThereAreNoPatterns) {
-    const Trace trace =
-        trace_of_scene(R"({"canvas": {"width": 7, "height": 7, "origin": "bottom-left"},
-        "vertices": {"K": [1, 1], "L": [5, 1], "M": [5, 5], "N": [1, 5]},
-        "triangles": ["KLM", "KMN"], "method": {"scalar": "exact", "fill": "top-left"}})");
-    const auto strokes = [&trace](const FigureOptions& options) {
-        return shapes_of<Lines>(whole_figure(trace, options), Role::pattern).size();
-    };
-    const std::vector<FigurePart> without{FigurePart::pixels, FigurePart::legend};
-    EXPECT_EQ(strokes({.without = {FigurePart::legend}, .view = View::faces}), 1U);
-    EXPECT_EQ(strokes({.without = without, .view = View::faces}), 0U);
-    EXPECT_EQ(strokes({.with = {FigurePart::patterns}, .without = without, .view = View::faces}),
-              1U);
-}
-
 TEST(Figures, PartsThatASceneCannotHaveAreRefused) {
     const Trace trace = trace_of_scene(first_triangle);
     for (const FigurePart part : {FigurePart::space, FigurePart::errors, FigurePart::plot})

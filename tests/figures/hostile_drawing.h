@@ -37,7 +37,7 @@ inline Drawing hostile_drawing() {
                .side = 10,
                .columns = 2,
                .colors = {Color(1, 2, 3), Color(1, 2, 3), no_color, Color(200, 100, 0, 80)}});
-    for (const Role role : {Role::true_edge, Role::curve_8, Role::pattern})
+    for (const Role role : {Role::true_edge, Role::curve_8, Role::window})
         drawing.shapes.push_back(
             Lines{.role = role,
                   .paths = {{{0, 0}, {400, 300}}, {{-1e6, -1e6}, {1e6, 9e5}, {3, 3}}, {{7, 7}}, {}},

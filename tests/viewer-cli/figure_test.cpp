@@ -139,8 +139,7 @@ TEST_F(FigureTest, Parts) {
     EXPECT_EQ(refusal("--with eges -o x.svg"),
               "rastertrace: --with: expected parts out of "
               "grid,axes,edges,hidden-edges,vertices,coordinates,samples,row,"
-              "pixels,current,rejected,order,depths,writes,weights,owners,levels,patterns,"
-              "half-planes,"
+              "pixels,current,rejected,order,depths,writes,weights,owners,levels,half-planes,"
               "errors,space,plot,title,step,legend,caption,working, found \"eges\"\n"
               "hint: did you mean edges?\n");
     EXPECT_EQ(refusal("--with grid,edges --without edges -o x.svg"),

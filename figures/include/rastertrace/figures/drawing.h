@@ -47,7 +47,6 @@ enum class Role : std::uint8_t {
     face_8,
     empty,      ///< pixels of a canvas that nothing has drawn
     ink,        ///< pixels that are drawn, where none has a color: black on light paper
-    pattern,    ///< strokes over the pixels of a face
     grid,       ///< between pixels
     border,     ///< of the canvas, of a panel
     axis,       ///< where x or y is 0

@@ -50,7 +50,6 @@ enum class FigurePart : std::uint8_t {
     weights,
     owners,
     levels,
-    patterns,
     half_planes,
     errors,
     space,
