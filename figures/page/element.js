@@ -7,7 +7,7 @@
 // step      the step that is shown; the last one if it is not given
 // view      what the color of a pixel means
 // language  of the sentences: en, pt
-// theme     light, dark or print; what the reader has set if it is not given
+// theme     light or dark; what the reader has set if it is not given
 //
 // The property `scene` takes a scene as a text or an object. Of each step that is shown an event "step" tells
 // {step, count, kind, sentence}. What the element holds is shown where there is no JavaScript.

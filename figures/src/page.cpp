@@ -57,7 +57,7 @@ std::string compressed(std::string_view text) {
     return base64;
 }
 
-/// A style sheet's variables: the color of each role; of a theme besides the light one, where it differs from that.
+/// A style sheet's variables: the color of each role; of the dark theme, where it differs from the light one.
 std::string variables_in(Theme theme) {
     std::string text;
     for (const Role role : roles())
@@ -74,9 +74,8 @@ std::string_view word_of(Theme theme) {
 /// The colors of the element: element.js sets data-dark as the reader has it, or as the attribute `theme` says.
 std::string colors_of_themes() {
     return fmt::format(
-        ":host{{color-scheme:light;{}}}\n:host([data-dark]){{color-scheme:dark;{}}}\n"
-        ":host([theme=print]){{{}}}\n",
-        variables_in(Theme::light), variables_in(Theme::dark), variables_in(Theme::print));
+        ":host{{color-scheme:light;{}}}\n:host([data-dark]){{color-scheme:dark;{}}}\n",
+        variables_in(Theme::light), variables_in(Theme::dark));
 }
 
 /// HTML without indentation and ends of lines.

@@ -577,7 +577,7 @@ TEST(Figures, EveryPartHasARowInItsOrder) {
 
 TEST(Figures, NamesAreThoseOfTheirValues) {
     EXPECT_EQ(theme_named("auto"), Theme::automatic);
-    EXPECT_EQ(theme_named("print"), Theme::print);
+    EXPECT_EQ(theme_named("dark"), Theme::dark);
     EXPECT_EQ(view_named("plotted"), View::plotted);
     EXPECT_EQ(view_named("coverage"), View::coverage);
     EXPECT_EQ(face_palette_named("distinct"), FacePalette::distinct);

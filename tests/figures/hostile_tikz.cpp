@@ -15,7 +15,7 @@ namespace {
 using namespace rastertrace;
 
 bool write(const Drawing& drawing, double width_mm, const std::string& path) {
-    const auto tex = tikz_of(drawing, Theme::print, width_mm);
+    const auto tex = tikz_of(drawing, Theme::light, width_mm);
     if (!tex) {
         std::fprintf(stderr, "%s: %s\n", path.c_str(), to_text(tex.problem()).c_str());
         return false;

@@ -106,7 +106,7 @@ TEST(Theme, EverybodyTellsTheColorsOfEightFacesApart) {
 }
 
 TEST(Theme, LettersOnFacesCanBeRead) {
-    for (const Theme theme : {Theme::light, Theme::dark, Theme::print})
+    for (const Theme theme : {Theme::light, Theme::dark})
         for (const Color face : faces(theme))
             for (const Role letters : {Role::cell_text, Role::ink})
                 EXPECT_GE(contrast(face, paint_of(letters, theme).color), 4.5)

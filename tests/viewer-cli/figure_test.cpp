@@ -239,7 +239,7 @@ TEST_F(FigureTest, NumbersAndNames) {
                   "rastertrace: --cell: expected a number above 0, at most 1000, found \"" + wrong +
                       "\"\n");
     EXPECT_EQ(refusal("--theme blue -o x.svg"),
-              "rastertrace: --theme: expected one of auto, light, dark, print, found \"blue\"\n");
+              "rastertrace: --theme: expected one of auto, light, dark, found \"blue\"\n");
     EXPECT_EQ(refusal("--region 100,100,200,200 -o x.svg"),
               "rastertrace: --region: expected pixels of the canvas (x -8 to 8, y -6 to 7), found "
               "100,100,200,200\n");
@@ -618,7 +618,6 @@ TEST_F(FigureTest, ABarePictureWithoutColorsFollowsTheTheme) {
         return read_png(figure("--bare --format png -o - " + options).out).colors.at(drawn);
     };
     EXPECT_EQ(pixel_in("--theme light"), (Color{0, 0, 0}));
-    EXPECT_EQ(pixel_in("--theme print"), (Color{0, 0, 0}));
     EXPECT_EQ(pixel_in("--theme dark"), (Color{0xf4, 0xf4, 0xf4}));
     const std::string svg = figure("--bare --format svg -o -").out;
     EXPECT_THAT(svg, HasSubstr(".ink{fill:#000000;"));

@@ -105,9 +105,7 @@ public:
             .option("--palette", palette_,
                     "Colors of faces; distinct are for every kind of color vision", "NAME")
             .values(face_palette_names());
-        options
-            .option("--theme", theme_,
-                    "auto is, in an .svg, as the reader has set it; print has grays", "NAME")
+        options.option("--theme", theme_, "auto is, in an .svg, as the reader has set it", "NAME")
             .values(theme_names());
         options.option("--cell", cell_, "The side of a pixel, in units; by default by the canvas",
                        "PX");

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// What the roles of a drawing look like: on light paper, on dark, and in print, where there is no color.
+// What the roles of a drawing look like, on light paper and on dark.
 //
 //     paint_of(Role::grid, Theme::dark).color;  // a dark gray
 
@@ -18,7 +18,6 @@ enum class Theme : std::uint8_t {
     automatic, ///< in an SVG, light or dark as the reader has set it; elsewhere light
     light,
     dark,
-    print, ///< grays on white
 };
 
 /// automatic is called auto.

@@ -5,7 +5,7 @@
 // \usepackage{tikz} and nothing else. Text is set in the document's font, and in the one of its sizes that comes nearest
 // to that of the drawing, at least \scriptsize; fractions are set as mathematics.
 //
-//     tikz_of(drawing, Theme::print, 80);  // % To be used with \usepackage{tikz}: \input{FILE}
+//     tikz_of(drawing, Theme::light, 80);  // % To be used with \usepackage{tikz}: \input{FILE}
 
 #include <rastertrace/figures/drawing.h>
 #include <rastertrace/figures/theme.h>
