@@ -524,8 +524,7 @@ function drawSpace() {
 /** The steps around this one. */
 function tellSteps() {
   const shown = 15, before = 6;
-  const end = asks() ? step : trace.count; // what comes is not told
-  const first = Math.max(0, Math.min(step - before, end - shown + 1)), last = Math.min(end, first + shown - 1);
+  const first = Math.max(0, Math.min(step - before, trace.count - shown + 1)), last = Math.min(trace.count, first + shown - 1);
   const list = by("steps"), hadFocus = list.contains(root.activeElement);
   while (list.children.length > last - first + 1) list.lastChild.remove();
   while (list.children.length < last - first + 1) {
@@ -568,10 +567,10 @@ function tellPixel() {
     return;
   }
   by("pixel-heading").textContent = `Pixel (${xOf(pixel)}, ${yOf(pixel)})`;
-  const all = asks() ? null : answerAbout(pixel), lines = []; // what comes is not told
+  const all = answerAbout(pixel), lines = [];
   if (all) lines.push(element("p", "answer", all.answer));
   for (const line of all?.lacks ?? []) lines.push(element("p", "note", line));
-  const tries = triesOf(pixel).filter(n => !asks() || n <= step);
+  const tries = triesOf(pixel);
   if (tries.length > 0) {
     lines.push(element("h3", "", "Steps that tried to write it"));
     const list = element("ol");
@@ -586,9 +585,7 @@ function tellPixel() {
     lines.push(list);
     if (all.count > all.whyNot.length) lines.push(element("p", "", `and ${all.count - all.whyNot.length} more`));
   }
-  if (asks()) {
-    if (tries.length === 0) lines.push(element("p", "", "No step so far is about it."));
-  } else if (fileOf()) {
+  if (fileOf()) {
     const more = element("p", "", all ? "The working: " : "Who did not draw it, and why: ");
     more.append(element("code", "", `rastertrace explain ${fileOf()} --pixel ${xOf(pixel)},${yOf(pixel)}`));
     lines.push(more);
@@ -670,7 +667,6 @@ function tellConventions() {
 // --- going about -----------------------------------------------------------------------------------------------------
 
 function goTo(n) {
-  if (question) endQuestion();
   const target = Math.max(0, Math.min(n, trace.count));
   const marked = [step, target].map(one => trace.at[one]).filter(pixel => pixel >= 0);
   const changed = [...play(target), ...marked];
@@ -700,8 +696,7 @@ function setCursor(pixel) {
   drawMarks();
   tellPixel();
   if (pixel < 0) return;
-  const tries = triesOf(pixel);
-  announce(`pixel (${xOf(pixel)}, ${yOf(pixel)}): ` + (asks() ? "" : answerAbout(pixel)?.answer ?? `${tries.length} tries`));
+  announce(`pixel (${xOf(pixel)}, ${yOf(pixel)}): ` + (answerAbout(pixel)?.answer ?? `${triesOf(pixel).length} tries`));
   const {x, y} = middleOf(pixel), box = scroller;
   if (x < box.scrollLeft + 20 || x > box.scrollLeft + box.clientWidth - 20) box.scrollLeft = x - box.clientWidth / 2;
   if (y < box.scrollTop + 20 || y > box.scrollTop + box.clientHeight - 20) box.scrollTop = y - box.clientHeight / 2;
@@ -770,7 +765,7 @@ function setRate(factor) {
 
 /** What keys and buttons do, by the names of the player's actions. */
 const actions = {
-  "next": () => asks() ? ask(step + 1) : goTo(step + 1),
+  "next": () => goTo(step + 1),
   "previous": () => goTo(step - 1),
   "next-row": () => goToNext(1, n => ROWS.includes(nameOf(n))),
   "previous-row": () => goToNext(-1, n => ROWS.includes(nameOf(n))),
@@ -797,7 +792,6 @@ const actions = {
   "larger-cells": () => setZoom(1.25),
   "smaller-cells": () => setZoom(0.8),
   "working": () => { hasWorking = !hasWorking; tellStep(); },
-  "answer-first": () => by("asks").click(),
   "next-frame": () => setFrame((frame + 1) % frames.length),
   "previous-frame": () => setFrame((frame + frames.length - 1) % frames.length),
   "help": () => by("help").open ? by("help").close() : by("help").showModal(),
@@ -809,89 +803,7 @@ function act(name) {
   typed = "";
 }
 
-// --- answer first ----------------------------------------------------------------------------------------------------
-
-// The next step is not shown but asked about: which pixels a row has, which pixel is drawn, pass or fail, inside or
-// outside, culled or not. Other steps are shown.
-const answers = []; // {step, kind, question, answer, right, isRight}
-let question = null;
-const asks = () => by("asks").checked;
-const inWords = pixel => `(${xOf(pixel)}, ${yOf(pixel)})`;
-
-/** What is asked about a step: `right` is the answer, `inputs` what it is typed into; null of a step that is only shown. */
-function questionAbout(n) {
-  const {data, own, at} = trace, kind = nameOf(n), who = trace.primitives[trace.primitive[n]]?.name ?? "";
-  const between = (isFirst, words, one, other) => ({words, choices: [one, other], right: isFirst ? one : other});
-  if (kind === "scanline" && data.rows[7 * own[n]] >= 0) {
-    const [row, , , from, to] = data.rows.slice(7 * own[n], 7 * own[n] + 5), y = data.canvas.top + data.canvas.down * row;
-    const ends = [data.canvas.left + from, data.canvas.left + to];
-    return from > to ? null : {words: `${who}, row y=${y}: which pixels does it have?`, inputs: ["from x", "to x"], right: ends.join(" "), told: ends.join(" to ")};
-  }
-  const told = sentenceOf(trace, n).split("   [!]")[0], numbers = told.slice(0, told.lastIndexOf(": ")); // without the verdict
-  if (kind === "face") return between(data.faces[own[n]] === 1, `${numbers}: is it culled?`, "culled", "not culled");
-  if (at[n] < 0) return null;
-  if (kind === "pixel") return {words: `${who}: which pixel is drawn next? Point at it.`, isPixel: true, right: inWords(at[n])};
-  if (kind === "depth") return between(data.depths[3 * own[n]] & PASSES, `${numbers}: does it pass?`, "pass", "fail");
-  if (kind === "sample") return between(data.samples[own[n]] === 1, `${numbers}: where is it?`, "inside", "outside");
-  return null;
-}
-
-/** Asks about a step; one that is only shown, or that is asked about already, is shown. */
-function ask(n) {
-  if (n > trace.count) return;
-  const asked = question ? null : questionAbout(n);
-  if (!asked) { endQuestion(); return goTo(n); }
-  question = {...asked, step: n, kind: nameOf(n)};
-  by("handles").hidden = question.isPixel === true; // so that the pixels below them can be pointed at
-  by("asked").hidden = false;
-  by("asked-words").textContent = asked.words;
-  by("marked").textContent = "";
-  const inputs = (asked.inputs ?? []).map(label => {
-    const row = element("label", "", label + " "), input = element("input");
-    Object.assign(input, {type: "text", inputMode: "numeric", autocomplete: "off"});
-    row.append(input);
-    return row;
-  });
-  if (inputs.length) inputs.push(Object.assign(element("button", "", "Answer"), {type: "submit"}));
-  const choices = (asked.choices ?? []).map(choice => {
-    const button = element("button", "", choice);
-    button.type = "button";
-    button.addEventListener("click", () => answerWith(choice));
-    return button;
-  });
-  by("asked-inputs").replaceChildren(...inputs, ...choices);
-  (by("asked-inputs").querySelector("input, button"))?.focus({preventScroll: true});
-}
-
-function endQuestion() {
-  question = null;
-  by("handles").hidden = false;
-  if (by("asked").contains(root.activeElement)) scroller.focus({preventScroll: true});
-  by("asked").hidden = true;
-}
-
-function answerWith(answer) {
-  const {step: n, kind, words, right, told = right} = question, isRight = answer === right;
-  answers.push({step: n, kind, question: words, answer, right, isRight});
-  endQuestion();
-  goTo(n);
-  const count = answers.filter(one => one.isRight).length;
-  by("marked").textContent = `${isRight ? "Right" : `Not so: ${told}`}. ${count} of ${answers.length} right.`;
-  by("save-answers").hidden = false;
-  host.dispatchEvent(new CustomEvent("answer", {bubbles: true, detail: answers.at(-1)}));
-}
-
-/** A table of the answers, as a file. */
-function saveAnswers() {
-  const cell = value => `"${String(value).replaceAll('"', '""')}"`;
-  const rows = [["step", "kind", "question", "answer", "right answer", "is right"],
-                ...answers.map(({step, kind, question, answer, right, isRight}) => [step, kind, question, answer, right, isRight])];
-  const link = element("a");
-  link.href = URL.createObjectURL(new Blob([rows.map(row => row.map(cell).join(",") + "\r\n").join("")], {type: "text/csv"}));
-  link.download = "answers.csv";
-  link.click();
-  URL.revokeObjectURL(link.href);
-}
+// --- keys and the pointer ---------------------------------------------------------------------------------------------
 
 /** The name that the table of keys has for a key. */
 function keyName(event) {
@@ -912,11 +824,10 @@ function onKey(event) {
   }
   // What is operated has keys of its own.
   if (at.closest("select, #numbers")) return;
-  if (at === by("number") && (name !== "Enter") || at.closest("#asked") && !at.closest("button")) return;
+  if (at === by("number") && (name !== "Enter")) return;
   if (at.closest('button, summary, input[type="checkbox"]') && (name === "Space" || name === "Enter")) return;
   if (at === by("text-picture") && event.key.startsWith("Arrow") && !event.shiftKey) return;
   if (isCharacter && "0" <= event.key && event.key <= "9") { typed = (typed + event.key).slice(0, 9); return; }
-  if (name === "Enter" && question?.isPixel && cursor >= 0) { event.preventDefault(); return answerWith(inWords(cursor)); }
   if (name === "Enter") {
     if (typed !== "") { event.preventDefault(); act("last"); }
     return;
@@ -1170,7 +1081,6 @@ function show(shown, atStep) {
   seen = new Int32Array(data.groups.length);
   legendOf = "";
   step = 0;
-  if (question) endQuestion();
   if (cursor >= trace.pixels) cursor = -1;
   hovered = -1;
   if (!data.views.includes(view)) view = data.view;
@@ -1209,13 +1119,6 @@ function listen() {
   by("number").addEventListener("change", event => { stop(); goTo(Math.floor(Number(event.target.value)) || 0); event.target.value = step; });
   by("view").addEventListener("change", event => setView(event.target.value));
   by("frame").addEventListener("change", event => setFrame(Number(event.target.value)));
-  by("asks").addEventListener("change", () => { endQuestion(); by("marked").textContent = ""; tellSteps(); });
-  by("show-it").addEventListener("click", () => ask(question.step));
-  by("save-answers").addEventListener("click", saveAnswers);
-  by("asked").addEventListener("submit", event => {
-    event.preventDefault();
-    answerWith(Array.from(by("asked-inputs").querySelectorAll("input"), input => String(Number(input.value.trim() || NaN))).join(" "));
-  });
   by("help-button").addEventListener("click", () => by("help").showModal());
   by("as-text").addEventListener("toggle", tellAsText);
   by("all").addEventListener("click", event => {
@@ -1229,7 +1132,6 @@ function listen() {
     if (hasTurned) { hasTurned = false; return; } // the end of a drag
     if (event.target.closest(".handle:not(.fixed)")) return;
     const pixel = pixelAt(event);
-    if (question?.isPixel) { if (pixel >= 0) answerWith(inWords(pixel)); return; }
     setCursor(pixel === cursor ? -1 : pixel);
   });
   let width = host.clientWidth;

@@ -18,7 +18,6 @@
 //     pixels            of each pixel step its color
 //     depths            of each depth step: 1 if it passes, and 2 if it is stored; how light its gray is; its number
 //     samples           of each sample step 1 if it is inside
-//     faces             of each face step 1 if it is culled
 //     rows              of each scanline step: row, x of both ends, columns of both pixels; the ends as words
 //     edges             of each edge step the places of its two corners in its primitive; -1: not known
 //     rejects           of each reject step the columns and rows that it drops: from, to, from, to
@@ -174,7 +173,6 @@ public:
         put("pixels", pixels_.text());
         put("depths", depths_.text());
         put("samples", samples_.text());
-        put("faces", faces_.text());
         put("rows", rows_.text());
         put("edges", edges_.text());
         put("rejects", rejects_.text());
@@ -379,9 +377,6 @@ private:
             depths_.add(printable_word(short_number(test.depth.text())));
             return;
         }
-        case StepKind::face:
-            faces_.add(step.as<FaceStep>().culled.is_true() ? 1 : 0);
-            return;
         case StepKind::sample:
             samples_.add(step.as<SampleStep>().inside.is_true() ? 1 : 0);
             return;
@@ -543,7 +538,7 @@ private:
     std::vector<std::string> names_; ///< of the current primitive's vertices
     std::unordered_map<std::string, std::size_t> pattern_places_;
     JsonList groups_, primitives_, step_kinds_, fills_, at_, marks_, working_, pixels_, depths_,
-        samples_, faces_, rows_, edges_, rejects_, patterns_;
+        samples_, rows_, edges_, rejects_, patterns_;
 };
 
 } // namespace

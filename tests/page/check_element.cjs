@@ -210,84 +210,6 @@ async function checkTurning() {
   await close(other);
 }
 
-/** The next step is asked about before it is shown. */
-async function checkAnswers() {
-  const page = await open(`<raster-trace src="${triangle}" step="4"></raster-trace>`, {acceptDownloads: true});
-  const told = () => page.$eval("raster-trace", host => Number(host.shadowRoot.getElementById("slider").value));
-  await page.evaluate(() => { window.answers = []; document.addEventListener("answer", event => window.answers.push([event.detail.step, event.detail.answer, event.detail.isRight])); });
-  await page.focus("#asks");
-  await page.keyboard.press("Space");
-  expectSame([await page.isChecked("#asks"), await told()], [true, 4], "by keyboard");
-  expectSame(await page.$$eval("#steps .number", all => all.at(-1).textContent), "4", "what comes is not told");
-  const next = () => page.click("[data-action=next]");
-  await next();
-  expectSame([await told(), await page.textContent("#asked-words")], [4, "ABC, row y=5: which pixels does it have?"], "a row");
-  await page.keyboard.type("2");
-  await page.keyboard.press("Tab");
-  await page.keyboard.type("2");
-  await page.keyboard.press("Enter");
-  expectSame([await told(), await page.textContent("#marked")], [5, "Right. 1 of 1 right."], "the row");
-  await next();
-  const box = await page.locator("#raster").boundingBox(), cell = box.width / 17;
-  await page.mouse.click(box.x + 2, box.y + 2);
-  expectSame([await told(), await page.textContent("#marked")], [6, "Not so: (2, 5). 1 of 2 right."], "a pixel");
-  // Right, below the handle of a vertex; and by keyboard.
-  await page.evaluate(() => { document.querySelector("raster-trace").step = 5; });
-  await next();
-  await page.mouse.click(box.x + 10.5 * cell, box.y + 2.5 * cell);
-  expectSame([await told(), await page.textContent("#marked")], [6, "Right. 2 of 3 right."], "the pixel of a vertex");
-  expectSame((await page.textContent("#pixel-told")).includes("drawn by"), false, "the pixel does not tell what comes");
-  await page.evaluate(() => { document.querySelector("raster-trace").step = 5; });
-  await page.focus("#scroller");
-  for (const key of ["l", "Shift+ArrowRight", "Enter"]) await page.keyboard.press(key); // to the middle
-  expectSame((await page.textContent("#marked")).endsWith("of 4 right."), true, "by keyboard: " + await page.textContent("#marked"));
-  await next();
-  await page.locator("#asked-inputs input").nth(1).press("Enter");
-  expectSame(await page.textContent("#marked"), "Not so: 1 to 2. 2 of 5 right.", "nothing typed is wrong");
-  await next();
-  await page.click("#show-it");
-  expectSame([await told(), await page.isVisible("#asked")], [8, false], "shown without an answer");
-  expectSame((await page.evaluate(() => window.answers)).filter((_, i) => i !== 3),
-             [[5, "2 2", true], [6, "(-8, 7)", false], [6, "(2, 5)", true], [7, "NaN NaN", false]], "events");
-  // A question that is open when another scene comes is asked no longer.
-  await next();
-  await page.evaluate(() => { document.querySelector("raster-trace").setAttribute("language", "pt"); });
-  await page.waitForFunction(() => document.querySelector("raster-trace").shadowRoot.getElementById("sentence").lang === "pt");
-  expectSame(await page.isVisible("#asked"), false, "no question about another scene");
-  await page.evaluate(() => { document.querySelector("raster-trace").setAttribute("language", "en"); });
-  await close(page);
-}
-
-async function checkSavedAnswers() {
-  const page = await open(`<raster-trace src="${triangle}" step="4"></raster-trace>`, {acceptDownloads: true});
-  await page.check("#asks");
-  await page.click("[data-action=next]");
-  for (const key of ["2", "Tab", "2", "Enter"]) await page.keyboard.press(key);
-  const [file] = await Promise.all([page.waitForEvent("download"), page.click("#save-answers")]);
-  expectSame(fs.readFileSync(await file.path(), "utf8").split("\r\n")[1], '"5","scanline","ABC, row y=5: which pixels does it have?","2 2","2 2","true"', "the table");
-  await close(page);
-
-  const inSpace = await open('<raster-trace src="/examples/t0-hidden/cube-culled.json" step="0"></raster-trace>'), asked = {};
-  await inSpace.check("#asks");
-  for (let i = 0; i < 140; ++i) {
-    await inSpace.click("[data-action=next]");
-    if (!await inSpace.isVisible("#asked")) continue;
-    const words = await inSpace.textContent("#asked-words");
-    const buttons = inSpace.locator("#asked-inputs button[type=button]");
-    if (await buttons.count() === 2) {
-      asked[words.split(" ")[0]] = words;
-      await buttons.nth(1).click();
-      const sentence = await inSpace.textContent("#sentence"), isRight = (await inSpace.textContent("#marked")).startsWith("Right");
-      expectSame(isRight, /: (drawn|fails)/.test(sentence), sentence);
-    } else {
-      await inSpace.click("#show-it");
-    }
-  }
-  expectSame(Object.keys(asked).sort(), ["depth", "face"], "what is asked of a cube");
-  expectSame(/^face ... *: normal .* = -?[\d/]+.*: is it culled\?$/.test(asked.face.replace(/ +/g, " ")) || asked.face, true, "a face");
-  await close(inSpace);
-}
-
 /** A page in Markdown, made by Debian's mkdocs. */
 async function checkSite() {
   fs.mkdirSync(path.join(site, "docs"));
@@ -336,7 +258,7 @@ async function main() {
   address = `http://localhost:${server.address().port}`;
   browser = await launch();
   const wanted = process.argv[5] ?? "";
-  for (const check of [checkTen, checkChanges, checkWrong, checkPlaces, checkTurning, checkAnswers, checkSavedAnswers, checkSite, checkWidget].filter(check => check.name.includes(wanted))) {
+  for (const check of [checkTen, checkChanges, checkWrong, checkPlaces, checkTurning, checkSite, checkWidget].filter(check => check.name.includes(wanted))) {
     doing = check.name;
     try {
       await check();

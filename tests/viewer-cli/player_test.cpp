@@ -7,7 +7,6 @@
 #include "languages.h"
 #include "picture.h"
 #include "player_screen.h"
-#include "players.h"
 #include "random_choice.h"
 #include "random_scene.h"
 #include "traces.h"
@@ -425,62 +424,16 @@ TEST(Player, ClicksOnThePixelThatTheScreenShowsThere) {
     }
 }
 
-TEST(Player, AsksAboutTheNextStepAndMarksTheAnswer) {
-    Player player = player_of(first_triangle(), {.step = "13", .answers_first = true});
-    const auto answer = [&player](const std::string& text) {
-        press(player, {"Right"});
-        type(player, text);
-        return player.message();
-    };
-    // What comes is not told.
-    EXPECT_THAT(screen_text(player), Not(HasSubstr("14  scanline y=2")));
-    press(player, {"Right"});
-    EXPECT_EQ(player.playback().step(), 13U);
-    ASSERT_NE(player.asked(), nullptr);
-    EXPECT_EQ(player.asked()->words, "ABC, row y=2: which pixels does it have? from x, to x");
-    EXPECT_THAT(screen_text(player), HasSubstr("which pixels does it have? from x, to x"));
-    EXPECT_THAT(screen_text(player), HasSubstr("answer: _"));
-    type(player, "-1 to 3");
-    EXPECT_EQ(player.message(), "right. 1 of 1 right");
-    EXPECT_EQ(player.playback().step(), 14U);
-    EXPECT_EQ(answer("0 2"), "no: -1 2. 1 of 2 right");
-    // A click answers where a pixel is asked for; so does the cursor.
-    press(player, {"Right"});
-    const PlayerScreen screen = player_screen(player, {80, 24}, {});
-    for (std::size_t column = 0; player.answers().size() < 3 && column < 80; ++column)
-        for (std::size_t line = 0; player.answers().size() < 3 && line < 24; ++line)
-            if (screen.places.grid.pixel_at(line, column, player.playback().trace().canvas) ==
-                Pixel{0, 2})
-                player.press({"Click", column, line}, screen.places);
-    EXPECT_EQ(player.message(), "right. 2 of 3 right");
-    // Nothing typed shows the step; Escape does not.
-    EXPECT_EQ(answer(""), "");
-    EXPECT_EQ(step_after(player, {"Right", "Escape"}), 17U);
-    EXPECT_EQ(player.answers().size(), 3U);
-    EXPECT_EQ(csv_of(player.answers()),
-              "step,kind,question,answer,right answer,is right\r\n"
-              "14,scanline,\"ABC, row y=2: which pixels does it have? from x, to x\","
-              "'-1 to 3,'-1 3,true\r\n"
-              "15,pixel,\"ABC, which pixel is drawn next? x, y, or the cursor\","
-              "0 2,'-1 2,false\r\n"
-              "16,pixel,\"ABC, which pixel is drawn next? x, y, or the cursor\",0 2,0 2,true\r\n");
-    press(player, {"a"}); // no more
-    EXPECT_EQ(step_after(player, {"Right"}), 18U);
+/// Two triangles, one behind the other.
+Scene two_depths() {
+    return scene_in(R"({"canvas":{"width":9,"height":9},"method":{"depth":"linear-z"},
+        "vertices":{"A":[0,3,5],"B":[-3,-2,5],"C":[3,-2,5],"D":[0,3,6],"E":[-3,-2,6],"F":[3,-2,6]},
+        "triangles":["ABC","DEF"]})");
 }
 
-TEST(Player, AsksForWordsByTheirFirstLetters) {
-    Player player =
-        player_of(scene_in(R"({"canvas":{"width":9,"height":9},"method":{"depth":"linear-z"},
-        "vertices":{"A":[0,3,5],"B":[-3,-2,5],"C":[3,-2,5],"D":[0,3,6],"E":[-3,-2,6],"F":[3,-2,6]},
-        "triangles":["ABC","DEF"]})"),
-                  {.answers_first = true});
+TEST(Player, TellsBothDepthsOfATest) {
+    Player player = player_of(two_depths());
     type(player, "/depth in=DEF"); // behind the nearer triangle
-    press(player, {"Left", "Right"});
-    ASSERT_NE(player.asked(), nullptr);
-    EXPECT_THAT(player.asked()->words, HasSubstr("does it pass or fail"));
-    EXPECT_THAT(player.asked()->words, Not(HasSubstr("fails")));
-    type(player, " F ");
-    EXPECT_EQ(player.message(), "right. 1 of 1 right");
     EXPECT_THAT(screen_text(player, {100, 30}), HasSubstr("DEF  6"));
     EXPECT_THAT(screen_text(player, {100, 30}), HasSubstr("ABC  5  <- is kept"));
 }
@@ -497,20 +450,6 @@ TEST(Player, SearchesForWordsOfSentences) {
     EXPECT_EQ(player.playback().step(), 20U); // in a sentence
     type(player, "/scanlime");
     EXPECT_THAT(player.message(), HasSubstr("no other step that way says \"scanlime\"; expected"));
-}
-
-TEST(Player, HasBookmarks) {
-    Player player = player_of(first_triangle());
-    press(player, {"'"});
-    EXPECT_EQ(player.message(), "there is no bookmark: m sets one");
-    press(player, {"1", "4", "G", "m", "2", "0", "G", "m"});
-    EXPECT_EQ(step_after(player, {"'"}), 14U);
-    EXPECT_THAT(screen_text(player), HasSubstr("* 14  scanline"));
-    EXPECT_EQ(step_after(player, {"'"}), 20U);
-    press(player, {"m"});
-    EXPECT_EQ(player.message(), "bookmark removed");
-    EXPECT_EQ(step_after(player, {"g", "'"}), 14U);
-    EXPECT_EQ(step_after(player, {"'"}), 14U);
 }
 
 TEST(Player, ScrollsTheWorkingWhereItHasNoRoom) {
@@ -656,13 +595,13 @@ TEST_F(PlayerInPortuguese, NothingIsEnglishWhateverIsPressed) {
     Player player = player_of(first_triangle());
     hear(player);
     // Where there is nothing to go to.
-    hear(player, {"Left", "n", ".", "'", "B", "(", "f", "x", "Space"});
+    hear(player, {"Left", "n", ".", "B", "(", "f", "x", "Space"});
     EXPECT_THAT(screen_text(player), HasSubstr("  rodando, 4 passos/s"));
     EXPECT_THAT(screen_text(player), HasSubstr("? teclas  q sai  Direita avança  Esquerda volta  "
                                                "Espaço roda  / busca  c cursor\n"));
     hear(player, {"Escape", "9", "9", "G", "Right", "g", "Left", "9", "9", "j", "{", "{", "]"});
     EXPECT_EQ(player.message(), "não há outro passo primitive nessa direção");
-    hear(player, {"9", "9", ")", "1", "4", "G", "m", "'", "m", "'", "+", "-", "Ctrl+d", "Ctrl+u"});
+    hear(player, {"9", "9", ")", "1", "4", "G", "+", "-", "Ctrl+d", "Ctrl+u"});
     // A pixel, drawn and not drawn.
     hear(player, {"Right", "c", ".", "9", "9", ".", "H", ".", "End", "c", "c"});
     // Searching, and breakpoints.
@@ -690,63 +629,30 @@ TEST_F(PlayerInPortuguese, NothingIsEnglishWhateverIsPressed) {
         hear(player, {"v"});
 }
 
-TEST_F(PlayerInPortuguese, QuestionsAndVerdicts) {
-    Player player = player_of(first_triangle(), {.step = "13"});
-    hear(player, {"a", "Right"});
-    ASSERT_NE(player.asked(), nullptr);
-    EXPECT_EQ(player.asked()->words, "ABC, linha y=2: quais pixels ela tem? de x, a x");
-    EXPECT_THAT(screen_text(player), HasSubstr("resposta: _"));
-    type(player, "-1 a 3");
-    EXPECT_EQ(player.message(), "certo. acertos: 1 de 1");
-    hear(player, {"Right"});
-    EXPECT_EQ(player.asked()->words, "ABC, qual pixel é desenhado em seguida? x, y, ou o cursor");
-    type(player, "0 2");
-    EXPECT_EQ(player.message(), "não: -1 2. acertos: 1 de 2");
-    hear(player, {"a"});
-    EXPECT_THAT(csv_of(player.answers()),
-                HasSubstr("step,kind,question,answer,right answer,is right\r\n14,scanline,"));
-}
-
-TEST_F(PlayerInPortuguese, WordsAreAnsweredByTheirFirstLetters) {
-    Player player =
-        player_of(scene_in(R"({"canvas":{"width":9,"height":9},"method":{"depth":"linear-z"},
-        "vertices":{"A":[0,3,5],"B":[-3,-2,5],"C":[3,-2,5],"D":[0,3,6],"E":[-3,-2,6],"F":[3,-2,6]},
-        "triangles":["ABC","DEF"]})"),
-                  {.answers_first = true});
+TEST_F(PlayerInPortuguese, BothDepthsOfATest) {
+    Player player = player_of(two_depths());
     type(player, "/depth in=DEF");
-    hear(player, {"Left", "Right"});
-    ASSERT_NE(player.asked(), nullptr);
-    EXPECT_THAT(player.asked()->words, testing::EndsWith(": ela passa ou falha"));
-    EXPECT_THAT(player.asked()->words, Not(HasSubstr(": falha")));
-    type(player, " F ");
-    EXPECT_EQ(player.message(), "certo. acertos: 1 de 1");
     EXPECT_THAT(screen_text(player, {100, 30}), HasSubstr("ABC  5  <- fica"));
     for (std::size_t i = 0; i < view_names().size(); ++i)
         hear(player, {"v"});
     hear(player, {"c"});
 }
 
-TEST_F(PlayerInPortuguese, QuestionsAboutSamplesAndFaces) {
-    std::set<std::string> right;
+TEST_F(PlayerInPortuguese, SamplesAndFaces) {
     for (const auto& [name, kind] :
          {std::pair("t3-sweep-and-box/barycentric", "sample"), {"t0-hidden/cube-culled", "face"}}) {
         std::ifstream file(std::string(RASTERTRACE_EXAMPLES "/") + name + ".json");
         Scene scene = scene_in({std::istreambuf_iterator<char>(file), {}});
         scene.title.clear(); // it is English
-        Player player = player_of(scene, {.answers_first = true});
+        Player player = player_of(scene);
         type(player, std::string("/") + kind);
-        for (int i = 0; i < 12; ++i) {
-            hear(player, {"Left", "Right"});
-            ASSERT_NE(player.asked(), nullptr);
-            right.insert(player.asked()->right);
-            press(player, {"Enter", "]"});
-        }
-        hear(player, {"a", "End", "c", "v", "v"});
+        for (int i = 0; i < 12; ++i)
+            hear(player, {"]"});
+        hear(player, {"End", "c", "v", "v"});
     }
-    EXPECT_THAT(right, testing::ElementsAre("dentro", "desenhada", "eliminada", "fora"));
 }
 
-TEST_F(PlayerInPortuguese, FramesAndTwoTraces) {
+TEST_F(PlayerInPortuguese, Frames) {
     Player frames({.first_frame = 1,
                    .last_frame = 2,
                    .open = [](std::size_t) { return GrowingTrace(trace_of(first_triangle())); },
@@ -757,13 +663,6 @@ TEST_F(PlayerInPortuguese, FramesAndTwoTraces) {
     hear(frames, {"f", "f"});
     EXPECT_EQ(frames.message(), "este é o último quadro");
     EXPECT_THAT(screen_text(frames), HasSubstr("  quadro 2 de 2"));
-
-    Players players(player_of(first_triangle()),
-                    player_of(first_triangle({.scalar = ScalarKind::double_precision})));
-    players.press({"Space"});
-    for (int i = 0; i < 240 && players.first().is_playing(); ++i)
-        players.pass(0.25);
-    EXPECT_EQ(players.first().message(), "o primeiro passo que difere");
 }
 
 TEST_F(PlayerInPortuguese, WhatGoesOnWhileAFileIsReadAndWhatBecameOfIt) {

@@ -93,12 +93,10 @@ int run(ShowCommand command);
 
 struct PlayCommand {
     std::string trace;
-    std::string other; ///< a trace beside it; "": none
-    std::string step;  ///< to begin with, see selector.h; empty: before the first
+    std::string step; ///< to begin with, see selector.h; empty: before the first
     std::optional<View> view;
     std::size_t bytes = Snapshots::usual_bytes; ///< for pictures that are kept for going back
     std::optional<TextSize> screen;             ///< only print that of a terminal of this size
-    std::string answers;                        ///< a file for what was answered; "": none
     ColorChoice color = ColorChoice::automatic;
     MethodOverrides method;
     InputLimits input;

@@ -7,9 +7,7 @@
 #include "option_values.h"
 #include "player.h"
 #include "player_screen.h"
-#include "players.h"
 #include "shared_options.h"
-#include "step_question.h"
 #include "terminal_session.h"
 
 #include <rastertrace/trace/record/growing_trace.h>
@@ -115,17 +113,13 @@ int show_instead(const PlayCommand& command) {
     show.frames = command.frames;
     show.has_working = true;
     const int status = run(show);
-    print_error(fmt::format("rastertrace: there is no terminal that can be played on: this is what "
-                            "`show` prints{}\n",
-                            command.other.empty() ? "" : " of the first trace"));
+    print_error("rastertrace: there is no terminal that can be played on: this is what `show` "
+                "prints\n");
     return status;
 }
 
 PlayerOptions player_options(const PlayCommand& command) {
-    return {.view = command.view,
-            .step = command.step,
-            .bytes = command.bytes,
-            .answers_first = !command.answers.empty()};
+    return {.view = command.view, .step = command.step, .bytes = command.bytes};
 }
 
 ScreenAbility ability_of(const PlayCommand& command) {
@@ -133,12 +127,12 @@ ScreenAbility ability_of(const PlayCommand& command) {
 }
 
 /// What a terminal of some size would show at first.
-int print_screen(Players players, const PlayCommand& command) {
-    while (players.work()) {
+void print_screen(Player& player, const PlayCommand& command) {
+    while (player.work()) {
     }
-    for (const std::string& line : players.screen(*command.screen, ability_of(command)).lines)
+    for (const std::string& line :
+         player_screen(player, *command.screen, ability_of(command)).lines)
         print(line.substr(0, line.find_last_not_of(' ') + 1) + "\n");
-    return players.report();
 }
 
 /// How long to wait for a key, in milliseconds; for ever if that is negative.
@@ -149,73 +143,55 @@ int time_to_wait(const Player& player, bool has_worked, bool is_shown) {
 }
 
 /// Keys, time and screens, until somebody leaves.
-void play(Players& players, const PlayCommand& command) {
+void play(Player& player, const PlayCommand& command) {
     const ScreenAbility ability = ability_of(command);
-    std::size_t written = 0; // answers
     TerminalSession terminal;
     PlayerScreen screen;
     bool is_shown = false; // as things are now
     bool is_urgent = true; // somebody waits for it
     auto drawn = Clock::now();
     auto before = Clock::now();
-    while (!players.first().wants_to_leave() && terminal.is_open()) {
+    while (!player.wants_to_leave() && terminal.is_open()) {
         is_urgent = terminal.needs_redraw() || is_urgent;
         if (is_urgent || (!is_shown && Clock::now() - drawn >= between_screens)) {
-            players.look_for_change();
-            screen = players.screen(terminal.size(), ability);
+            player.look_for_change();
+            screen = player_screen(player, terminal.size(), ability);
             terminal.show(screen.lines);
             drawn = Clock::now();
             is_shown = true;
             is_urgent = false;
         }
-        const bool has_worked = players.work();
+        const bool has_worked = player.work();
         is_shown = is_shown && !has_worked;
-        terminal.wait(time_to_wait(players.first(), has_worked, is_shown), players.pipe());
+        terminal.wait(time_to_wait(player, has_worked, is_shown),
+                      player.playback().growing().pipe());
         while (const auto key = terminal.key()) {
-            players.press(*key, screen.places);
+            player.press(*key, screen.places);
             is_urgent = true;
         }
-        const auto& answers = players.first().answers();
-        if (!command.answers.empty() && answers.size() != std::exchange(written, answers.size()))
-            write_file(command.answers, csv_of(answers), opened_files());
         const auto now = Clock::now();
-        if (players.pass(std::chrono::duration<double>(now - before).count()))
+        if (player.pass(std::chrono::duration<double>(now - before).count()))
             is_shown = false;
         before = now;
     }
 }
-
-} // namespace
-
-namespace {
 
 int play_all(const PlayCommand& command) {
     if (!command.screen && !TerminalSession::is_possible())
         return show_instead(command);
     if (command.trace == "-" && !command.screen)
         print_error("rastertrace: standard input is kept in a temporary file\n");
-    Player first(open_input_of(command), player_options(command));
-    std::optional<Player> second;
-    if (!command.other.empty()) {
-        PlayCommand other = command;
-        other.trace = command.other;
-        other.step.clear(); // it follows the first one
-        second.emplace(open_input_of(other), player_options(other));
-    }
-    Players players(std::move(first), std::move(second));
+    Player player(open_input_of(command), player_options(command));
     if (command.screen)
-        return print_screen(std::move(players), command);
-    if (!command.answers.empty()) // nobody answers what cannot be kept
-        write_file(command.answers, csv_of({}), opened_files());
-    play(players, command);
-    return players.report();
+        print_screen(player, command);
+    else
+        play(player, command);
+    return report_damage(player.playback().trace());
 }
 
 } // namespace
 
 int run(const PlayCommand& command) {
-    if (!command.other.empty())
-        renew_index(command.other, command.input);
     return with_index(command, play_all);
 }
 
@@ -227,16 +203,13 @@ constexpr std::size_t key_columns = 79;
 class PlayCommandLine final : public Command {
 public:
     CommandAbout about() const override {
-        return {
-            "play", "Go through a trace step by step, forward and back, in the terminal",
-            "rastertrace play examples/t0-fill/first-triangle.json --step \"scanline y=2\"\n\n"
-            "rastertrace play --keys lists the keys, and ? does while it plays. OTHER is a second "
-            "trace, beside the\nfirst one: playing stops at the first step that differs."};
+        return {"play", "Go through a trace step by step, forward and back, in the terminal",
+                "rastertrace play examples/t0-fill/first-triangle.json --step \"scanline y=2\"\n\n"
+                "rastertrace play --keys lists the keys, and ? does while it plays."};
     }
 
     void add_to(OptionList& options) override {
         AddedOption trace = options.option("trace", command_.trace, trace_input, "TRACE");
-        options.option("other", command_.other, trace_input, "OTHER");
         options.flag("--keys", lists_keys_, "List the keys, and play nothing").excludes(trace);
         options.option("--step", command_.step, "Begin at this step; before the first if not given",
                        "STEP");
@@ -248,9 +221,6 @@ public:
                 Snapshots::usual_bytes / 1'000'000),
             "N");
         options.option("--color", color_, "Colors", "WHEN").values(color_choices);
-        options.option("--answers", command_.answers,
-                       "Begin with answer first (key a), and write the answers to this table (CSV)",
-                       "FILE");
         options.option("--print", screen_size_,
                        "Print the first screen of a terminal of that size, and play nothing",
                        "COLUMNSxLINES");

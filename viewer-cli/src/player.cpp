@@ -25,7 +25,7 @@ constexpr double fastest = 1024;
 
 Player::Player(PlayerInput input, const PlayerOptions& options)
     : input_(std::move(input)), options_(options), view_(options.view.value_or(View::plotted)),
-      has_own_view_(options.view.has_value()), answers_first_(options.answers_first) {
+      has_own_view_(options.view.has_value()) {
     open(input_.first_frame);
     if (!options.step.empty())
         begin_at(options.step);
@@ -59,11 +59,10 @@ void Player::open(std::size_t frame) {
     opened->read_on();
     search_.reset();
     question_.reset();
-    end_question();
+    asked_ = Asked::nothing;
     playback_ = std::move(opened);
     lost_.reset();
-    if (frame != std::exchange(frame_, frame))
-        bookmarks_.clear();
+    frame_ = frame;
     if (!has_own_view_)
         view_ = default_view(trace(), playback_->growing().steps_at_first());
     if (cursor_ && !trace().canvas.contains(cursor_->x, cursor_->y))
@@ -107,8 +106,6 @@ std::optional<std::string> Player::prompt() const {
         return "/" + typed_;
     case Asked::breakpoint:
         return said({"break at: ", "parar em: "}) + typed_;
-    case Asked::answer:
-        return said({"answer: ", "resposta: "}) + typed_;
     case Asked::nothing:
         break;
     }
@@ -204,7 +201,7 @@ void Player::act(PlayerAction action) {
     wanted_.reset();
     switch (action) {
     case next:
-        return answers_first_ ? ask(step() + 1) : move_by(take_times(), forward);
+        return move_by(take_times(), forward);
     case previous:
         return move_by(take_times(), back);
     case next_row:
@@ -232,8 +229,6 @@ void Player::act(PlayerAction action) {
     case last:
         return move_to(has_count ? take_count() : trace().size());
     case play:
-        if (answers_first_)
-            return ask(step() + 1);
         is_playing_ = !is_playing_ && step() < trace().size();
         due_ = 0;
         return;
@@ -289,18 +284,6 @@ void Player::act(PlayerAction action) {
         return scroll_working(times());
     case working_up:
         return scroll_working(-times());
-    case answer_first:
-        answers_first_ = !answers_first_;
-        is_playing_ = false;
-        message_ = answers_first_
-                       ? said({"the next step is asked about before it is shown",
-                               "pergunta-se sobre o próximo passo antes de mostrá-lo"})
-                       : said({"steps are shown at once", "os passos são mostrados de imediato"});
-        return;
-    case bookmark:
-        return toggle_bookmark();
-    case next_bookmark:
-        return go_to_bookmark();
     case next_frame:
         return change_frame(forward);
     case previous_frame:
@@ -331,8 +314,6 @@ void Player::play_at(double steps_per_second) {
 /// What is clicked: a pixel, or a step of the list. The wheel goes from step to step.
 void Player::click(const KeyPress& key, const ScreenPlaces& places) {
     if (const auto pixel = places.grid.pixel_at(key.line, key.column, trace().canvas)) {
-        if (asked_step_ && asked_step_->is_about_pixel)
-            return answer(fmt::format("{} {}", pixel->x, pixel->y));
         set_cursor(pixel);
         looks_at_cursor_ = true;
         return;
@@ -344,42 +325,6 @@ void Player::click(const KeyPress& key, const ScreenPlaces& places) {
         move_to(list.first_step + (key.line - list.first_line));
 }
 
-/// Asks about a step; one about which nothing can be asked is shown.
-void Player::ask(std::size_t step) {
-    if (step > trace().size())
-        return move_by(1, Direction::forward);
-    Replay replay(trace(), {.writes = false, .depths = playback_->has_depths()});
-    replay.go_to_place_of(playback_->replay());
-    replay.go_to(step);
-    asked_step_ = question_about(replay);
-    if (!asked_step_)
-        return move_to(step);
-    asked_ = Asked::answer;
-    has_pointed_ = false;
-    typed_.clear();
-}
-
-void Player::end_question() {
-    asked_ = Asked::nothing;
-    asked_step_.reset();
-}
-
-/// Marks an answer, and shows the step; without an answer it is only shown.
-void Player::answer(const std::string& given) {
-    const StepQuestion question = *asked_step_;
-    end_question();
-    move_to(question.step);
-    if (given.empty())
-        return;
-    answers_.push_back({question, given, is_right(question, given)});
-    const auto right = std::count_if(answers_.begin(), answers_.end(),
-                                     [](const GivenAnswer& one) { return one.is_right; });
-    message_ = said({"{}. {} of {} right", "{}. acertos: {} de {}"},
-                    answers_.back().is_right ? said({"right", "certo"})
-                                             : said({"no: {}", "não: {}"}, question.right),
-                    right, answers_.size());
-}
-
 /// How many lines it takes, only a screen knows, which shows its end at the least.
 void Player::scroll_working(int lines) {
     constexpr std::size_t most = 1000;
@@ -387,54 +332,10 @@ void Player::scroll_working(int lines) {
     working_from_ = std::min(static_cast<std::size_t>(std::max(from, 0LL)), most);
 }
 
-void Player::toggle_bookmark() {
-    if (bookmarks_.erase(step()) > 0) {
-        message_ = said({"bookmark removed", "marcador removido"});
-        return;
-    }
-    bookmarks_.insert(step());
-    message_ = said({"bookmark {} at step {}; ' goes from one to the next",
-                     "marcador {} no passo {}; ' vai de um ao próximo"},
-                    bookmarks_.size(), step());
-}
-
-void Player::go_to_bookmark() {
-    if (bookmarks_.empty()) {
-        message_ = said({"there is no bookmark: m sets one", "não há marcador: m põe um"});
-        return;
-    }
-    const auto next = bookmarks_.upper_bound(step());
-    move_to(next == bookmarks_.end() || *next > trace().size() ? *bookmarks_.begin() : *next);
-}
-
-void Player::stop_at(std::size_t step, const std::string& message) {
-    is_playing_ = false;
-    show_step(step);
-    if (!message.empty())
-        message_ = message;
-}
-
 void Player::show_step(std::size_t step) {
     if (step != this->step())
         working_from_ = 0;
     playback_->go_to(step);
-}
-
-void Player::look_as(const Player& other) {
-    if (other.view_ != View::depth || playback_->has_depths())
-        view_ = other.view_;
-    has_own_view_ = true;
-    is_overview_ = other.is_overview_;
-    scale_ = other.scale_;
-    has_working_ = other.has_working_;
-    working_from_ = other.working_from_;
-    answers_first_ = other.answers_first_;
-    help_page_ = other.help_page_;
-    looks_at_cursor_ = other.looks_at_cursor_;
-    const bool has_place =
-        other.cursor_ && trace().canvas.contains(other.cursor_->x, other.cursor_->y);
-    if (const auto cursor = has_place ? other.cursor_ : std::nullopt; cursor != cursor_)
-        set_cursor(cursor);
 }
 
 void Player::move_to(std::size_t step) {

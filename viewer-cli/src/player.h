@@ -14,7 +14,6 @@
 #include "key_reader.h"
 #include "pixel_question.h"
 #include "playback.h"
-#include "step_question.h"
 
 #include <rastertrace/figures/player_keys.h>
 #include <rastertrace/figures/view.h>
@@ -24,7 +23,6 @@
 #include <functional>
 #include <memory>
 #include <optional>
-#include <set>
 #include <string>
 #include <vector>
 
@@ -45,8 +43,6 @@ struct ScreenPlaces {
     std::size_t last_working =
         static_cast<std::size_t>(-1); ///< the farthest that the working is scrolled to
     std::size_t scale = 1;            ///< the lines of a cell
-    std::size_t second_from =
-        0; ///< the column from which on the same stands once more, of another trace; 0: it does not
 };
 
 /// The lines of a cell, at most.
@@ -64,7 +60,6 @@ struct PlayerOptions {
     std::optional<View> view = {}; ///< none: the trace's default
     std::string step = {};         ///< to begin with, see selector.h; empty: before the first
     std::size_t bytes = Snapshots::usual_bytes;
-    bool answers_first = false;
 };
 
 class Player {
@@ -81,20 +76,6 @@ public:
     /// Goes on by what is due after some time, while it plays; false if nothing is.
     bool pass(double seconds);
 
-    /// Goes to a step, and plays no more.
-    void stop_at(std::size_t step, const std::string& message);
-
-    /// Shows what another one shows, in the same way: view, size of cells, working, cursor.
-    void look_as(const Player& other);
-
-    std::size_t frame() const { return frame_; }
-
-    /// True while what is typed is a text: no key does anything else.
-    bool is_typing() const { return asked_ != Asked::nothing; }
-
-    /// The question that waits for an answer; nullptr if there is none.
-    const StepQuestion* asked() const { return asked_step_ ? &*asked_step_ : nullptr; }
-
     bool is_playing() const { return is_playing_; }
     bool wants_to_leave() const { return wants_to_leave_; }
 
@@ -106,11 +87,6 @@ public:
     std::size_t working_from() const {
         return working_from_;
     } ///< the first line of it that is shown
-    bool is_bookmarked(std::size_t step) const { return bookmarks_.contains(step); }
-
-    /// True if steps are asked about before they are shown: nothing tells what comes.
-    bool answers_first() const { return answers_first_; }
-    const std::vector<GivenAnswer>& answers() const { return answers_; }
     std::optional<Pixel> cursor() const { return cursor_; }
     const PixelQuestion* question() const { return question_ ? &*question_ : nullptr; }
     double steps_per_second() const { return speed_; }
@@ -143,7 +119,7 @@ private:
     /// Steps that are looked at before keys are asked for again: a few milliseconds.
     static constexpr std::size_t steps_at_once = 50'000;
 
-    enum class Asked { nothing, search, breakpoint, answer };
+    enum class Asked { nothing, search, breakpoint };
     enum class Direction { forward, back };
 
     /// A search for a step, done in pieces.
@@ -194,13 +170,8 @@ private:
     void set_cursor(std::optional<Pixel> pixel);
     void toggle_cursor();
     void click(const KeyPress& key, const ScreenPlaces& places);
-    void ask(std::size_t step);
-    void answer(const std::string& given);
-    void end_question();
     void show_step(std::size_t step);
     void scroll_working(int lines);
-    void toggle_bookmark();
-    void go_to_bookmark();
     void start_search(const std::string& text);
     void add_breakpoint(const std::string& text);
     bool is_at_breakpoint() const;
@@ -221,11 +192,6 @@ private:
     std::size_t shown_scale_ = 1;      ///< on the last screen
     bool has_working_ = true;
     std::size_t working_from_ = 0;
-    std::set<std::size_t> bookmarks_;
-    bool answers_first_ = false;
-    std::optional<StepQuestion> asked_step_; ///< the one that waits for an answer
-    bool has_pointed_ = false;               ///< with the cursor, since it was asked
-    std::vector<GivenAnswer> answers_;
     std::size_t help_page_ = 0;
 
     std::optional<std::string> lost_;

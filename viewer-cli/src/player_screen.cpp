@@ -56,24 +56,23 @@ struct StepList {
     std::size_t first_step = 0;
 };
 
-/// The steps around the current one, a line each. Where answers come first, what follows is not told.
+/// The steps around the current one, a line each.
 StepList steps_around(const Player& player, std::size_t columns, std::size_t count,
                       ColorDepth colors) {
     const Trace& trace = player.playback().trace();
     const std::size_t here = player.playback().step();
-    const std::size_t last = player.answers_first() ? here : trace.size();
+    const std::size_t last = trace.size();
     const std::size_t before = std::min(here, count / 2);
     const std::size_t first = std::min(here - before, last + 1 - std::min(last + 1, count));
     const std::size_t digits = std::to_string(trace.size()).size();
     StepList list{.lines = {}, .first_step = first};
     for (std::size_t n = first; n < first + count && n <= last; ++n) {
         const bool is_here = n == here;
-        const char mark = player.is_bookmarked(n) ? '*' : is_here ? '>' : ' ';
         const std::string& sentence = player.playback().sentence_of(n);
-        list.lines.push_back(styled(
-            shortened(fmt::format("{} {:>{}}  {}", mark, trace.number_of(n), digits, sentence),
-                      columns),
-            {.is_strong = is_here, .is_quiet = !is_here}, colors));
+        list.lines.push_back(styled(shortened(fmt::format("{} {:>{}}  {}", is_here ? '>' : ' ',
+                                                          trace.number_of(n), digits, sentence),
+                                              columns),
+                                    {.is_strong = is_here, .is_quiet = !is_here}, colors));
     }
     return list;
 }
@@ -150,7 +149,7 @@ std::string conventions(const Trace& trace, std::size_t columns) {
 /// What has become of the pixel under the cursor.
 TextLines pixel_panel(const Player& player, std::size_t columns, std::size_t count) {
     const PixelQuestion* const question = player.question();
-    if (question == nullptr || count == 0 || player.answers_first())
+    if (question == nullptr || count == 0)
         return {};
     const std::string name =
         fmt::format("pixel ({}, {})", question->pixel().x, question->pixel().y);
@@ -237,15 +236,9 @@ std::string prompt_line(const std::string& prompt, std::size_t columns) {
 /// What is typed, or else what is to be said, what is wrong with the trace, and the keys to begin with.
 TextLines last_lines(const Player& player, TextSize size) {
     const std::size_t most_lines = std::min<std::size_t>(3, size.lines / 6 + 1);
+    if (const auto prompt = player.prompt())
+        return {prompt_line(*prompt, size.columns)};
     TextLines lines;
-    if (const auto prompt = player.prompt()) {
-        if (player.asked() != nullptr)
-            lines = wrapped(player.asked()->words, size.columns);
-        if (lines.size() > most_lines) // what is asked stands at its end
-            lines.erase(lines.begin(), lines.end() - static_cast<std::ptrdiff_t>(most_lines));
-        lines.push_back(prompt_line(*prompt, size.columns));
-        return lines;
-    }
     const auto& damage = player.playback().trace().damage;
     if (!player.message().empty())
         lines = wrapped(printable(player.message()), size.columns);
@@ -306,9 +299,8 @@ FrameText frame_options(const Player& player, const ScreenAbility& ability) {
             .has_heading = false,
             .center = player.looks_at_cursor() ? player.cursor() : std::nullopt,
             .cursor = player.cursor(),
-            // In a ramp, + is a color; where answers come first, it would be the answer.
-            .coming = (player.view() == View::plotted || player.view() == View::faces) &&
-                              !player.answers_first()
+            // In a ramp, + is a color.
+            .coming = player.view() == View::plotted || player.view() == View::faces
                           ? pixels_to_come(replay)
                           : std::nullopt,
             .scale = std::max<std::size_t>(player.scale().value_or(1), 1),
@@ -346,17 +338,17 @@ PlayerScreen lost_screen(const Player& player, TextSize size) {
     return {std::move(lines), {}};
 }
 
-} // namespace
-
-std::string beside(const std::string& left, const std::string& right, std::size_t column,
-                   std::size_t first_column) {
+/// A line, and from a column on another one beside it.
+std::string beside(const std::string& left, const std::string& right, std::size_t column) {
     if (right.empty())
         return left;
     // Who knows how many columns a line with colors takes? The terminal.
     return left.find('\x1b') == std::string::npos
                ? padded(left, column) + right
-               : fmt::format("{}\x1b[{}G{}", left, first_column + column + 1, right);
+               : fmt::format("{}\x1b[{}G{}", left, column + 1, right);
 }
+
+} // namespace
 
 std::vector<std::string> player_help(std::size_t columns) {
     std::size_t width = 0;
@@ -469,8 +461,7 @@ std::size_t least_below(std::size_t lines) {
 
 } // namespace
 
-PlayerScreen player_screen(const Player& player, TextSize size, const ScreenAbility& ability,
-                           std::size_t first_column) {
+PlayerScreen player_screen(const Player& player, TextSize size, const ScreenAbility& ability) {
     if (player.lost())
         return lost_screen(player, size);
     if (player.help_page() > 0)
@@ -525,7 +516,7 @@ PlayerScreen player_screen(const Player& player, TextSize size, const ScreenAbil
             line = shortened(line, frame_columns);
     if (side > 0)
         for (std::size_t i = 0; i < panels.size(); ++i)
-            grid[i + 1] = beside(grid[i + 1], panels[i], frame_columns + 2, first_column);
+            grid[i + 1] = beside(grid[i + 1], panels[i], frame_columns + 2);
     append(lines, std::move(grid));
     if (side == 0)
         append(lines, panels);

@@ -28,14 +28,8 @@ struct PlayerScreen {
     ScreenPlaces places = {};       ///< of pixels and steps in them
 };
 
-/// What a size has room for; of a very small one only the step and its sentence. Its lines begin in a column of the
-/// terminal.
-PlayerScreen player_screen(const Player& player, TextSize size, const ScreenAbility& ability,
-                           std::size_t first_column = 0);
-
-/// A line, which begins in a column of the terminal, and from a column of its own on another one beside it.
-std::string beside(const std::string& left, const std::string& right, std::size_t column,
-                   std::size_t first_column = 0);
+/// What a size has room for; of a very small one only the step and its sentence.
+PlayerScreen player_screen(const Player& player, TextSize size, const ScreenAbility& ability);
 
 /// The keys as lines of so many columns: the player's help.
 std::vector<std::string> player_help(std::size_t columns);

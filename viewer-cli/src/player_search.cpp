@@ -213,16 +213,13 @@ void Player::find_words(Direction direction, const std::string& words) {
 void Player::type(const std::string& key) {
     if (key == "Enter")
         return finish_typing();
-    if (key == "Escape")
-        return end_question();
-    const auto action = asked_step_ && key.size() > 1 ? player_action_of(key) : std::nullopt;
-    if (action && *action >= PlayerAction::cursor_left && *action <= PlayerAction::cursor_right) {
-        has_pointed_ = true; // the cursor answers where a pixel is asked for
-        return act(*action);
+    if (key == "Escape") {
+        asked_ = Asked::nothing;
+        return;
     }
     if (key == "Backspace") {
         if (typed_.empty())
-            end_question();
+            asked_ = Asked::nothing;
         else
             typed_ = first_characters(typed_, characters_in(typed_) - 1);
         return;
@@ -236,11 +233,7 @@ void Player::type(const std::string& key) {
 }
 
 void Player::finish_typing() {
-    const Asked asked = std::exchange(asked_, Asked::nothing);
-    if (asked == Asked::answer) {
-        const bool is_by_cursor = typed_.empty() && asked_step_->is_about_pixel && has_pointed_;
-        answer(is_by_cursor ? fmt::format("{} {}", cursor_->x, cursor_->y) : typed_);
-    } else if (asked == Asked::search)
+    if (std::exchange(asked_, Asked::nothing) == Asked::search)
         start_search(typed_);
     else
         add_breakpoint(typed_);
