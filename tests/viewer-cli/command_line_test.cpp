@@ -86,8 +86,8 @@ TEST_F(ProgramTest, UsageErrorsNameTheWordAndANearOne) {
     EXPECT_THAT(shell("$rastertrace").err, HasSubstr("rastertrace show examples/"));
     EXPECT_EQ(shell("$rastertrace shw x").err,
               "rastertrace: expected a command out of trace, "
-              "show, play, figure, explain, stats, check, sheet, diff, review, "
-              "diagnose, fuzz, suite, stress, report, validate, plan, "
+              "show, play, figure, explain, stats, check, sheet, diff, "
+              "diagnose, fuzz, stress, report, validate, plan, "
               "convert, examples, renew, help, found "
               "\"shw\"\n"
               "hint: did you mean show?\n");

@@ -116,17 +116,6 @@ std::optional<DiffRules> rules_beside(const std::string& golden, const InputLimi
 namespace {
 
 constexpr std::string_view mark_of_golden = ".golden";
-constexpr std::string_view mark_of_new = ".golden.new";
-
-/// A path with another mark in front of its ending; nothing if it does not have the one that is looked for.
-std::optional<std::string> with_mark(const std::filesystem::path& path, std::string_view mark,
-                                     std::string_view other) {
-    std::string stem = path.stem().string();
-    if (!stem.ends_with(mark))
-        return std::nullopt;
-    stem.replace(stem.size() - mark.size(), mark.size(), other);
-    return (path.parent_path() / (stem + path.extension().string())).string();
-}
 
 } // namespace
 
@@ -149,15 +138,6 @@ std::vector<std::string> other_goldens(const std::string& golden) {
     }
     std::sort(others.begin(), others.end());
     return others;
-}
-
-std::optional<std::string> golden_of_new_one(const std::string& path) {
-    return with_mark(path, mark_of_new, mark_of_golden);
-}
-
-std::string new_one_of_golden(const std::string& golden) {
-    const auto waiting = with_mark(golden, mark_of_golden, mark_of_new);
-    return waiting ? *waiting : *with_mark(golden, "", mark_of_new);
 }
 
 DiffOptions joined_options(DiffOptions rules, const DiffOptions& asked) {

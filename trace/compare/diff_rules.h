@@ -34,10 +34,6 @@ DiffRules read_rules(const std::string& path, const InputLimits& limits);
 /// Goldens that are accepted besides `NAME.golden.jsonl`: `NAME.gcc.golden.jsonl`, in the same folder, by name.
 std::vector<std::string> other_goldens(const std::string& golden);
 
-/// `NAME.golden.jsonl` of `NAME.golden.new.jsonl`, the trace that waits to become it; nothing of any other name.
-std::optional<std::string> golden_of_new_one(const std::string& path);
-std::string new_one_of_golden(const std::string& golden);
-
 /// Rules, and what is asked for besides, which counts where both are about one number.
 DiffOptions joined_options(DiffOptions rules, const DiffOptions& asked);
 

@@ -12,9 +12,6 @@ namespace rastertrace {
 /// Adds a file to opened_files().
 void note_opened(const FileId& file);
 
-/// Adds a path to those of OpenedMeanwhile, if somebody notes them.
-void note_path(const std::string& path);
-
 /// Opens a file that is there, as open(2) does: closed, with errno set, if that fails. Throws a Problem if the rules do
 /// not let the file be opened.
 Descriptor open_by_rules(const std::string& path, int flags);

@@ -30,7 +30,6 @@ Result<InputFile> InputFile::open(const std::string& path, Kind kind) {
     const bool is_standard_input = path == "-" && !must_be_regular;
     const std::string name = is_standard_input ? "standard input" : path;
 
-    note_path(path);
     // A file that is not there was asked for wrongly; one that cannot be read on is broken.
     Descriptor opened;
     try {

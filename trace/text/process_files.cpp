@@ -23,7 +23,6 @@ namespace {
 // Rules are for a process as a whole, and so is what it has opened: no caller can forget to hand them on.
 std::vector<FileId> opened;
 std::mutex opened_mutex; // several threads may open files
-thread_local std::vector<std::string>* paths_meanwhile = nullptr;
 FileRules rules;
 std::atomic<std::uint64_t> bytes_read = 0;
 std::atomic<std::uint64_t> bytes_written = 0;
@@ -40,19 +39,6 @@ void refuse_outside(const std::string& place, const std::string& path) {
 
 const std::vector<FileId>& opened_files() {
     return opened;
-}
-
-OpenedMeanwhile::OpenedMeanwhile() {
-    paths_meanwhile = &paths_;
-}
-
-OpenedMeanwhile::~OpenedMeanwhile() {
-    paths_meanwhile = nullptr;
-}
-
-void note_path(const std::string& path) {
-    if (paths_meanwhile != nullptr)
-        paths_meanwhile->push_back(path);
 }
 
 BytesDone bytes_done() {

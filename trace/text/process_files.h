@@ -18,22 +18,6 @@ namespace rastertrace {
 /// while other threads open files.
 const std::vector<FileId>& opened_files();
 
-/// Notes the files that this thread opens to be read, or tries to open, while it lives. Not more than one at a time in a
-/// thread.
-class OpenedMeanwhile {
-public:
-    OpenedMeanwhile();
-    OpenedMeanwhile(const OpenedMeanwhile&) = delete;
-    OpenedMeanwhile& operator=(const OpenedMeanwhile&) = delete;
-    ~OpenedMeanwhile();
-
-    /// Their paths as they were given, in the order in which they were opened.
-    const std::vector<std::string>& paths() const { return paths_; }
-
-private:
-    std::vector<std::string> paths_;
-};
-
 /// How many bytes of traces the process has gone through, and how many bytes of files it has written; another thread may
 /// ask for it, to show the progress.
 struct BytesDone {

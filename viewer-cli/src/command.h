@@ -130,8 +130,6 @@ std::unique_ptr<Command> diff_command();
 std::unique_ptr<Command> validate_command();
 std::unique_ptr<Command> plan_command();
 std::unique_ptr<Command> fuzz_command();
-std::unique_ptr<Command> review_command();
-std::unique_ptr<Command> suite_command();
 std::unique_ptr<Command> diagnose_command();
 std::unique_ptr<Command> convert_command();
 std::unique_ptr<Command> examples_command();

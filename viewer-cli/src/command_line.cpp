@@ -113,12 +113,10 @@ const std::array<MakersOfGroup, 5> command_groups{
     {{"Draw and look",
       {trace_command, show_command, play_command, figure_command, explain_command, stats_command}},
      {"Work by hand", {check_command, sheet_command}},
-     {"Test a renderer",
-      {diff_command, review_command, diagnose_command, fuzz_command, suite_command}},
+     {"Test a renderer", {diff_command, diagnose_command, fuzz_command}},
      {"Error and time", {stress_command, report_command}},
      {"Files and pages",
-      {validate_command, plan_command, convert_command, examples_command,
-       renew_command}}}};
+      {validate_command, plan_command, convert_command, examples_command, renew_command}}}};
 
 bool has_word(std::span<const char* const> words, std::string_view word) {
     return std::ranges::find(words, word) != words.end();

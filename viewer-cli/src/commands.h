@@ -208,6 +208,9 @@ int run(const DiffCommand& command);
 /// Problem.
 TraceDiff compared(const DiffCommand& command);
 
+/// Compares the files of two folders that have one name. Throws a Problem if there are none.
+ExitStatus diff_folders(const DiffCommand& command);
+
 struct ValidateCommand {
     std::vector<std::string> files;
     std::optional<SchemaKind> kind;   ///< what all of them have to be; none: found by content

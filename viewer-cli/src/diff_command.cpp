@@ -306,6 +306,9 @@ int run(const DiffCommand& command) {
     const DiffCommand asked = with_rules(command);
     if (!asked.against.empty())
         return tell(asked, diff_of_methods(asked));
+    if (std::error_code error; std::filesystem::is_directory(asked.files[0], error) &&
+                               std::filesystem::is_directory(asked.files[1], error))
+        return diff_folders(command);
     std::optional<Progress> progress(std::in_place, reading_of("diff", asked.files));
     const TraceDiff found = diff_with_others(asked);
     progress.reset();
@@ -336,7 +339,7 @@ public:
         traces_ = options
                       .option("traces", command_.files,
                               "Two traces, or scenes, which are drawn first; - for "
-                              "standard input",
+                              "standard input; or two folders of them",
                               "A B")
                       .required();
         options.option("--against", command_.against,

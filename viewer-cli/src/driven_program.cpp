@@ -84,8 +84,8 @@ std::string_view words_of(DrivenFinding::Kind kind) {
     return words[static_cast<std::size_t>(kind)];
 }
 
-DrivenProgram::DrivenProgram(std::string_view command, std::vector<std::string> words,
-                             const ComparisonOptions& comparison, std::chrono::seconds time)
+DrivenProgram::DrivenProgram(std::vector<std::string> words, const ComparisonOptions& comparison,
+                             std::chrono::seconds time)
     : words_(std::move(words)), options_(comparison.options()),
       asked_background_(comparison.background()), time_(time) {
     const auto has = [this](std::string_view placeholder) {
@@ -97,16 +97,16 @@ DrivenProgram::DrivenProgram(std::string_view command, std::vector<std::string> 
         if (has(text.placeholder) && placeholder_.empty())
             placeholder_ = text.placeholder;
         else if (has(text.placeholder))
-            throw problem_of("", fmt::format("{}: expected one text of the scene, found {} and {}",
-                                             command, placeholder_, text.placeholder));
+            throw problem_of("",
+                             fmt::format("fuzz: expected one text of the scene, found {} and {}",
+                                         placeholder_, text.placeholder));
     if (words_.empty() || placeholder_.empty())
         throw problem_of(
             "",
-            std::string(command) +
-                ": expected a program behind --, with {scene} or {triangles} among its arguments",
-            fmt::format("like: rastertrace {} -- ./mine {{scene}}", command));
+            "fuzz: expected a program behind --, with {scene} or {triangles} among its arguments",
+            "like: rastertrace fuzz -- ./mine {scene}");
     if (runs_for_page())
-        throw problem_of("", fmt::format("{}: a page can run no program", command));
+        throw problem_of("", "fuzz: a page can run no program");
     has_out_ = has(out_placeholder);
     // A foreign rasterizer tells what it likes to, in the order in which it draws.
     options_.compares_common = true;
@@ -144,17 +144,13 @@ std::vector<std::string> DrivenProgram::words_for(const std::string& scene,
     return words;
 }
 
+/// Runs the program on a scene; `answer` gets what it answers, "" if it has not written its {out}.
 FinishedRun DrivenProgram::run(const FuzzScene& scene, std::string& answer) const {
     const TemporaryFolder folder("rastertrace-fuzz");
     const std::filesystem::path file = folder.path() / fmt::format("scene{}", ending());
+    const std::string out = (folder.path() / "out").string();
     write_file(file.string(), scene_text(scene));
-    return run(file.string(), (folder.path() / "out").string(), answer);
-}
-
-/// Runs the program on a scene; `answer` gets what it answers, "" if it has not written its {out}.
-FinishedRun DrivenProgram::run(const std::string& scene_path, const std::string& out,
-                               std::string& answer) const {
-    std::vector<std::string> words = words_for(scene_path, out);
+    std::vector<std::string> words = words_for(file.string(), out);
     FinishedRun finished = run_program({.path = words.front(),
                                         .words = words,
                                         .environment = own_environment(),
@@ -196,26 +192,6 @@ std::optional<DrivenFinding> DrivenProgram::difference(const FuzzScene& scene,
                                                        const std::string& reference) const {
     std::string answer;
     const FinishedRun finished = run(scene, answer);
-    return finding_of(finished, std::move(answer), reference, options_);
-}
-
-std::optional<DrivenFinding> DrivenProgram::difference_in(const std::string& scene_path,
-                                                          const std::string& reference,
-                                                          const DiffOptions& rules) const {
-    std::optional<TemporaryFolder> folder;
-    if (has_out_)
-        folder.emplace("rastertrace-suite");
-    std::string answer;
-    const FinishedRun finished =
-        run(scene_path, folder ? (folder->path() / "out").string() : "", answer);
-    return finding_of(finished, std::move(answer), reference, joined_options(rules, options_));
-}
-
-/// What is wrong with a run that has ended, and with what it answers.
-std::optional<DrivenFinding> DrivenProgram::finding_of(const FinishedRun& finished,
-                                                       std::string answer,
-                                                       const std::string& reference,
-                                                       const DiffOptions& options) const {
     using Kind = DrivenFinding::Kind;
     if (finished.is_too_long)
         return DrivenFinding{Kind::hangs, "", fmt::format("not done after {} s", time_.count())};
@@ -225,7 +201,7 @@ std::optional<DrivenFinding> DrivenProgram::finding_of(const FinishedRun& finish
         return DrivenFinding{Kind::crashes, printable(finished.err), ending_of(finished)};
     if (has_out_ && answer.empty())
         return DrivenFinding{Kind::no_answer, "", "it has not written its {out}"};
-    return compared(reference, std::move(answer), options);
+    return compared(reference, std::move(answer));
 }
 
 std::string DrivenProgram::ignored() const {
@@ -234,17 +210,16 @@ std::string DrivenProgram::ignored() const {
 }
 
 std::optional<DrivenFinding> DrivenProgram::compared(const std::string& reference,
-                                                     std::string answer,
-                                                     const DiffOptions& options) const {
+                                                     std::string answer) const {
     using Kind = DrivenFinding::Kind;
     try {
         const TraceText expected(Source{"reference", reference, {}});
         Source theirs{"its answer", std::move(answer), {}};
         TraceDiff found;
         if (is_trace(theirs)) {
-            found = diff(expected, TraceText(std::move(theirs)), options);
+            found = diff(expected, TraceText(std::move(theirs)), options_);
         } else if (picture_format(theirs)) {
-            PictureDiffOptions how = picture_options(options);
+            PictureDiffOptions how = picture_options(options_);
             how.name = theirs.name;
             how.background = background();
             found = diff_with_picture(expected, value_or_throw(read_picture(theirs)), how);

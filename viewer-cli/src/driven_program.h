@@ -3,7 +3,7 @@
 
 // A rasterizer of somebody else, run on a scene; what it answers, a trace or a picture, held against our drawing.
 //
-//     const DrivenProgram mine("fuzz", {"./mine", "{scene}"}, {}, std::chrono::seconds(10));
+//     const DrivenProgram mine({"./mine", "{scene}"}, {}, std::chrono::seconds(10));
 //     if (const auto finding = mine.difference(scene, mine.reference(scene).value())) ...
 
 #include "run_program.h"
@@ -41,20 +41,16 @@ std::string_view words_of(DrivenFinding::Kind kind);
 
 class DrivenProgram {
 public:
-    /// `command` is what messages name. `words` are the program and its arguments. `{scene}` or `{triangles}` stands for a file with the scene; `{out}` for the file that it answers in, else it answers on standard output. Throws a
+    /// `words` are the program and its arguments. `{scene}` or `{triangles}` stands for a file with the scene;
+    /// `{out}` for the file that it answers in, else it answers on standard output. Throws a
     /// Problem.
-    DrivenProgram(std::string_view command, std::vector<std::string> words,
-                  const ComparisonOptions& comparison, std::chrono::seconds time);
+    DrivenProgram(std::vector<std::string> words, const ComparisonOptions& comparison,
+                  std::chrono::seconds time);
 
     /// What is wrong with its answer to a scene; nothing if it agrees with the reference. Throws a Problem if the program
     /// cannot be run. May be called by several threads.
     std::optional<DrivenFinding> difference(const FuzzScene& scene,
                                             const std::string& reference) const;
-
-    /// The same for a scene in a file, which the program is given as it is. The comparison is by `rules`, too.
-    std::optional<DrivenFinding> difference_in(const std::string& scene_path,
-                                               const std::string& reference,
-                                               const DiffOptions& rules) const;
 
     /// The text of a scene, as the program reads it, and the ending of its file.
     std::string scene_text(const FuzzScene& scene) const;
@@ -71,18 +67,12 @@ public:
     bool answers_in_file() const { return has_out_; }
 
 private:
-    std::optional<DrivenFinding> finding_of(const FinishedRun& finished, std::string answer,
-                                            const std::string& reference,
-                                            const DiffOptions& options) const;
-    std::optional<DrivenFinding> compared(const std::string& reference, std::string answer,
-                                          const DiffOptions& options) const;
+    std::optional<DrivenFinding> compared(const std::string& reference, std::string answer) const;
 
     std::vector<std::string> words_;
     /// The color that its pictures have where nothing is drawn: that of most pixels of a scene with one small triangle.
     std::optional<Color> background() const;
     FinishedRun run(const FuzzScene& scene, std::string& answer) const;
-    FinishedRun run(const std::string& scene_path, const std::string& out,
-                    std::string& answer) const;
 
     DiffOptions options_;
     std::optional<Color> asked_background_;

@@ -167,7 +167,7 @@ FoundScene shrunk_finding(const FuzzCommand& command, const DrivenProgram& progr
 }
 
 ExitStatus drive(const FuzzCommand& command) {
-    const DrivenProgram program("fuzz", command.words, command.comparison,
+    const DrivenProgram program(command.words, command.comparison,
                                 std::chrono::seconds(command.seconds));
     FuzzRuns runs(command, program);
     auto found = runs.run();

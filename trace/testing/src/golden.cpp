@@ -35,15 +35,9 @@ namespace {
 
 constexpr const char* renew_variable = "RASTERTRACE_RENEW";
 
-std::string_view asked_to_renew() {
-    const char* const value = std::getenv(renew_variable);
-    return value == nullptr ? "" : value;
-}
-bool is_reviewing() {
-    return asked_to_renew() == "review";
-}
 bool is_renewing() {
-    return !is_reviewing() && asked_to_renew() != "" && asked_to_renew() != "0";
+    const char* const value = std::getenv(renew_variable);
+    return value != nullptr && *value != '\0' && std::string_view(value) != "0";
 }
 
 /// The command that runs the current test again, and renews what it compares with.
@@ -158,10 +152,6 @@ TraceMatcher MatchesTrace(const std::string& golden, GoldenRules rules, Caller c
                           for (const std::string& other : other_goldens(golden))
                               if (diff(golden_in(other), now, options).is_same)
                                   return {true, "nothing differs from " + other};
-                          if (is_reviewing()) {
-                              const std::string waiting = new_one_of_golden(golden);
-                              renew(waiting, golden_text(tested, rules.kinds, waiting));
-                          }
                           return {false,
                                   "which differs:\n" + diff_text(found) +
                                       "\nIf it should be as it is now, renew the golden:\n  " +
