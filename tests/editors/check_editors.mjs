@@ -221,9 +221,7 @@ const bad_files = [ // kind, name, text, line, column, words of the command
   ["claims of a lost scene", "lost.claims", "scene: none.json\ny=2: 1, 2\n", 1, 8, ["check"]],
   ["a sheet", "sheet.csv", "y;xL;xR\n2;a;3\n", 2, 3, ["check", "scene.json"]],
   ["a sheet with a space in its name", "my sheet.csv", "y;xL;xR\n2;a;3\n", 2, 3, ["check", "scene.json"]],
-  ["rules", "rules.json", '{"ignored": []}', 1, 2, ["diff", "scene.json", "scene.json", "--rules"]],
   ["a picture", "picture.txt", ".#\n.##\n", 2, 3, ["diagnose", "scene.json"]],
-  ["an SVG file", "bad.svg", '<svg viewBox="0 0 9 9">\n<path d="M 0 0 L"/></svg>', 2, 1, ["scene"]],
   ["a page", "page.md", "\n```console\n$ rastertrace show none.json\n```\n", 3, 1, ["renew", "--check"]],
 ];
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// `rastertrace diff` as a user calls it, and as git does: what it prints, and what it says to bad input.
+// `rastertrace diff` as a user calls it: what it prints, and what it says to bad input.
 
 #include "program.h"
 
@@ -7,14 +7,13 @@
 
 #include <gmock/gmock.h>
 
-#include <cstddef>
 #include <string>
-#include <vector>
 
 namespace rastertrace {
 namespace {
 
 using ::testing::HasSubstr;
+using ::testing::Not;
 using ::testing::StartsWith;
 
 class DiffTest : public ProgramTest {
@@ -205,97 +204,42 @@ TEST_F(DiffTest, WhatIsWrongIsSaid) {
     EXPECT_THAT(error("a.json b.json --tolerance much"), HasSubstr("like scanline.left=1e-9"));
     EXPECT_THAT(error("a.json b.json --ignore pixl"), HasSubstr("hint: did you mean pixel?"));
     EXPECT_THAT(error("a.json b.json --format xml"),
-                HasSubstr("expected one of text, json, markdown, junit"));
+                HasSubstr("--format: expected text or json, found \"xml\""));
     EXPECT_THAT(error("a.json b.json >> a.json"), HasSubstr("standard output"));
     EXPECT_THAT(diff("a.json a.json").out, HasSubstr("both are the same file\n"));
 }
 
-// Git gives seven arguments, and would stop at an exit status that is not 0.
-TEST_F(DiffTest, GitCallsItForFilesThatHaveChanged) {
-    const std::string git = "export HOME=$PWD GIT_CONFIG_NOSYSTEM=1; unset GIT_DIR; cd repository;"
-                            "git config user.name A; git config user.email a@example.org;";
-    ASSERT_EQ(shell("command -v git").status, 0);
-    ASSERT_EQ(shell("mkdir repository; git init -q repository; cp a.json "
-                    "repository/first.trace.json;" +
-                    git +
-                    "printf '*.trace.json diff=trace\\n' > .gitattributes;"
-                    "git add . && git commit -qm first; cp ../b.json first.trace.json;"
-                    "cp ../a.json new.trace.json; git add new.trace.json")
-                  .status,
-              0);
-    const Outcome told =
-        shell(git + "git -c diff.trace.command=\"$rastertrace diff --git\" diff HEAD");
-    EXPECT_EQ(told.status, 0) << told.err;
-    EXPECT_THAT(told.out, StartsWith("rastertrace diff first.trace.json\n"
-                                     "a: first.trace.json, before\n"
-                                     "b: first.trace.json, now\n"
-                                     "1 step differs\n"));
-    EXPECT_THAT(told.out, HasSubstr("left: -1/4 in a, -1/2 in b, 0.25 apart\n"));
-    EXPECT_THAT(told.out, HasSubstr("rastertrace diff new.trace.json\na new file\n"));
-
-    const Outcome lines =
-        shell(git + "git -c diff.trace.textconv=\"$rastertrace diff --textconv\" diff "
-                    "first.trace.json");
-    EXPECT_EQ(lines.status, 0) << lines.err;
-    EXPECT_THAT(lines.out, HasSubstr("\n-ABC: scanline y=2   left AB: x = 2 + 3/4 (2 - 5) = -1/4"));
-    EXPECT_THAT(lines.out, HasSubstr("\n+ABC: scanline y=2   left AB: x = 2 + 3/4 (2 - 5) = -1/2"));
-
-    EXPECT_EQ(diff("--git some/name.json").out, "rastertrace diff some/name.json\nnot merged\n");
-    EXPECT_EQ(diff("--git some/name.json").status, 0);
-    EXPECT_EQ(shell("head -c 1000 a.json > cut.json; $rastertrace diff --textconv cut.json").status,
-              0);
-    EXPECT_THAT(diff("--textconv cut.json").out, HasSubstr("the trace is truncated after"));
-
-    shell(git + "echo broken > first.trace.json");
-    const Outcome broken =
-        shell(git + "git -c diff.trace.command=\"$rastertrace diff --git\" diff first.trace.json");
-    EXPECT_EQ(broken.status, 0);
-    EXPECT_THAT(broken.out, HasSubstr("cannot be compared: "));
+TEST_F(DiffTest, ARenamedPrimitiveIsOneDifference) {
+    shell("sed 's|\"name\":\"ABC\"|\"name\":\"T1\"|' a.json > renamed.json");
+    const Outcome told = diff("a.json renamed.json");
+    EXPECT_EQ(told.status, 1);
+    EXPECT_THAT(told.out, HasSubstr("\n1 step differs\n"));
+    EXPECT_THAT(told.out, HasSubstr("\n    renamed: ABC in a is T1 in b\n"));
+    EXPECT_THAT(told.out, HasSubstr("\nprimitive        1       .       .      .   name 1\n\n"
+                                    "the pictures are alike\n"));
+    EXPECT_THAT(diff("a.json renamed.json --language pt").out,
+                HasSubstr("\n    com outro nome: ABC em a é T1 em b\n"));
+    EXPECT_EQ(diff("a.json renamed.json --ignore primitive.name").status, 0);
 }
 
-// Names that look like options, commands or standard input.
-TEST_F(DiffTest, GitCallsItForFilesOfAnyName) {
-    const std::vector<std::string> names{"-",     "--",        "-o",         "-h",      "--help",
-                                         "--git", "--version", "-x y",       "--only=", "[a,b]",
-                                         "a b",   "--only",    "--textconv", "100644",  "%s"};
-    std::string quoted;
-    for (const std::string& name : names)
-        quoted += " './" + name + "'";
-    const std::string git = "export HOME=$PWD GIT_CONFIG_NOSYSTEM=1; unset GIT_DIR; "
-                            "mkdir -p repository; cd repository; git init -q; "
-                            "git config user.name A; git config user.email a@example.org; ";
-    ASSERT_EQ(shell(git + "echo '* diff=trace' >.gitattributes; for name in" + quoted +
-                    "; do cp ../a.json \"$name\"; done; git add . && git commit -qm first; "
-                    "for name in" +
-                    quoted + "; do cp ../b.json \"$name\"; done")
-                  .status,
-              0);
-    const auto occurrences = [](const std::string& text, const std::string& part) {
-        std::size_t count = 0;
-        for (std::size_t at = 0; (at = text.find(part, at)) != std::string::npos; ++at)
-            ++count;
-        return count;
-    };
-    for (const std::string options : {"", " --only scanline"}) {
-        const Outcome told = shell(git + "git -c diff.trace.command=\"$rastertrace diff --git" +
-                                   options + "\" diff");
-        EXPECT_EQ(told.status, 0) << told.err;
-        for (const std::string& name : names)
-            EXPECT_THAT(told.out, HasSubstr("rastertrace diff " + name + "\na: " + name +
-                                            ", before\nb: " + name + ", now\n1 step differs\n"));
-    }
-    const Outcome lines =
-        shell(git + "git -c diff.trace.textconv=\"$rastertrace diff --textconv\" diff");
-    EXPECT_EQ(lines.status, 0) << lines.err;
-    EXPECT_EQ(occurrences(lines.out, "\n+ABC: scanline y=2   left AB"), names.size());
+TEST_F(DiffTest, ColorsAreForTerminals) {
+    EXPECT_THAT(diff("a.json b.json").out, Not(HasSubstr("\x1b")));
+    const std::string colored = diff("a.json b.json --color always").out;
+    EXPECT_THAT(colored, HasSubstr("\x1b["));
+    write("colored.txt", colored);
+    EXPECT_EQ(shell("sed 's/\\x1b\\[[0-9;]*m//g' colored.txt").out, diff("a.json b.json").out);
+}
 
-    const Outcome renamed = shell(git + "git checkout -q . && git mv -- -o --new && cp ../b.json "
-                                        "./--new; git -c diff.trace.command=\"$rastertrace diff "
-                                        "--git\" diff -M HEAD");
-    EXPECT_EQ(renamed.status, 0) << renamed.err;
-    EXPECT_THAT(renamed.out, StartsWith("rastertrace diff -o, now --new\na: -o, before\n"
-                                        "b: --new, now\n1 step differs\n"));
-    EXPECT_EQ(diff("--git --help").out, "rastertrace diff --help\nnot merged\n");
+TEST_F(DiffTest, SeveralGoldensMayBeAccepted) {
+    shell("cp a.json a.golden.json");
+    EXPECT_EQ(diff("a.golden.json b.json").status, 1);
+    shell("cp b.json a.gcc.golden.json");
+    const Outcome told = diff("a.golden.json b.json");
+    EXPECT_EQ(told.status, 0);
+    EXPECT_THAT(told.out, HasSubstr("a.gcc.golden.json is accepted besides a.golden.json\n"));
+    // None of another name.
+    shell("mv a.gcc.golden.json ab.golden.json; cp b.json a.golden.gcc.json");
+    EXPECT_EQ(diff("a.golden.json b.json").status, 1);
 }
 
 } // namespace

@@ -502,7 +502,7 @@ TEST_F(ProgramTest, StepsAreToldInTheLanguageThatIsAskedForNeverInThatOfTheLocal
     for (const std::string& command :
          {"play" + triangle + row + " --print 80x24",
           "figure" + triangle + row + " -o - --format svg", "explain" + triangle + " --pixel 3,2",
-          "diff --textconv" + triangle})
+          "diff" + triangle + " --against rounding=truncate"})
         EXPECT_THAT(shell("$rastertrace " + command + " --language pt").out, HasSubstr("linha y=2"))
             << command;
     EXPECT_THAT(shell("$rastertrace explain" + triangle + " --pixel 4,2 --language pt").out,

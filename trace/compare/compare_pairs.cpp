@@ -58,8 +58,6 @@ void TraceComparison::compare_pairs() {
                                  "on the traces were read twice",
                                  "as primitivas não são as mesmas na mesma ordem: dali em diante "
                                  "os rastros foram lidos duas vezes"}));
-    if (!options_.compares_names)
-        find_names(of_a, of_b, in_b);
 
     // Both lists together: what only one has, what has moved, and what is in the same order in both.
     const auto is_broken = [&](std::size_t in_list_a, std::size_t in_list_b) {
@@ -91,31 +89,6 @@ void TraceComparison::compare_pairs() {
     }
 }
 
-/// Finds what is named otherwise in b.
-void TraceComparison::find_names(const std::vector<PrimitivePlace>& of_a,
-                                 const std::vector<PrimitivePlace>& of_b,
-                                 const std::vector<std::size_t>& in_b) {
-    std::size_t renamed = 0;
-    for (std::size_t i = 0; i < of_a.size(); ++i) {
-        if (in_b[i] == nowhere || !is_renamed(of_a[i], of_b[in_b[i]]))
-            continue;
-        const PrimitivePlace& other = of_b[in_b[i]];
-        names_.add(a_.step_at(of_a[i].begin, of_a[i].end.offset),
-                   b_.step_at(other.begin, other.end.offset));
-        ++renamed;
-    }
-    if (renamed == 0)
-        return;
-    remarks_.push_back(
-        renamed == 1
-            ? said({"1 primitive is renamed", "1 primitiva tem outro nome"})
-            : said({"{} primitives are renamed", "{} primitivas têm outro nome"}, renamed));
-    const auto has_front = [](const DiffSide& side) {
-        return !side.primitives.empty() && side.primitives.front().steps > 0;
-    };
-    needs_names_in_front_ = !had_names_ && (has_front(a_) || has_front(b_));
-}
-
 /// A primitive that only one trace has, with all its steps.
 void TraceComparison::add_primitive(const TraceText& text, const PrimitivePlace& primitive,
                                     bool is_in_a) {
@@ -135,21 +108,11 @@ void TraceComparison::add_primitive(const TraceText& text, const PrimitivePlace&
 /// A primitive that both traces have, perhaps at another place.
 void TraceComparison::compare_primitives(const PrimitivePlace& of_a, const PrimitivePlace& of_b,
                                          bool has_moved, bool breaks_off) {
-    Renames names;
-    renames_section_ = !options_.compares_names && !names_.is_empty();
-    StepReading reading_b{.keys = options_.keys};
-    DiffSide a(a_.text, true, of_a, {.keys = options_.keys});
-    if (renames_section_) { // the first step of b has the names
-        reading_b.rewrite = [&](std::string_view step) {
-            if (names.is_empty())
-                names.add(a.lines.front()->json, std::string(step));
-            return names.in_step(step, names_);
-        };
-    }
-    DiffSide b(b_.text, false, of_b, std::move(reading_b));
+    DiffSide a(a_.text, true, of_a, options_.keys);
+    DiffSide b(b_.text, false, of_b, options_.keys);
     const StepLine* const step_a = a.lines.front();
-    const StepLine* const step_b = step_a == nullptr ? nullptr : b.lines.front();
-    if (step_b == nullptr)
+    const StepLine* const step_b = b.lines.front();
+    if (step_a == nullptr || step_b == nullptr)
         return;
     a_.json = step_a->json;
     b_.json = step_b->json;

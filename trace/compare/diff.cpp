@@ -131,13 +131,8 @@ TraceDiff diff(const TraceText& a, const TraceText& b, const DiffOptions& option
     if (have_same_bytes(a, b))
         return same_bytes(std::move(found), a, b);
 
-    std::optional<TraceComparison> compared;
-    compared.emplace(a, b, options).run();
-    if (compared->needs_names_in_front()) {
-        Renames names = compared->names();
-        compared.emplace(a, b, options, std::move(names)).run();
-    }
-    const TraceComparison& comparison = *compared;
+    TraceComparison comparison(a, b, options);
+    comparison.run();
     const DiffTally& tally = comparison.tally();
     found.kinds = tally.kinds();
     found.remarks = comparison.remarks();

@@ -46,8 +46,7 @@ struct DiffOptions {
         ignored{}; ///< `header`, `end`, a kind of step, or one of its fields: pixel.color
     std::vector<std::string> only{}; ///< these kinds alone; none: all
     std::map<std::string, std::vector<std::string>>
-        keys{};                  ///< of kinds of one's own: the fields that a step is found by
-    bool compares_names = false; ///< a primitive, vertex or edge that has another name differs
+        keys{};                 ///< of kinds of one's own: the fields that a step is found by
     bool compares_order = true; ///< a step that stands among others than in the other trace differs
     bool compares_common = false; ///< only kinds and fields that both traces tell
 
@@ -55,6 +54,9 @@ struct DiffOptions {
         return std::find(ignored.begin(), ignored.end(), name) != ignored.end();
     }
 };
+
+/// Reads `tile=tx,ty`: the fields that a step of a kind of one's own is found by. Throws a Problem.
+void add_step_key(DiffOptions& options, const std::string& text);
 
 /// A step of one of the two traces.
 struct DiffStep {

@@ -41,12 +41,12 @@ bool have_field(const TraceText& a, const TraceText& b, std::string_view field) 
 }
 
 /// What is wrong with a field of a kind that we know, for an option: it is a key, which steps are found by, or no
-/// number; "" if nothing is.
+/// number; "" if nothing is. (Primitives are found by their places, too.)
 std::string_view fault_of_field(std::string_view option, StepKind kind, std::string_view name) {
     for (const StepField& field : fields_of(kind)) {
         if (field.name != name)
             continue;
-        if (field.role == FieldRole::key)
+        if (field.role == FieldRole::key && kind != StepKind::primitive)
             return "steps are found by it";
         if (option == "--tolerance" && field.element != FieldType::whole &&
             field.element != FieldType::quantity)
@@ -119,6 +119,24 @@ DiffTolerance parse_tolerance(const std::string& text) {
                             printable(text)));
     tolerance.amount = std::move(*number);
     return tolerance;
+}
+
+void add_step_key(DiffOptions& options, const std::string& text) {
+    const std::size_t equals = text.find('=');
+    const std::string kind = text.substr(0, equals);
+    std::vector<std::string> fields;
+    if (equals != std::string::npos)
+        fields = split_at(text.substr(equals + 1), ',');
+    if (kind.empty() || fields.empty() ||
+        std::find(fields.begin(), fields.end(), "") != fields.end())
+        throw problem_of(
+            "", fmt::format("--key: expected KIND=FIELD,..., like tile=tx,ty, found \"{}\"",
+                            printable(text)));
+    if (step_kind_named(kind))
+        throw problem_of("", fmt::format("--key: expected a kind of step of your own, found {}, "
+                                         "whose steps are found by fields of their own",
+                                         kind));
+    options.keys[kind] = std::move(fields);
 }
 
 void check_names(const DiffOptions& options, const TraceText& a, const TraceText& b) {

@@ -109,7 +109,13 @@ std::string first_text(const TraceDiff& found) {
     text += steps_of('a', found.before_a, first.a, found.after_a);
     text += steps_of('b', found.before_b, first.b, found.after_b);
     for (const FieldDifference& field : first.fields)
-        text += "    " + field_text(field) + "\n";
+        text += "    " +
+                (first.kind == "primitive" && field.name == "name" && !field.a.empty() &&
+                         !field.b.empty()
+                     ? said({"renamed: {} in a is {} in b", "com outro nome: {} em a é {} em b"},
+                            value_text(field.a), value_text(field.b))
+                     : field_text(field)) +
+                "\n";
 
     const Consequences& led_to = found.led_to;
     if (led_to.count == 0)

@@ -166,8 +166,6 @@ bool are_near_numbers(const TracedNumber& a, const TracedNumber& b) {
 PrimitivePlace primitive_place(const std::string& primitive_json, LinePlace begin) {
     const auto step = StepView(primitive_json).as<PrimitiveStep>();
     PrimitivePlace place{.name = step.name.text(), .begin = begin};
-    for (const std::string& vertex : step.vertices.texts())
-        place.vertex_names = mixed(place.vertex_names, std::hash<std::string>()(vertex));
     for (const TracedList<TracedNumber>& corner : step.at.values()) {
         std::uint64_t hash = mixed(std::hash<std::string_view>()(step.kind.json()),
                                    static_cast<std::uint64_t>(step.radius.value_or(0)));
@@ -176,11 +174,6 @@ PrimitivePlace primitive_place(const std::string& primitive_json, LinePlace begi
         place.corners.push_back(hash);
     }
     return place;
-}
-
-bool is_renamed(const PrimitivePlace& a, const PrimitivePlace& b) {
-    return a.name != b.name ||
-           (a.vertex_names != b.vertex_names && a.vertex_names != 0 && b.vertex_names != 0);
 }
 
 bool begin_same_primitive(const std::string& a, const std::string& b) {

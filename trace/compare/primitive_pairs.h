@@ -20,7 +20,6 @@ namespace rastertrace {
 /// fraction are the same.
 struct PrimitivePlace {
     std::string name{};
-    std::uint64_t vertex_names = 0;       ///< a hash of those; 0 if not told
     std::vector<std::uint64_t> corners{}; ///< a hash of the coordinates of each; none if not told
     std::uint64_t content = 0;            ///< a hash of its other steps
     LinePlace begin{};
@@ -29,9 +28,6 @@ struct PrimitivePlace {
 
 /// The primitive that a step begins.
 PrimitivePlace primitive_place(const std::string& primitive_json, LinePlace begin);
-
-/// True if two places of one primitive are named otherwise, as far as both tell names.
-bool is_renamed(const PrimitivePlace& a, const PrimitivePlace& b);
 
 /// True if two steps begin the same primitive: of one kind and name, with vertices of the same names, each within 0.001
 /// (of its size, if that is larger) of the other.

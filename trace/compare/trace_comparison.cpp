@@ -78,27 +78,12 @@ OwnerOfPixels DiffSide::primitive(std::uint32_t number) const {
     return owner;
 }
 
-TraceComparison::TraceComparison(const TraceText& a, const TraceText& b, const DiffOptions& options,
-                                 Renames names)
-    : options_(options), names_(std::move(names)), had_names_(!names_.is_empty()),
-      renames_front_(had_names_), compared_(a, b, options),
-      has_primitives_(compared_.has_primitives()),
+TraceComparison::TraceComparison(const TraceText& a, const TraceText& b, const DiffOptions& options)
+    : options_(options), compared_(a, b, options), has_primitives_(compared_.has_primitives()),
       fields_(options, (a.header().method_value("scalar") == "float" ? 1 : 0) +
                            (b.header().method_value("scalar") == "float" ? 1 : 0)),
-      a_(a, true, {.keys = options.keys}), b_(b, false, reading_of_b()),
-      tally_(options.compares_order), bytes_to_search_(a.size() + b.size()),
-      remarks_(compared_.remarks()) {}
-
-/// In front of the first primitive of b its names are those of a, as far as they are known.
-StepReading TraceComparison::reading_of_b() const {
-    StepReading reading{.keys = options_.keys};
-    if (renames_front_)
-        reading.rewrite = [this](std::string_view step) {
-            return renames_front_ && !begins_primitive(step) ? names_.in_step(step, {})
-                                                             : std::string(step);
-        };
-    return reading;
-}
+      a_(a, true, options.keys), b_(b, false, options.keys), tally_(options.compares_order),
+      bytes_to_search_(a.size() + b.size()), remarks_(compared_.remarks()) {}
 
 void TraceComparison::run() {
     if (!compare_in_order())
@@ -159,8 +144,7 @@ bool TraceComparison::compare_in_order() {
         const StepLine* const b = b_.lines.front();
         if (a == nullptr && b == nullptr)
             return true;
-        renames_front_ = false;
-        if (had_names_ || a == nullptr || b == nullptr || !begin_same_primitive(a->json, b->json)) {
+        if (a == nullptr || b == nullptr || !begin_same_primitive(a->json, b->json)) {
             common_primitives_ = static_cast<std::uint32_t>(a_.primitives.size());
             return false;
         }
@@ -196,8 +180,7 @@ void TraceComparison::compare(const StepLine& a, const StepLine& b) {
 /// Compares the steps up to the next primitive.
 void TraceComparison::compare_section(DiffSide& a, DiffSide& b) {
     for (;;) {
-        if (!renames_front_ && !renames_section_)
-            pass_equal_lines(a, b);
+        pass_equal_lines(a, b);
         const StepLine* const of_a = next_compared(a);
         const StepLine* const of_b = next_compared(b);
         if (of_a == nullptr && of_b == nullptr)

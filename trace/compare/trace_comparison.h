@@ -14,7 +14,6 @@
 #include "diff_picture.h"
 #include "diff_tally.h"
 #include "primitive_pairs.h"
-#include "renames.h"
 #include "waiting_steps.h"
 
 #include <rastertrace/trace/record/step_lines.h>
@@ -42,13 +41,12 @@ struct DiffSide {
     bool breaks_off = false;               ///< of a part: the trace ends within it
 
     /// The whole trace, with its picture.
-    DiffSide(const TraceText& of, bool is_first, StepReading reading)
-        : text(of), is_a(is_first), lines(of, {}, nowhere, std::move(reading)),
-          picture(of.header().canvas) {}
+    DiffSide(const TraceText& of, bool is_first, const StepKeys& keys)
+        : text(of), is_a(is_first), lines(of, {}, nowhere, keys), picture(of.header().canvas) {}
 
     /// A part of it.
-    DiffSide(const TraceText& of, bool is_first, const PrimitivePlace& part, StepReading reading)
-        : text(of), is_a(is_first), lines(of, part.begin, part.end.offset, std::move(reading)) {}
+    DiffSide(const TraceText& of, bool is_first, const PrimitivePlace& part, const StepKeys& keys)
+        : text(of), is_a(is_first), lines(of, part.begin, part.end.offset, keys) {}
 
     /// Goes on by a step, of which so much has been seen.
     void see(const SeenStep& step, std::string_view line, LinePlace place);
@@ -72,16 +70,9 @@ struct DiffGap {
 
 class TraceComparison {
 public:
-    /// `names` are what in front of the first primitive of b is named otherwise than in a.
-    TraceComparison(const TraceText& a, const TraceText& b, const DiffOptions& options,
-                    Renames names = {});
+    TraceComparison(const TraceText& a, const TraceText& b, const DiffOptions& options);
 
     void run();
-
-    /// What is named otherwise in b; run() has compared the steps in front of the first primitive without these names if
-    /// it has just found them.
-    const Renames& names() const { return names_; }
-    bool needs_names_in_front() const { return needs_names_in_front_; }
 
     const DiffTally& tally() const { return tally_; }
     const std::vector<std::string>& remarks() const { return remarks_; }
@@ -100,10 +91,7 @@ public:
 
 private:
     bool compare_in_order();
-    StepReading reading_of_b() const;
     void compare_pairs();
-    void find_names(const std::vector<PrimitivePlace>& of_a,
-                    const std::vector<PrimitivePlace>& of_b, const std::vector<std::size_t>& in_b);
     void compare_section(DiffSide& a, DiffSide& b);
     void compare_primitives(const PrimitivePlace& of_a, const PrimitivePlace& of_b, bool has_moved,
                             bool breaks_off);
@@ -131,11 +119,6 @@ private:
     std::uint32_t b_of_a(std::uint32_t of_a) const;
 
     const DiffOptions& options_;
-    Renames names_;
-    bool needs_names_in_front_ = false;
-    bool had_names_;     ///< from the beginning
-    bool renames_front_; ///< the steps in front of the first primitive are read with `names_`
-    bool renames_section_ = false; ///< so are those of the current primitive, with its own names
     ComparedSteps compared_;
     bool has_primitives_;
     FieldComparison fields_;

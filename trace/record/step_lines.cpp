@@ -32,7 +32,7 @@ void add_key(std::string& key, std::string_view name, std::string_view json) {
     key += number ? std::to_string(*number) : plain_text(json);
 }
 
-std::string key_of(const StepLine& line, const StepReading& reading) {
+std::string key_of(const StepLine& line, const StepKeys& keys) {
     std::string key = line.kind_name;
     const StepView step(line.json);
     if (line.kind) {
@@ -44,8 +44,8 @@ std::string key_of(const StepLine& line, const StepReading& reading) {
     }
     // Of a kind that we do not know: what it was said to have, or what other kinds have.
     static const std::vector<std::string> usual{"name", "x", "y"};
-    const auto own = reading.keys.find(line.kind_name);
-    for (const std::string& name : own == reading.keys.end() ? usual : own->second)
+    const auto own = keys.find(line.kind_name);
+    for (const std::string& name : own == keys.end() ? usual : own->second)
         if (const auto json = step.field(name))
             add_key(key, name, *json);
     return key;
@@ -54,13 +54,13 @@ std::string key_of(const StepLine& line, const StepReading& reading) {
 } // namespace
 
 StepLine step_line(const std::string& name, std::string json, std::size_t number,
-                   const StepReading& reading) {
+                   const StepKeys& keys) {
     Source source{name, std::move(json), {}};
     StepLine line;
     line.kind = checked_kind(source, 0, source.text.size());
     line.json = std::move(source.text);
     line.kind_name = line.kind ? std::string(name_of(*line.kind)) : StepView(line.json).kind_name();
-    line.key = key_of(line, reading);
+    line.key = key_of(line, keys);
     line.number = number;
     return line;
 }
@@ -72,14 +72,8 @@ std::string_view step_of_line(std::string_view line) {
     return line;
 }
 
-bool begins_primitive(std::string_view line) {
-    if (line.starts_with(front_of_step))
-        return line.substr(front_of_step.size()).starts_with("primitive\"");
-    return StepView(step_of_line(line)).kind() == StepKind::primitive;
-}
-
-StepLines::StepLines(const TraceText& text, LinePlace from, std::size_t end, StepReading reading)
-    : text_(text), place_(from), end_(end), reading_(std::move(reading)) {
+StepLines::StepLines(const TraceText& text, LinePlace from, std::size_t end, StepKeys keys)
+    : text_(text), place_(from), end_(end), keys_(std::move(keys)) {
     if (place_.offset == 0)
         place_.offset = text.begin();
 }
@@ -192,9 +186,7 @@ const StepLine* StepLines::at(std::size_t i) {
 
 StepLine StepLines::step_in(std::string_view json) const {
     try {
-        StepLine line =
-            step_line(text_.name(), reading_.rewrite ? reading_.rewrite(json) : std::string(json),
-                      place_.steps + 1, reading_);
+        StepLine line = step_line(text_.name(), std::string(json), place_.steps + 1, keys_);
         line.place = place_;
         return line;
     } catch (Problem& problem) {

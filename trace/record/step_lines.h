@@ -15,7 +15,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <deque>
-#include <functional>
 #include <limits>
 #include <map>
 #include <optional>
@@ -43,25 +42,19 @@ struct StepLine {
     std::size_t number = 0; ///< from 1
 };
 
-/// How steps are understood.
-struct StepReading {
-    /// The fields that tell a step of a kind that we do not know from others of its kind; else `name`, `x` and `y`.
-    std::map<std::string, std::vector<std::string>> keys{};
-
-    /// What is taken for the JSON of a step; nothing: as it stands.
-    std::function<std::string(std::string_view json)> rewrite{};
-};
+/// By kinds that we do not know: the fields that tell a step from others of its kind. `name`, `x` and `y` of any other.
+using StepKeys = std::map<std::string, std::vector<std::string>>;
 
 /// A step that stands nowhere, by its number. Throws a Problem if it is none.
 StepLine step_line(const std::string& name, std::string json, std::size_t number,
-                   const StepReading& reading = {});
+                   const StepKeys& keys = {});
 
 class StepLines {
 public:
     /// Goes from a place on, the first line if that is at offset 0, to the end of the steps or to `end`.
     explicit StepLines(const TraceText& text, LinePlace from = {},
                        std::size_t end = std::numeric_limits<std::size_t>::max(),
-                       StepReading reading = {});
+                       StepKeys keys = {});
 
     /// The next step; nullptr behind the last. Throws a Problem if it is none that can be understood.
     const StepLine* front() { return at(0); }
@@ -137,7 +130,7 @@ private:
     std::size_t passed_ = 0; ///< bytes of the buffer
     LinePlace place_;
     std::size_t end_;
-    StepReading reading_;
+    StepKeys keys_;
     std::deque<StepLine> ahead_;
     bool has_all_ = false; ///< the text has been read to its end
     bool is_behind_ = false;
@@ -146,8 +139,5 @@ private:
 
 /// A step line without blanks around it, and without the comma of a document.
 std::string_view step_of_line(std::string_view line);
-
-/// True if a line begins a primitive; it need not be written as this program writes it.
-bool begins_primitive(std::string_view line);
 
 } // namespace rastertrace

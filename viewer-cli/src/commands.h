@@ -177,25 +177,12 @@ struct ExplainCommand {
 };
 int run(const ExplainCommand& command);
 
-enum class DiffFormat : std::uint8_t { text, json, markdown, junit };
-
 struct DiffCommand {
-    /// How the files are given.
-    enum class Arguments {
-        two, ///< two scenes or traces; or one scene, and --against
-        git, ///< as git gives them to an external diff command: name, old file, ..., new file, ...
-        textconv, ///< one file, whose lines git compares
-    };
-
-    std::vector<std::string> files;
-    Arguments arguments = Arguments::two;
-    std::string against; ///< METHOD: the only scene, drawn by another one
+    std::vector<std::string> files; ///< two scenes or traces; or one scene, and `against`
+    std::string against;            ///< METHOD: the only scene, drawn by another one
     DiffOptions options;
     std::optional<Color> background{}; ///< of a picture: what is not drawn
-    MethodOverrides method_of_rules{}; ///< for scenes
-    std::string rules; ///< a file of them; "": the one beside the first file, if there is one
-    DiffFormat format = DiffFormat::text;
-    std::string pictures{}; ///< of markdown: the folder that they are written to
+    bool json = false;
     ColorChoice color = ColorChoice::automatic;
     bool is_quiet = false; ///< remarks on scenes are told nobody
     MethodOverrides method;
@@ -204,9 +191,8 @@ struct DiffCommand {
 };
 int run(const DiffCommand& command);
 
-/// What the two files do differently, by the rules of the team, with the goldens that are accepted besides. Throws a
-/// Problem.
-TraceDiff compared(const DiffCommand& command);
+/// What the two files do differently, with the goldens that are accepted besides the first. Throws a Problem.
+TraceDiff diff_of_files(const DiffCommand& command);
 
 /// Compares the files of two folders that have one name. Throws a Problem if there are none.
 ExitStatus diff_folders(const DiffCommand& command);

@@ -71,7 +71,7 @@ ExitStatus diff_folders(const DiffCommand& command) {
                 ++differing;
                 tell(name, "only", places[0] ? "\"a\"" : "\"b\"",
                      places[0] ? said({"only in a", "só em a"}) : said({"only in b", "só em b"}));
-            } else if (const TraceDiff found = compared(pair); !found.damage.empty()) {
+            } else if (const TraceDiff found = diff_of_files(pair); !found.damage.empty()) {
                 throw found.damage.front();
             } else if (!found.is_same) {
                 ++differing;
@@ -92,7 +92,7 @@ ExitStatus diff_folders(const DiffCommand& command) {
             (differing == 1 ? said({" differs", " difere"}) : said({" differ", " diferem"}));
     if (unread > 0)
         text += said({", {} cannot be read", ", {} não podem ser lidos"}, unread);
-    if (command.format == DiffFormat::json)
+    if (command.json)
         text = fmt::format(R"({{"compared":{},"differ":{},"unread":{},"files":[{}]}})",
                            files.size(), differing, unread, joined(json, ",\n"));
     print(text + "\n");

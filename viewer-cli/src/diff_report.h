@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// What two traces do differently, for a pull request, a CI server and a terminal.
+// What two traces do differently, for a terminal.
 //
-//     print(diff_markdown(found, "pictures"));
+//     print(diff_in_color(diff_text(found), output_colors(ColorChoice::automatic)));
 
 #include "terminal_text.h"
 
@@ -25,13 +25,6 @@ std::string without_kinds(const std::string& text);
 
 /// What a step says, or that there is none.
 std::string sentence_of(const std::optional<DiffStep>& step);
-
-/// A summary, and what diff_text says folded away. With a folder for pictures, `a.png`, `b.png` and `difference.png` are
-/// written there, of the part that differs, and shown side by side. Throws a Problem.
-std::string diff_markdown(const TraceDiff& found, const std::string& picture_folder);
-
-/// One test case, which fails if they differ.
-std::string diff_junit(const TraceDiff& found);
 
 /// What diff_text says with colors: a in red, b in green, and the marks of pictures.
 std::string diff_in_color(const std::string& text, ColorDepth colors);

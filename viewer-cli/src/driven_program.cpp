@@ -6,7 +6,6 @@
 #include "run_self.h"
 #include "temporary_folder.h"
 
-#include <rastertrace/trace/compare/diff_rules.h>
 #include <rastertrace/trace/picture/picture_diff.h>
 #include <rastertrace/trace/picture/picture_trace.h>
 #include <rastertrace/trace/record/write_trace.h>
@@ -205,8 +204,11 @@ std::optional<DrivenFinding> DrivenProgram::difference(const FuzzScene& scene,
 }
 
 std::string DrivenProgram::ignored() const {
-    const bool tells_colors = text_for(placeholder_).write != triangles_text;
-    return tells_colors ? "header,end" : "header,end,primitive.color,pixel.color";
+    const std::string ignored = "header,end,primitive.name,primitive.vertices";
+    return text_for(placeholder_).write != triangles_text
+               ? ignored
+               : ignored + ",primitive.color,pixel.color,vertex,edge,scanline.left_edge,"
+                           "scanline.right_edge,depth.side_of,depth.beside,depth.behind";
 }
 
 std::optional<DrivenFinding> DrivenProgram::compared(const std::string& reference,

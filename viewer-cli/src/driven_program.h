@@ -62,7 +62,8 @@ public:
     /// The words, with a file in the place of the scene.
     std::vector<std::string> words_for(const std::string& scene, const std::string& out) const;
 
-    /// What is never compared: not the colors of a text that has none.
+    /// What is never compared: what a program calls its primitives; of a text without colors and without names of
+    /// vertices, these, and what is named by vertices.
     std::string ignored() const;
     bool answers_in_file() const { return has_out_; }
 

@@ -6,7 +6,6 @@
 #include "option_values.h"
 
 #include <rastertrace/figures/view.h>
-#include <rastertrace/trace/compare/diff_rules.h>
 #include <rastertrace/trace/text/color_text.h>
 #include <rastertrace/trace/text/language.h>
 #include <rastertrace/trace/text/method_file.h>
@@ -220,8 +219,6 @@ void ComparisonOptions::add_to(OptionList& options) {
         .repeatable();
     options.option("--background", background_,
                    "The color of a picture where nothing is drawn, if it has one", "COLOR");
-    options.flag("--names", options_.compares_names,
-                 "A primitive, vertex or edge that is named otherwise differs");
     options.flag("--any-order", is_any_order_,
                  "Steps of a primitive, and primitives, may come in another order");
     options.flag("--common", options_.compares_common,
@@ -265,7 +262,7 @@ std::string ComparisonOptions::words(const std::string& ignored) const {
         add("--key", key);
     add("--only", only_);
     add("--background", background_);
-    return options_.compares_names ? words + " --names" : words;
+    return words;
 }
 
 } // namespace rastertrace

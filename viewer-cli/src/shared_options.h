@@ -75,7 +75,7 @@ private:
     std::string frame_;
 };
 
-/// What of two traces is compared: --tolerance, --ignore, --only, --key, --names, --any-order, --common.
+/// What of two traces is compared: --tolerance, --ignore, --only, --key, --any-order, --common.
 class ComparisonOptions {
 public:
     void add_to(OptionList& options);

@@ -4,7 +4,7 @@
 #include "question.h"
 
 #include <rastertrace/trace/compare/diff.h>
-#include <rastertrace/trace/compare/diff_rules.h>
+#include <rastertrace/trace/compare/other_goldens.h>
 #include <rastertrace/trace/record/excerpt.h>
 #include <rastertrace/trace/record/step_kind.h>
 #include <rastertrace/trace/record/trace_text.h>
@@ -136,8 +136,6 @@ TraceMatcher MatchesTrace(const std::string& golden, GoldenRules rules, Caller c
                               options.ignored.emplace_back("header");
                           for (const std::string& tolerance : rules.tolerances)
                               options.tolerances.push_back(parse_tolerance(tolerance));
-                          if (const auto rules_of_team = rules_beside(golden, InputLimits{}))
-                              options = joined_options(rules_of_team->options, options);
                           if (is_renewing())
                               renew(golden, golden_text(tested, rules.kinds, golden));
 
