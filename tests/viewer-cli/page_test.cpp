@@ -112,15 +112,14 @@ TEST(RenewedPage, BlankLinesBehindAnOutputAreTheAuthors) {
                                  "```\n");
 }
 
-TEST(RenewedPage, FencesAreThoseOfCommonMark) {
+TEST(RenewedPage, AFenceHasThreeMarksOrMore) {
     const std::string ours = "$ rastertrace plan a.json\nold\n";
     const std::string renewed_ours = "$ rastertrace plan a.json\nnew\n";
     for (const auto& [before, after] : std::vector<std::pair<std::string, std::string>>{
              {"```\n", "```\n"},
-             {"~~~ text `with` marks\n", "~~~\n"},
+             {"```console\n", "```\n"},
              {"`````\n", "``````  \n"},
-             {"````\n$ ls\n```\n~~~~\n````json\n", "````\n"},
-             {"```\n$ ls\n    ```\n", "   ```\n"}})
+             {"````\n$ ls\n```\n````json\n", "````\n"}})
         EXPECT_EQ(renewed(before + ours + after, "new\n"), before + renewed_ours + after);
     for (const std::string before : {"", "``\n", "```code``` in a line\n", "```\n```\n", "> ```\n"})
         EXPECT_EQ(renewed(before + ours, "new\n"), before + ours);
@@ -128,44 +127,42 @@ TEST(RenewedPage, FencesAreThoseOfCommonMark) {
 
 TEST(RenewedPage, ABlockInAListKeepsItsIndent) {
     EXPECT_EQ(renewed("1. Look:\n"
-                      "   ~~~\n"
+                      "   ```\n"
                       "   $ rastertrace plan a.json\n"
                       "old\n"
-                      "   ~~~\n",
+                      "   ```\n",
                       "new\n\n  newer\n"),
               "1. Look:\n"
-              "   ~~~\n"
+              "   ```\n"
               "   $ rastertrace plan a.json\n"
               "   new\n"
               "\n"
               "     newer\n"
-              "   ~~~\n");
+              "   ```\n");
 }
 
 TEST(RenewedPage, TheRestStaysAsItIsByteForByte) {
     const std::string text = "\xEF\xBB\xBF"
                              "caf\xC3\xA9 \xFF\r\n"
-                             "```\r\n"
-                             "$ rastertrace plan a.json\r\n"
-                             "old\r\n"
+                             "```\n"
+                             "$ rastertrace plan a.json\n"
+                             "old\n"
                              "```";
     EXPECT_EQ(renewed(text, "A \xE2\x86\x92 B\nnew\n"), "\xEF\xBB\xBF"
                                                         "caf\xC3\xA9 \xFF\r\n"
-                                                        "```\r\n"
-                                                        "$ rastertrace plan a.json\r\n"
-                                                        "A \xE2\x86\x92 B\r\n"
-                                                        "new\r\n"
+                                                        "```\n"
+                                                        "$ rastertrace plan a.json\n"
+                                                        "A \xE2\x86\x92 B\n"
+                                                        "new\n"
                                                         "```");
     for (const std::string other : {"", "no newline", "```\n$ ls\n", "\n\n\r\n"})
         EXPECT_EQ(renewed(other, "new\n"), other);
 }
 
-TEST(RenewedPage, WordsAreSplitAsInAShell) {
+TEST(RenewedPage, WordsAreSplitAtBlanksAndQuotesAreTakenAway) {
     EXPECT_THAT(command("show  a.json\t--last").words, ElementsAre("show", "a.json", "--last"));
-    EXPECT_THAT(command(R"('a b' "c d" e\ f g'h'"i" '' "")").words,
-                ElementsAre("a b", "c d", "e f", "ghi", "", ""));
-    EXPECT_THAT(command(R"('*\' "\$\"\\\x" \* \')").words,
-                ElementsAre("*\\", "$\"\\\\x", "*", "'"));
+    EXPECT_THAT(command(R"('a b' "c d" g'h'"i" '' "")").words,
+                ElementsAre("a b", "c d", "ghi", "", ""));
     EXPECT_THAT(command("plan \xC3\xA9.json a#b").words,
                 ElementsAre("plan", "\xC3\xA9.json", "a#b"));
     EXPECT_THAT(command("").words, ElementsAre());
@@ -185,30 +182,18 @@ TEST(RenewedPage, WhatNeedsAShellIsRefused) {
               "$ rastertrace trace a.json | head\n"
               "                           ^\n"
               "hint: quote it if it is part of a word");
-    for (const char c : std::string("|&;<>()$`*?[]{}~!")) {
+    for (const char c : std::string("\\|&;<>()$`*?[]{}~!")) {
         EXPECT_THAT(problem_of_command(std::string("show a") + c),
                     testing::HasSubstr(std::string("page.md:2:21: expected a command that needs "
                                                    "no shell, found ") +
                                        c));
         EXPECT_THAT(command(std::string("show 'a") + c + "'").words,
                     ElementsAre("show", std::string("a") + c));
-        EXPECT_THAT(command(std::string("show a\\") + c).words,
-                    ElementsAre("show", std::string("a") + c));
     }
-    EXPECT_EQ(problem_of_command("show \"$HOME\""),
-              "page.md:2:21: expected a command that needs no shell, found $\n"
-              "$ rastertrace show \"$HOME\"\n"
-              "                    ^\n"
-              "hint: single quotes make it part of a word");
     EXPECT_EQ(problem_of_command("show 'a"),
               "page.md:2:20: expected a closing ', found the end of the line\n"
               "$ rastertrace show 'a\n"
               "                   ^");
-    EXPECT_EQ(problem_of_command("show a \\"),
-              "page.md:2:22: expected a character behind the backslash, found the end of the line\n"
-              "$ rastertrace show a \\\n"
-              "                     ^\n"
-              "hint: a command is one line");
 }
 
 TEST(RenewedPage, APlayerIsBegunByTheReader) {
@@ -238,8 +223,8 @@ TEST(RenewedPage, AnOutputEndsNeitherItsBlockNorItself) {
               "page.md:1:1: expected a longer fence, found one that the output of line 2 has, too\n"
               "```\n"
               "^");
-    EXPECT_EQ(renewed("````\n$ rastertrace plan a.json\n````\n", "```\n~~~~~\n````json\n"),
-              "````\n$ rastertrace plan a.json\n```\n~~~~~\n````json\n````\n");
+    EXPECT_EQ(renewed("````\n$ rastertrace plan a.json\n````\n", "```\n````json\n"),
+              "````\n$ rastertrace plan a.json\n```\n````json\n````\n");
     EXPECT_EQ(problem_of_page("```\n$ rastertrace plan a.json\n```\n", "$ ls\n"),
               "page.md:2:1: expected output that is no command, found \"$ ls\"\n"
               "$ rastertrace plan a.json\n"

@@ -32,12 +32,9 @@ Result<InputFile> InputFile::open(const std::string& path, Kind kind) {
 
     // A file that is not there was asked for wrongly; one that cannot be read on is broken.
     Descriptor opened;
-    try {
-        if (!is_standard_input)
-            opened = open_by_rules(path, O_RDONLY | (must_be_regular ? O_NONBLOCK : 0));
-    } catch (const Problem& problem) {
-        return problem;
-    }
+    if (!is_standard_input)
+        opened = Descriptor(
+            ::open(path.c_str(), O_RDONLY | O_CLOEXEC | (must_be_regular ? O_NONBLOCK : 0)));
     if (!is_standard_input && !opened.is_open()) {
         Problem problem =
             problem_of(name, fmt::format("expected a file that can be read, found: {}",

@@ -158,9 +158,9 @@ FileOutput::FileOutput(const std::string& path, std::span<const FileId> inputs) 
         fail(path_, not_created, errno);
     if (exists && S_ISDIR(status.st_mode))
         throw problem_of(path_, "expected a file to write, found a folder");
-    const std::string& elsewhere = file_rules().outputs;
+    const std::string& elsewhere = folder_of_outputs();
     if (exists && !S_ISREG(status.st_mode) && elsewhere.empty()) {
-        file_ = open_by_rules(path_, O_WRONLY | O_NOCTTY);
+        file_ = Descriptor(::open(path_.c_str(), O_WRONLY | O_NOCTTY | O_CLOEXEC));
         if (!file_.is_open())
             fail(path_, not_created, errno);
         return;
@@ -177,7 +177,6 @@ FileOutput::FileOutput(const std::string& path, std::span<const FileId> inputs) 
     FilePlace place = place_of(path_);
     name_ = std::move(place.name);
     folder_ = std::move(place.folder);
-    refuse_outside(folder_, name_, path_);
     // An older file that may not be written is not replaced either.
     if (exists && elsewhere.empty() && ::access(path_.c_str(), W_OK) != 0)
         fail(path_, not_written, errno);

@@ -51,7 +51,7 @@ private:
 /// Writes a file. A regular file is written beside its final place, and takes the final name in
 /// `commit`: until then, and if `commit` is never called, an older file of that name stays as it
 /// was. It replaces the file that a symbolic link leads to, not the link, and keeps the mode of the
-/// older file. A device or pipe is written directly. Where it may lie, process_files.h says.
+/// older file. A device or pipe is written directly.
 class FileOutput final : public Output {
 public:
     /// Opens the file; throws a Problem if that cannot be done, or if it is one of the `inputs`,

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The files of this process: which it has opened to be read, and where they may lie.
+// The files of this process: which it has opened to be read, and where it writes.
 //
-//     set_file_rules({.below = "/home/me/pages", .outputs = {}});  // before the first file is opened
-//     FileOutput output(path, opened_files());                     // nothing that was read is lost
+//     FileOutput output(path, opened_files());  // nothing that was read is lost
 
 #include "descriptor.h"
 
@@ -27,18 +26,9 @@ struct BytesDone {
 BytesDone bytes_done();
 void add_bytes_done(const BytesDone& more);
 
-/// Where the files of a process may lie.
-struct FileRules {
-    /// Files are read and written only below this folder: an absolute path without symbolic links. Links in the path of
-    /// a file are followed first. "": anywhere.
-    std::string below;
-
-    /// A file is written below this folder instead, under the whole path that it would have; "": at its place.
-    std::string outputs;
-};
-
-/// Rules for all files that are opened from then on. (Standard input and output are no files.)
-void set_file_rules(FileRules rules);
-const FileRules& file_rules();
+/// From then on files are written below this folder instead, under the whole path that they would have; "": at their
+/// place.
+void write_files_below(std::string folder);
+const std::string& folder_of_outputs();
 
 } // namespace rastertrace

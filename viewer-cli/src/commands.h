@@ -23,7 +23,6 @@
 #include <rastertrace/trace/text/input.h>
 #include <rastertrace/trace/text/method_names.h>
 
-#include <chrono>
 #include <cstddef>
 #include <optional>
 #include <string>
@@ -209,10 +208,7 @@ int run(const ValidateCommand& command);
 
 struct RenewCommand {
     std::vector<std::string> pages;
-    std::string output;         ///< empty: the page is replaced
-    bool check = false;         ///< write nothing, tell what differs
-    bool allow_outside = false; ///< commands use files anywhere, not only below the current folder
-    std::chrono::seconds time{60}; ///< for each command
+    bool check = false; ///< write nothing, tell what differs
 };
 int run(const RenewCommand& command);
 

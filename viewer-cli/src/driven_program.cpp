@@ -3,7 +3,6 @@
 
 #include "diff_report.h"
 #include "load.h"
-#include "run_self.h"
 #include "temporary_folder.h"
 
 #include <rastertrace/trace/picture/picture_diff.h>
@@ -104,8 +103,6 @@ DrivenProgram::DrivenProgram(std::vector<std::string> words, const ComparisonOpt
             "",
             "fuzz: expected a program behind --, with {scene} or {triangles} among its arguments",
             "like: rastertrace fuzz -- ./mine {scene}");
-    if (runs_for_page())
-        throw problem_of("", "fuzz: a page can run no program");
     has_out_ = has(out_placeholder);
     // A foreign rasterizer tells what it likes to, in the order in which it draws.
     options_.compares_common = true;

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include "page.h"
 
+#include "option_values.h"
+
 #include <rastertrace/trace/text/text.h>
 
 #include <fmt/core.h>
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <optional>
 #include <utility>
 
@@ -20,44 +21,26 @@ constexpr std::string_view prompt = "$ ";
 constexpr std::string_view our_prompt = "$ rastertrace ";
 
 /// What a shell acts on unless it is quoted: what POSIX lists, and what bash adds to that.
-constexpr std::string_view needs_shell = "|&;<>()$`*?[]{}~!";
+constexpr std::string_view needs_shell = "\\|&;<>()$`*?[]{}~!";
 
 bool is_blank(std::string_view text) {
     return text.find_first_not_of(blanks) == std::string_view::npos;
 }
 
-/// How far the run of `mark` that begins at `begin` goes.
-std::size_t end_of_run(std::string_view text, std::size_t begin, char mark) {
-    return std::min(text.find_first_not_of(mark, begin), text.size());
-}
-
-/// The fence that a line outside of code blocks is, as CommonMark has it; but it may be indented by
-/// any number of blanks, as it is in the items of a list.
-std::optional<Fence> fence_opened_by(std::string_view line) {
+/// The fence that a line is, if it has no text; it may be indented by any number of blanks, as in the items of a list.
+std::optional<Fence> fence_in(std::string_view line) {
     const std::size_t begin = std::min(line.find_first_not_of(blanks), line.size());
-    const char mark = line.substr(begin).starts_with('~') ? '~' : '`';
-    const std::size_t end = end_of_run(line, begin, mark);
-    if (end - begin < 3)
-        return std::nullopt;
+    const std::size_t end = std::min(line.find_first_not_of('`', begin), line.size());
     // ```So``` is code within a line of text.
-    if (mark == '`' && line.find('`', end) != std::string_view::npos)
+    if (end - begin < 3 || line.find('`', end) != std::string_view::npos)
         return std::nullopt;
-    return Fence{.indent = std::string(line.substr(0, begin)), .mark = mark, .length = end - begin};
+    return Fence{.indent = std::string(line.substr(0, begin)), .length = end - begin};
 }
 
-/// True for the line that ends the block: as many marks or more, indented by at most three more
-/// blanks, and nothing behind them.
+/// True for the line that ends a block: as many marks or more, and nothing behind them.
 bool closes(const Fence& fence, std::string_view line) {
-    const std::size_t begin = std::min(line.find_first_not_of(blanks), line.size());
-    const std::size_t end = end_of_run(line, begin, fence.mark);
-    return begin <= fence.indent.size() + 3 && end - begin >= fence.length &&
-           is_blank(line.substr(end));
-}
-
-/// Where a line of a block begins once as many blanks as stand before its fence are gone.
-std::size_t content_begin(const Fence& fence, std::string_view line) {
-    const std::size_t begin = std::min(line.find_first_not_of(blanks), line.size());
-    return std::min(begin, fence.indent.size());
+    const auto closing = fence_in(line);
+    return closing && closing->length >= fence.length && is_blank(line.substr(line.rfind('`') + 1));
 }
 
 /// True of a player, which a reader begins; what it prints or lists without one, or refuses, is an output like any other.
@@ -69,98 +52,46 @@ bool needs_terminal(std::string_view command) {
            });
 }
 
-/// The exit status that a comment states: `exit 2`. Any other comment states none.
-std::optional<int> exit_status_in(std::string_view comment) {
+/// The exit status that a comment states: `exit 2`; 0 of any other comment.
+int exit_status_in(std::string_view comment) {
     constexpr std::string_view exit = "exit ";
-    const std::size_t begin = comment.find(exit);
-    if (begin == std::string_view::npos || !is_blank(comment.substr(0, begin)))
-        return std::nullopt;
-    const std::string_view number = comment.substr(begin + exit.size());
-    int status = 0;
-    const char* const end = number.data() + number.size();
-    const auto read = std::from_chars(number.data(), end, status);
-    if (read.ec != std::errc{} || !is_blank({read.ptr, end}) || status < 0 || status > 255)
-        return std::nullopt;
-    return status;
+    const std::size_t begin = std::min(comment.find_first_not_of(blanks), comment.size());
+    comment = comment.substr(begin, comment.find_last_not_of(blanks) + 1 - begin);
+    return comment.starts_with(exit)
+               ? whole_number<std::uint8_t>(comment.substr(exit.size())).value_or(0)
+               : 0;
 }
 
-/// Reads a command line as a shell would: words with their quotes taken away, and a comment.
-class CommandLine {
-public:
-    /// `begin` and `end` are bytes of the page.
-    CommandLine(const Source& page, std::size_t begin, std::size_t end)
-        : page_(page), text_(std::string_view(page.text).substr(0, end)), at_(begin) {}
-
-    void read_into(PageCommand& command) {
-        while (skip_blanks()) {
-            if (text_[at_] == '#') {
-                command.exit_status = exit_status_in(text_.substr(at_ + 1)).value_or(0);
-                return;
+/// Reads the words of a command, from a place on the page to the end of its line: quotes are taken away, and a comment
+/// may state its exit status.
+void read_words(const Source& page, std::size_t at, std::size_t end, PageCommand& command) {
+    const std::string_view text = std::string_view(page.text).substr(0, end);
+    while ((at = std::min(text.find_first_not_of(blanks, at), end)) < end) {
+        if (text[at] == '#') {
+            command.exit_status = exit_status_in(text.substr(at + 1));
+            return;
+        }
+        std::string& word = command.words.emplace_back();
+        for (; at < end && !is_blank(text.substr(at, 1)); ++at) {
+            if (text[at] == '\'' || text[at] == '"') {
+                const std::size_t closing = text.find(text[at], at + 1);
+                if (closing == std::string_view::npos)
+                    throw problem_at(
+                        page, at,
+                        fmt::format("expected a closing {}, found the end of the line", text[at]));
+                word += text.substr(at + 1, closing - at - 1);
+                at = closing;
+            } else if (needs_shell.find(text[at]) != std::string_view::npos) {
+                throw problem_at(
+                    page, at,
+                    fmt::format("expected a command that needs no shell, found {}", text[at]),
+                    "quote it if it is part of a word");
+            } else {
+                word += text[at];
             }
-            command.words.push_back(read_word());
         }
     }
-
-private:
-    /// False at the end of the line.
-    bool skip_blanks() {
-        at_ = std::min(text_.find_first_not_of(blanks, at_), text_.size());
-        return at_ < text_.size();
-    }
-
-    std::string read_word() {
-        std::string word;
-        while (at_ < text_.size() && blanks.find(text_[at_]) == std::string_view::npos) {
-            const char c = text_[at_];
-            if (c == '\'' || c == '"') {
-                word += read_quoted(c);
-                continue;
-            }
-            if (c == '\\' && ++at_ == text_.size())
-                throw problem_at(page_, at_ - 1,
-                                 "expected a character behind the backslash, found the end of the "
-                                 "line",
-                                 "a command is one line");
-            if (c != '\\' && needs_shell.find(c) != std::string_view::npos)
-                refuse(c, "quote it if it is part of a word");
-            word += text_[at_++];
-        }
-        return word;
-    }
-
-    /// What stands between two quotes. Between double ones, a backslash takes away the meaning that
-    /// some characters have there; before others it stands for itself.
-    std::string read_quoted(char quote) {
-        const std::size_t opening = at_++;
-        std::string text;
-        for (; at_ < text_.size() && text_[at_] != quote; ++at_) {
-            const std::string_view rest = text_.substr(at_);
-            constexpr std::string_view obeyed = "$`\"\\";
-            if (quote == '"' && rest.size() > 1 && rest[0] == '\\' &&
-                obeyed.find(rest[1]) != std::string_view::npos)
-                ++at_;
-            else if (quote == '"' && (rest[0] == '$' || rest[0] == '`'))
-                refuse(rest[0], "single quotes make it part of a word");
-            text += text_[at_];
-        }
-        if (at_ == text_.size())
-            throw problem_at(
-                page_, opening,
-                fmt::format("expected a closing {}, found the end of the line", quote));
-        ++at_;
-        return text;
-    }
-
-    [[noreturn]] void refuse(char found, std::string hint) const {
-        throw problem_at(page_, at_,
-                         fmt::format("expected a command that needs no shell, found {}", found),
-                         std::move(hint));
-    }
-
-    const Source& page_;
-    std::string_view text_; ///< of the page, up to the end of the line
-    std::size_t at_;
-};
+}
 
 } // namespace
 
@@ -172,17 +103,14 @@ std::vector<PageCommand> commands_on(const Source& page) {
     std::size_t next = 0;
 
     while (next < page.text.size()) {
-        // The line without what ends it.
         const std::size_t begin = next;
-        const std::size_t newline = std::min(page.text.find('\n', begin), page.text.size());
-        next = std::min(newline + 1, page.text.size());
+        const std::size_t end = std::min(page.text.find('\n', begin), page.text.size());
+        next = std::min(end + 1, page.text.size());
         ++line_number;
-        std::string_view line = std::string_view(page.text).substr(begin, newline - begin);
-        if (line.ends_with('\r'))
-            line.remove_suffix(1);
+        const std::string_view line = std::string_view(page.text).substr(begin, end - begin);
 
         if (!fence) {
-            fence = fence_opened_by(line);
+            fence = fence_in(line);
             if (fence)
                 fence->begin = begin + fence->indent.size();
             continue;
@@ -192,19 +120,18 @@ std::vector<PageCommand> commands_on(const Source& page) {
             is_below_command = false;
             continue;
         }
-        const std::size_t indent = content_begin(*fence, line);
+        // As many blanks as stand before the fence are the block's.
+        const std::size_t indent =
+            std::min({line.find_first_not_of(blanks), fence->indent.size(), line.size()});
         const std::string_view content = line.substr(indent);
         if (content.starts_with(our_prompt) && !needs_terminal(content)) {
-            PageCommand command{
-                .begin = begin + indent,
-                .line = line_number,
-                .text = std::string(content.substr(prompt.size())),
-                .output_begin = next,
-                .output_end = next,
-                .fence = *fence,
-                .line_end = page.text.substr(begin + line.size(), next - begin - line.size())};
-            CommandLine(page, command.begin + our_prompt.size(), begin + line.size())
-                .read_into(command);
+            PageCommand command{.begin = begin + indent,
+                                .line = line_number,
+                                .text = std::string(content.substr(prompt.size())),
+                                .output_begin = next,
+                                .output_end = next,
+                                .fence = *fence};
+            read_words(page, command.begin + our_prompt.size(), end, command);
             commands.push_back(std::move(command));
             is_below_command = true;
         } else if (content.starts_with(prompt)) {
@@ -225,12 +152,9 @@ std::vector<PageCommand> commands_on(const Source& page) {
 std::string output_for(const Source& page, const PageCommand& command, std::string_view printed) {
     std::string lines;
     std::size_t end_of_text = 0; // behind the last line that is not blank
-    while (!printed.empty()) {
-        const std::size_t newline = std::min(printed.find('\n'), printed.size());
-        const std::string line = printable(printed.substr(0, newline));
-        printed.remove_prefix(std::min(newline + 1, printed.size()));
-
-        if (closes(command.fence, command.fence.indent + line))
+    for (const std::string& one : split_at(std::string(printed), '\n')) {
+        const std::string line = printable(one);
+        if (closes(command.fence, line))
             throw problem_at(page, command.fence.begin,
                              fmt::format("expected a longer fence, found one that the output of "
                                          "line {} has, too",
@@ -239,9 +163,7 @@ std::string output_for(const Source& page, const PageCommand& command, std::stri
             throw problem_at(page, command.begin,
                              fmt::format("expected output that is no command, found \"{}\"", line),
                              "a line that begins with $ and a blank would end the output");
-        if (!line.empty())
-            lines += command.fence.indent + line;
-        lines += command.line_end;
+        lines += (line.empty() ? "" : command.fence.indent + line) + "\n";
         if (!is_blank(line))
             end_of_text = lines.size();
     }

@@ -27,7 +27,6 @@ namespace rastertrace {
 struct Fence {
     std::size_t begin = 0;  ///< of its first mark, a byte of the page
     std::string indent;     ///< the blanks before the marks
-    char mark = '`';        ///< or '~'
     std::size_t length = 0; ///< how many marks, 3 or more
 };
 
@@ -36,12 +35,11 @@ struct PageCommand {
     std::size_t begin = 0;               ///< of its `$`
     std::size_t line = 0;                ///< from 1
     std::string text;                    ///< as typed, from `rastertrace` on
-    std::vector<std::string> words = {}; ///< split as a shell does, without `rastertrace`
+    std::vector<std::string> words = {}; ///< without quotes, and without `rastertrace`
     int exit_status = 0;                 ///< that it should have: 2 where its comment is `# exit 2`
     std::size_t output_begin = 0;        ///< of the whole lines that are its output
     std::size_t output_end = 0;
-    Fence fence;          ///< of its block
-    std::string line_end; ///< "\n" or "\r\n"
+    Fence fence; ///< of its block
 };
 
 /// The commands of a page, from top to bottom. Throws a Problem if one needs a shell, or if its

@@ -3,6 +3,8 @@
 
 #include "environment.h"
 
+#include <rastertrace/trace/text/process_files.h>
+
 #include <fmt/core.h>
 
 #include <signal.h>
@@ -16,23 +18,20 @@ namespace rastertrace {
 
 namespace {
 
-/// Tell a run its FileRules, and that it is one.
-constexpr const char* files_below = "RASTERTRACE_FILES_BELOW";
+/// Tells a run where to write its files, and that it is one.
 constexpr const char* files_to = "RASTERTRACE_FILES_TO";
 
-/// This program's environment, but for what its output depends on; and rules for files.
-std::vector<std::string> environment(const FileRules& rules) {
+/// This program's environment, but for what its output depends on.
+std::vector<std::string> environment(const std::string& folder) {
     const std::vector<std::string> fixed{"COLUMNS=",
                                          "LINES=",
                                          "NO_COLOR=",
                                          "TERM=",
                                          "COLORTERM=",
                                          "RASTERTRACE_LANGUAGE=",
-                                         fmt::format("{}=", files_below),
                                          fmt::format("{}=", files_to)};
     std::vector<std::string> variables{"COLUMNS=80", "NO_COLOR=1", "TERM=dumb",
-                                       fmt::format("{}={}", files_below, rules.below),
-                                       fmt::format("{}={}", files_to, rules.outputs)};
+                                       fmt::format("{}={}", files_to, folder)};
     for (std::string& variable : own_environment())
         if (std::none_of(fixed.begin(), fixed.end(), [&variable](const std::string& name) {
                 return variable.starts_with(name);
@@ -43,26 +42,21 @@ std::vector<std::string> environment(const FileRules& rules) {
 
 } // namespace
 
-FinishedRun run_self(const std::vector<std::string>& arguments, const RunLimits& limits) {
+FinishedRun run_self(const std::vector<std::string>& arguments, const std::string& folder) {
     ProgramRun program{.path = "/proc/self/exe",
                        .words = {"rastertrace"},
-                       .environment = environment(limits.files),
+                       .environment = environment(folder),
                        .most_output = most_output,
-                       .time = limits.time};
+                       .time = time_of_run};
     program.words.insert(program.words.end(), arguments.begin(), arguments.end());
     return run_program(std::move(program));
 }
 
-void take_limits_of_run() {
-    if (std::getenv(files_below) == nullptr)
+void take_folder_of_run() {
+    if (std::getenv(files_to) == nullptr)
         return;
     ::prctl(PR_SET_PDEATHSIG, SIGTERM);
-    set_file_rules({.below = std::string(environment_variable(files_below)),
-                    .outputs = std::string(environment_variable(files_to))});
-}
-
-bool runs_for_page() {
-    return !file_rules().below.empty();
+    write_files_below(std::string(environment_variable(files_to)));
 }
 
 } // namespace rastertrace
