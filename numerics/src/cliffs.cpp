@@ -410,15 +410,14 @@ private:
         if (is_filled && rule == PixelRule::lines)
             return;
         const bool along_x = dx >= dy;
-        const auto offset = sample_offset<Rational>(
-            scene_, is_filled ? sample_of(method) : sample_of_lines(method), 1);
-        const Rational& along = along_x ? offset.x() : offset.y();
-        const Rational& across = along_x ? offset.y() : offset.x();
+        const Sample sample = is_filled ? sample_of(method) : sample_of_lines(method);
+        const auto offset = sample_offset<Rational>(sample, 1);
+        const Rational& moved = offset.x(); // the same in y
         if (is_filled && rule == PixelRule::row_ends) {
             const Rational tie = tie_of(span_rounding(method).rounding);
-            look_along(edge, {false, offset.y(), Rational(tie + offset.x())}, "row end");
+            look_along(edge, {false, moved, Rational(tie + moved)}, "row end");
         } else if (is_filled) {
-            look_along(edge, {along_x, along, across}, "sample");
+            look_along(edge, {along_x, moved, moved}, "sample");
         } else {
             ScreenEdge line = edge;
             if (is_on_grid)
@@ -428,7 +427,7 @@ private:
                 }
             const Rational tie =
                 is_on_grid ? Rational(1, 2) : tie_of(line_rounding(method).rounding);
-            look_along(line, {along_x, along, Rational(tie + across)}, "tie");
+            look_along(line, {along_x, moved, Rational(tie + moved)}, "tie");
         }
     }
 

@@ -107,9 +107,9 @@ CoveredPixels covered_samples(const std::vector<ExactPoint>& polygon, bool is_cl
     return covered;
 }
 
-ExactPoint exact_offset(Sample sample, const Method& method, const Canvas& canvas) {
-    const auto [x, y] = offset_of(sample, method, canvas.down());
-    return {x.exact(), y.exact()};
+ExactPoint exact_offset(Sample sample) {
+    const Rational offset = offset_of(sample).exact();
+    return {offset, offset};
 }
 
 /// A triangle as seen from the samples.
@@ -200,7 +200,7 @@ std::vector<std::size_t> drawing_order(const Scene& scene) {
 }
 
 void draw_triangles(const Scene& scene, Colors& picture) {
-    const ExactPoint offset = exact_offset(sample_of(scene.method), scene.method, scene.canvas);
+    const ExactPoint offset = exact_offset(sample_of(scene.method));
     const Depth depth = scene.depth();
     const bool has_buffer = scene.has_depth_buffer();
     std::vector<std::optional<Rational>> nearest(picture.size());
@@ -243,8 +243,7 @@ void plot(const Scene& scene, const mpz_class& x, const mpz_class& y, Color colo
 
 /// A pixel for each whole number along the major axis, the other coordinate exact and rounded.
 void draw_line(const Scene& scene, const ScenePrimitive& line, Colors& picture) {
-    const ExactPoint offset =
-        exact_offset(sample_of_lines(scene.method), scene.method, scene.canvas);
+    const ExactPoint offset = exact_offset(sample_of_lines(scene.method));
     const auto whole = [&](std::size_t i) {
         const SceneVertex& vertex = scene.vertices[line.vertices[i]];
         return std::pair(nearest_of(vertex.x.exact() - offset.x, Ties::up),
@@ -277,7 +276,7 @@ void draw_line(const Scene& scene, const ScenePrimitive& line, Colors& picture) 
         if (scene.method.ends == EndPixels::first && along == (begins_at_to ? from_x : to_x))
             continue;
         // At a tie Bresenham's line stays on the side that it comes from, or goes to the other one.
-        const Ties ties = line_rules(scene.method).ties.of(is_x_major);
+        const Ties ties = line_rules(scene.method).ties;
         const bool steps = ties == Ties::step;
         const bool stays = !steps && (is_on_grid || ties == Ties::start);
         const mpz_class pixel =
@@ -304,7 +303,7 @@ Rational exact_area2(const std::array<ExactPoint, 3>& t) {
 CoveredPixels covered_by(const std::array<ExactPoint, 3>& triangle, const Method& method,
                          const Canvas& canvas) {
     const FillTraits fill = traits_of(method.fill);
-    const ExactPoint offset = exact_offset(sample_of(method), method, canvas);
+    const ExactPoint offset = exact_offset(sample_of(method));
     if (fill.rule == PixelRule::row_ends)
         return covered_rows(moved(triangle, offset), span_rounding(method), canvas);
     if (exact_area2(triangle) == 0)
@@ -328,8 +327,7 @@ Colors reference_picture(const Scene& scene) {
             draw_line(scene, primitive, picture);
         if (primitive.kind == PrimitiveKind::point) {
             const SceneVertex& at = scene.vertices[primitive.vertices[0]];
-            const ExactPoint offset =
-                exact_offset(sample_of_others(scene.method), scene.method, scene.canvas);
+            const ExactPoint offset = exact_offset(sample_of_others(scene.method));
             plot(scene, nearest_of(at.x.exact() - offset.x, Ties::up),
                  nearest_of(at.y.exact() - offset.y, Ties::up), primitive.color, picture);
         }

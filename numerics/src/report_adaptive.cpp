@@ -16,7 +16,7 @@ namespace rastertrace {
 
 AdaptiveTriangles::AdaptiveTriangles(const Scene& of, const Plan& with)
     : scene(of), plan(with), exactness{ExactPieces(scene, plan),
-                                       sample_offset<Rational>(scene, sample_of(scene.method), 1)} {
+                                       sample_offset<Rational>(sample_of(scene.method), 1)} {
     std::map<std::uint32_t, std::uint32_t> parts; // of each primitive, so far
     const auto add = [&](const PieceIndex& index, std::optional<Piece<Adaptive>> filtered) {
         placed.push_back({index, std::move(filtered), exactness.pieces.piece(index)});

@@ -130,7 +130,7 @@ private:
     template <typename Scalar>
     std::shared_ptr<ColorInput<Scalar>> input_of(const Scene& scene, const Plan& plan) const {
         auto input = std::make_shared<ColorInput<Scalar>>();
-        input->offset = sample_offset<Scalar>(scene, sample_of(scene.method), plan.denominator);
+        input->offset = sample_offset<Scalar>(sample_of(scene.method), plan.denominator);
         std::vector<std::size_t> primitives;
         for_each_placed_triangle<Scalar>(scene, plan, [&](const Piece<Scalar>& triangle) {
             input->pieces.push_back({triangle.positions, triangle.colors, triangle.inverse_w});

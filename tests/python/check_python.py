@@ -119,9 +119,10 @@ class Traces(InFolder):
 
 class Options(InFolder):
     def test_an_underscore_stands_for_a_hyphen_and_leaves_a_keyword_alone(self):
-        method = Trace({"vertices": {"A": [4, 1], "B": [0, 0]}, "lines": ["AB"]}, from_="low", y_major_ties="step")
+        scene = {"vertices": {"A": [4, 1], "B": [0, 0], "C": [0, 4]}, "triangles": ["ABC"], "lines": ["AB"]}
+        method = Trace(scene, from_="low", fill="fan", fan_passes=2)
         self.assertEqual(method.header["method"]["from"], "low")
-        self.assertEqual(method.header["method"]["y_major_ties"], "step")
+        self.assertEqual(method.header["method"]["fan_passes"], 2)
 
     def test_a_tuple_is_one_value_and_a_list_several(self):
         trace = Trace(FIRST)

@@ -212,7 +212,7 @@ SCENES = [
     {"canvas": {"width": 9, "height": 7}, "vertices": {"A": [2, 5, 0, 6], "B": [-4, -3, 1, "-3/2"], "C": [5, -3, 0, 5]},
      "triangles": ["ABC"], "projection": {"type": "clip-space", "z": "zero-to-one"}},
     {"canvas": {"width": 9, "height": 7}, "vertices": {"A": [0, 0], "B": [4, -3], "C": [3, 3]}, "triangles": ["ABC"],
-     "convention": "cs418", "method": {"rows": "half-open", "rounding": "inside", "inside_tolerance": "1/1000", "horizontal_edge": "bottom", "y_major_ties": "step", "mistake": "weights-permuted"}},
+     "convention": "cs418", "method": {"rows": "half-open", "rounding": "inside", "horizontal_edge": "bottom", "mistake": "weights-permuted"}},
 ]
 
 # What a schema cannot know: names, sizes of numbers in relation to one another, what hangs on other keys.

@@ -58,12 +58,12 @@ TEST(Conventions, SetOnlyWhatMethodsKnow) {
     EXPECT_EQ(row_of(Convention::none), nullptr);
 }
 
-/// Each pixel of the square is drawn once where the rule gives an edge to one triangle; else the eight samples on the
-/// diagonal, of 8 x 8 pixels, or nine if samples are on its ends, are drawn by both.
+/// Each pixel of the square is drawn once where the rule gives an edge to one triangle; else the nine samples on the
+/// diagonal of 8 x 8 pixels are drawn by both.
 TEST(Conventions, DrawASharedEdgeAsOftenAsTheirRuleSays) {
     const std::map<std::string, std::size_t> twice{
-        {"opengl", 0},   {"direct3d", 0}, {"vulkan", 0}, {"cgfs", 9},    {"tinyrenderer", 9},
-        {"games101", 8}, {"cs418", 0},    {"ucr130", 8}, {"scotty3d", 0}};
+        {"opengl", 0},       {"direct3d", 0}, {"vulkan", 0},  {"cgfs", 9},
+        {"tinyrenderer", 9}, {"cs418", 0},    {"scotty3d", 0}};
     for (const ConventionRow& row : convention_rows()) {
         const Trace trace = trace_of(scene_in(
             square(std::string(row.name), R"(,"method":{"scalar":"exact","depth":"none"})")));
@@ -85,8 +85,6 @@ TEST(Conventions, WhatTheSceneSaysItselfWins) {
     const Scene other = scene_in(square("cs418", R"(,"method":{"fill":"top-left"})"));
     EXPECT_EQ(other.method.rows, RowRule::closed);
     EXPECT_EQ(other.method.fill, Fill::top_left);
-    const Scene tolerant = scene_in(square("ucr130", R"(,"method":{"fill":"scanline"})"));
-    EXPECT_TRUE(tolerant.method.tolerance.is_zero());
 
     const Scene fitted = scene_in(square("opengl", R"(,"viewport":"fit")"));
     EXPECT_EQ(fitted.viewport.pixels, PixelRange::centers);
@@ -119,7 +117,7 @@ TEST(Conventions, SayWhichZIsInView) {
     EXPECT_EQ(depths("direct3d", "0"), Texts{"0"});
     EXPECT_EQ(depths("direct3d", "-2"), Texts{});
     EXPECT_EQ(depths("vulkan", "-1"), Texts{});
-    EXPECT_EQ(depths("ucr130", "-2"), Texts{"-1/2"});
+    EXPECT_EQ(depths("tinyrenderer", "-2"), Texts{"-1/2"});
 }
 
 TEST(Conventions, LeaveScenesInPixelsWhereTheyAre) {

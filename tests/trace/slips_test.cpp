@@ -297,10 +297,7 @@ Result decide_ties_otherwise(const Place& place) {
     const Rational minor = std::min(dx, dy);
     if (right.size() != major.get_num().get_ui())
         return std::nullopt; // the canvas does not have all of it
-    const std::string y_major = place.trace.method_value("y_major_ties");
-    const bool steps_at_ties =
-        (dy > dx && !y_major.empty() ? y_major : place.trace.method_value("ties"))
-            .ends_with("step");
+    const bool steps_at_ties = place.trace.method_value("ties").ends_with("step");
     std::vector<Rational> wrong;
     Rational d = 2 * minor - major;
     for (std::size_t i = 0; i < right.size(); ++i) {

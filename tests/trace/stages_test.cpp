@@ -286,15 +286,6 @@ TEST(Stages, DepthIsNeededIfTwoTrianglesMayShareAPixel) {
     EXPECT_EQ(plan.stages.depth_region.width * plan.stages.depth_region.height, 0);
 }
 
-TEST(Stages, AToleranceReachesPixelsBesideATriangle) {
-    const std::string method = R"("depth":"linear-z","scalar":"exact","fill":"barycentric")";
-    EXPECT_FALSE(needs(Stage::depth, two_triangles(4, 2, method)));
-    EXPECT_TRUE(needs(Stage::depth, two_triangles(4, 2, method + R"(,"inside_tolerance":"1/2")")));
-    EXPECT_FALSE(needs(Stage::canvas, two_triangles(28, 2, method)));
-    EXPECT_TRUE(
-        needs(Stage::canvas, two_triangles(28, 2, method + R"(,"inside_tolerance":"1/2")")));
-}
-
 /// Why the depths of a scene are tested, or not.
 std::string why_depth(const Scene& scene) {
     for (const StageDecision& decision : plan_for(scene).stages.decisions)

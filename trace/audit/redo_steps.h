@@ -215,16 +215,8 @@ private:
         const bool is_straight = step.move.text().size() == 1;
         const Rational d = exactly(step.d);
         const bool is_circle = kind_ == "circle";
-        const auto goes_straight = [&](bool is_x_major) {
-            const bool steps = line_rules(rules_.others).ties.of(is_x_major) == Ties::step;
-            return is_circle || steps ? d < 0 : d <= 0;
-        };
-        // Which axis is the major one, a straight move tells, and an octant, but none of a fan's lines.
-        const bool is_known = is_straight || octant_ || goes_straight(true) == goes_straight(false);
-        const bool is_x_major = is_straight ? step.move.text() == "E" || step.move.text() == "W"
-                                            : is_x_major_octant(octant_).value_or(true);
-        if (is_known)
-            expect(in_words(goes_straight(is_x_major)), in_words(is_straight), "decide: move");
+        const bool steps_at_0 = is_circle || line_rules(rules_.others).ties == Ties::step;
+        expect(in_words(steps_at_0 ? d < 0 : d <= 0), in_words(is_straight), "decide: move");
         if (!is_circle || has_long_numbers_ || !radius_)
             return;
         const At& center = told_at(at_, 0);
@@ -303,7 +295,6 @@ private:
 
     void begin(const PrimitiveStep& step) {
         kind_ = step.kind.text();
-        octant_ = step.octant;
         const SampleOffset<Rational>& offset = rules_.samples.of(step.kind);
         offset_ = {in_real(offset.x()), in_real(offset.y())};
         has_long_numbers_ = static_cast<bool>(step.within);
@@ -391,7 +382,6 @@ private:
         const At& p = at_[ends.from];
         const At& q = at_[ends.to];
         if (step.octant) {
-            octant_ = kind_ == "triangle" ? std::nullopt : step.octant;
             side_ = ends;
             along_before_.reset();
             return;
@@ -496,35 +486,16 @@ private:
         expect(winding, Rational(0), "crossings: winding", " behind the last edge");
     }
 
-    /// False if the pixel of a number hangs on digits that are not told: `adaptive` tells the nearest double, which
-    /// may lie on the other side of a tolerance, or of a sample that lies at no double. `extent` is how far the
-    /// primitive goes on beside it.
-    bool is_certain(const Real& number, const Real& extent, bool has_tolerance,
-                    const SpanRounding& rule, bool is_last) const {
-        const auto is_double = [](const Rational& x) { return Rational(x.get_d()) == x; };
-        if (knows_all ||
-            (!has_tolerance && is_double(exactly(offset_.x())) && is_double(exactly(offset_.y()))))
-            return true;
-        const Real least = Real(extent + Real(1)) * Real(0x1p-40);
-        return pixel_of(exactly(Real(number - least)), rule, is_last) ==
-               pixel_of(exactly(Real(number + least)), rule, is_last);
-    }
-
     /// The ends of a row become its first and its last pixel.
     void expect_rounded(const Row& row) {
         if (!rules_.says("rounding"))
             return;
         const SpanRounding rule = span_rounding(method_);
-        const Real tolerance =
-            rule.rounding == Rounding::inside ? rule.tolerance.in<Real>() : Real(0);
-        const auto expect_end = [&](const Real& end, bool is_last, Index told, const char* what) {
-            if (is_certain(end, row.right - row.left, tolerance != Real(0), rule, is_last))
-                expect(pixel_of(exactly(end), rule, is_last), told, what);
+        const auto pixel_at = [&](const Real& end, bool is_last) {
+            return pixel_of(exactly(offset_.in_columns(end)), rule, is_last);
         };
-        const Real left = offset_.in_columns(row.left);
-        const Real right = offset_.in_columns(row.right);
-        expect_end(Real(left - tolerance), false, row.from, "scanline: from");
-        expect_end(Real(right + tolerance), true, row.to, "scanline: to");
+        expect(pixel_at(row.left, false), row.from, "scanline: from");
+        expect(pixel_at(row.right, true), row.to, "scanline: to");
     }
 
     /// A span of a polygon is one of those between its row's crossings.
@@ -818,15 +789,13 @@ private:
         if (!rules_.says("rounding"))
             return;
         SpanRounding rule = line_rounding(rules_.others);
-        rule.ties = line_rules(rules_.others).ties.of(is_x_major);
         const bool falls = to[across] < from[across];
         if (rule.rounding == Rounding::nearest && rule.ties == Ties::start && falls)
             rule.ties = Ties::up;
         else if (rule.rounding == Rounding::nearest && rule.ties == Ties::step && falls)
             rule.ties = Ties::start;
         const Real in_pixels = is_x_major ? offset_.in_rows(value) : offset_.in_columns(value);
-        if (is_certain(in_pixels, magnitude(Real(to[across] - from[across])), false, rule, false))
-            expect(pixel_of(exactly(in_pixels), rule, false), step.pixel, "along: pixel");
+        expect(pixel_of(exactly(in_pixels), rule, false), step.pixel, "along: pixel");
     }
 
     /// The pixel of a line in a column, or row, whose diamond it goes through. Ties are those of a line with y up.
@@ -889,10 +858,8 @@ private:
             expect(weights_in(step.x, step.y), weights_, "sample: weights");
         if (!rules_.says("fill"))
             return;
-        const Real least = -method_.tolerance.in<Real>();
-        const bool has_negative =
-            std::any_of(weights_.begin(), weights_.end(),
-                        [&least](const Real& weight) { return weight < least; });
+        const bool has_negative = std::any_of(weights_.begin(), weights_.end(),
+                                              [](const Real& weight) { return weight < Real(0); });
         expect(!has_negative, step.inside.is_true(), "sample: inside");
     }
 
@@ -1002,7 +969,6 @@ private:
     std::map<std::string, std::vector<std::string>> corners_of_ears_; ///< by their names
     std::string kind_;
     bool has_long_numbers_ = false; ///< corners are rounded
-    std::optional<Index> octant_;   ///< of the line, or the side
     std::vector<std::string> names_;
     std::map<std::string, Way> ways_; ///< once one was asked for
     std::vector<At> at_;

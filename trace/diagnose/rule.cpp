@@ -52,8 +52,7 @@ Settings settings_of(const Mistake& mistake) {
 
 /// Where samples lie, and where vertices go before.
 std::vector<Settings> placements() {
-    return combined(each("sample", {"integer", "center", "lower-left", "lower-right", "upper-left",
-                                    "upper-right"}),
+    return combined(each("sample", {"integer", "center"}),
                     each("snap", {"none", "floor", "truncate", "nearest"}));
 }
 
@@ -80,9 +79,7 @@ std::vector<Settings> lines() {
     const auto rounded = combined(each("line", {"naive"}),
                                   joined_lists({each("rounding", {"floor", "truncate", "inside"}),
                                                 nearest({"start", "step", "up", "away", "even"})}));
-    const auto on_grid =
-        combined(each("line", {"bresenham"}), combined(each("ties", {"start", "step"}),
-                                                       each("y_major_ties", {"start", "step"})));
+    const auto on_grid = combined(each("line", {"bresenham"}), each("ties", {"start", "step"}));
     const auto ends = combined(each("from", {"first", "low"}), each("ends", {"both", "first"}));
     return joined_lists({combined(combined(joined_lists({rounded, on_grid}), ends), placements()),
                          combined(each("line", {"diamond-exit"}), placements())});

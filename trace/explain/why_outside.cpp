@@ -267,7 +267,6 @@ std::optional<WhyNot> by_weight(const Case& c) {
         if (tested.x != c.pixel.x || tested.y != c.pixel.y || tested.inside.is_true())
             continue;
         const auto weights = tested.weights.values();
-        const std::string tolerance = c.trace.method_value("inside_tolerance");
         std::optional<std::size_t> worst;
         for (std::size_t i = 0; i < weights.size() && i < 3; ++i) {
             const auto weight = weights[i].exact();
@@ -282,11 +281,10 @@ std::optional<WhyNot> by_weight(const Case& c) {
         const auto& to = (*corners)[(*worst + 2) % 3];
         const double distance = distance_from_line(doubled_area(from, to, c.sample), from, to);
         return WhyNot{.reason = "outside",
-                      .sentence = said({"at {} the weight of {} is {} < {}: beyond {}, by {} px",
-                                        "em {} o peso de {} é {} < {}: além de {}, por {} px"},
+                      .sentence = said({"at {} the weight of {} is {} < 0: beyond {}, by {} px",
+                                        "em {} o peso de {} é {} < 0: além de {}, por {} px"},
                                        text(c.sample), c.primitive().vertices[*worst],
                                        in_sentence(weights[*worst].text()),
-                                       tolerance.empty() ? "0" : "-" + tolerance,
                                        side_across(c.primitive(), *worst), six_places(distance)),
                       .distance = distance,
                       .working = c.steps.working};

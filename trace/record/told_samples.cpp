@@ -19,12 +19,12 @@ ToldSamples told_samples(const Trace& trace) {
     const Sample of_others = told.others.sample.value_or(Sample::integer);
     const bool has_diamonds =
         told.keys.contains("line") && traits_of(told.others.line).rule == LineRule::diamonds;
-    const auto offset = [&](Sample sample, const Method& method) {
-        const auto [x, y] = offset_of(sample, method, trace.canvas.down());
-        return SampleOffset<Rational>(x.exact(), y.exact());
+    const auto samples_at = [](Sample sample) {
+        const Rational offset = offset_of(sample).exact();
+        return SampleOffset<Rational>(offset, offset);
     };
-    const auto others = offset(of_others, told.others);
-    const auto triangles = offset(of_triangles, told.triangles);
+    const auto others = samples_at(of_others);
+    const auto triangles = samples_at(of_triangles);
     return {triangles, has_diamonds ? triangles : others, others};
 }
 

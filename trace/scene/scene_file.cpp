@@ -277,14 +277,11 @@ private:
             if (means_nothing && !said_.contains(key))
                 method.*member = other.*member;
         };
-        const FillTraits fill = traits_of(method.fill);
-        const bool by_rows = fill.rule == PixelRule::row_ends;
+        const bool by_rows = traits_of(method.fill).rule == PixelRule::row_ends;
         drop("rows", &Method::rows, !by_rows);
         drop("rounding", &Method::rounding, !by_rows);
         drop("ties", &Method::ties,
              method.snap == Snap::nearest || (by_rows && method.rounding == Rounding::nearest));
-        drop("inside_tolerance", &Method::tolerance,
-             fill.depths != DepthForm::weights || !scene_.has(PrimitiveKind::triangle));
         drop("depth", &Method::depth,
              scene_.projection.type == ProjectionType::none || place_of_flat_);
     }
@@ -678,7 +675,7 @@ private:
         if (method.ends == EndPixels::first && traits_of(method.line).rule == LineRule::diamonds)
             json_.fail(blamed, "expected no \"ends\" beside \"line\": \"diamond-exit\", found "
                                "\"first\": a diamond that the line ends in is not left");
-        check_rows_and_tolerance(blamed, fills_rows);
+        check_rows(blamed);
         const bool rounds_spans = fills_rows && method.rounding == Rounding::nearest;
         if (method.ties == Ties::step && (rounds_spans || method.snap == Snap::nearest))
             json_.fail(blamed,
@@ -723,7 +720,7 @@ private:
         }
     }
 
-    void check_rows_and_tolerance(const JsonValue& blamed, bool fills_rows) const {
+    void check_rows(const JsonValue& blamed) const {
         const Method& method = scene_.method;
         if (method.rows == RowRule::half_open && scene_.has(PrimitiveKind::triangle) &&
             traits_of(method.fill).rule != PixelRule::row_ends)
@@ -732,14 +729,6 @@ private:
                                    R"("fill": "{}")",
                                    traits_of(method.fill).name),
                        R"("fill": "scanline" and "two-halves" go row by row)");
-        const bool has_tolerance = (fills_rows && method.rounding == Rounding::inside) ||
-                                   (scene_.has(PrimitiveKind::triangle) &&
-                                    traits_of(method.fill).depths == DepthForm::weights);
-        if (!method.tolerance.is_zero() && !has_tolerance)
-            json_.fail(blamed,
-                       "expected \"rounding\": \"inside\" or \"fill\": \"barycentric\" beside "
-                       "inside_tolerance, found another rule",
-                       "only these ask whether something lies inside");
     }
 
     /// Vertices of four numbers are in clip space: what leads there has been done, and what needs the world

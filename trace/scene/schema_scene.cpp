@@ -102,18 +102,6 @@ Json projection() {
     return schema;
 }
 
-/// A point of a pixel: two numbers, or both in one text.
-Json sample_point() {
-    Json coordinate = number_schema();
-    coordinate.update({{"minimum", -1}, {"maximum", 1}});
-    const std::string_view number = number_pattern();
-    const std::string both =
-        fmt::format("{} {}", number.substr(0, number.size() - 1), number.substr(1));
-    const Json point{
-        {"type", "array"}, {"items", std::move(coordinate)}, {"minItems", 2}, {"maxItems", 2}};
-    return Json::array({point, {{"type", "string"}, {"pattern", both}}});
-}
-
 /// The values of a key of the method.
 Json one_of_values(const MethodKey& key) {
     std::vector<JsonWord> words;
@@ -140,16 +128,8 @@ Json method() {
     for (const MethodKey& key : method_keys()) {
         if (key.name == "convention")
             continue; // a key of the scene
-        Json value = key.values.empty() ? number_schema() : one_of_values(key);
-        if (key.values.empty())
-            value.update({{"minimum", 0}, {"maximum", 0.5}});
+        Json value = one_of_values(key);
         value["description"] = meaning_of(key);
-        if (key.name == "sample") {
-            Json forms = sample_point();
-            value.erase("description");
-            forms.insert(forms.begin(), std::move(value));
-            value = {{"description", meaning_of(key)}, {"anyOf", std::move(forms)}};
-        }
         schema["properties"][std::string(key.name)] = std::move(value);
     }
     schema["additionalProperties"] = false;

@@ -334,10 +334,6 @@ std::string rule_of_end(const Trace& trace, const EndOfRow& end,
     const std::string argument = as_argument(moved);
     const std::string rounding = rule_of_rows(trace, "rounding");
     const auto x = end.x.exact();
-    const std::string tolerance = trace.method_value("inside_tolerance");
-    if (rounding == "inside" && !tolerance.empty())
-        return fmt::format(" -> {}({} {} {})", end.is_left ? "ceil" : "floor",
-                           moved.empty() ? "x" : moved, end.is_left ? '-' : '+', tolerance);
     if (rounding == "inside")
         return (end.is_left ? " -> ceil" : " -> floor") + argument;
     if (rounding == "half-open")
@@ -482,11 +478,8 @@ std::string sign_of_d(const Context& context, const DecideStep& step) {
     const std::string d = step.d.text();
     if (d == "NaN")
         return said({"(neither above 0 nor below)", "(nem acima de 0 nem abaixo)"});
-    const auto ends = ends_of_line(context.replay, context.primitive);
-    const bool is_x_major =
-        !ends || abs(ends->to.x - ends->from.x) >= abs(ends->to.y - ends->from.y);
-    const bool steps_at_0 = steps_at_ties(context.replay.trace(), is_x_major) ||
-                            context.primitive.kind == PrimitiveKind::circle;
+    const bool steps_at_0 =
+        steps_at_ties(context.replay.trace()) || context.primitive.kind == PrimitiveKind::circle;
     const bool is_diagonal = steps_at_0 ? !d.starts_with('-') : !d.starts_with('-') && d != "0";
     const std::string_view compared = steps_at_0    ? is_diagonal ? ">= 0" : "< 0"
                                       : is_diagonal ? "> 0"
@@ -691,8 +684,7 @@ constexpr Part parts[] = {
          auto value = along.value.exact();
          if (value)
              *value -= across;
-         return rounded_by(rule_of_lines(trace, "rounding"),
-                           ties_of_lines(trace, along.x.has_value()),
+         return rounded_by(rule_of_lines(trace, "rounding"), ties_of_lines(trace),
                            as_argument(among_samples(along.x ? "y" : "x", across)), value);
      }},
     {"sign_of_d",

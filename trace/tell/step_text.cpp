@@ -462,16 +462,13 @@ std::optional<SlopeForm> slope_form_of(const LineEnds& ends, bool is_x_major) {
     return m ? std::optional(SlopeForm{*m, at_0.value()}) : std::nullopt;
 }
 
-std::string ties_of_lines(const Trace& trace, bool is_x_major) {
-    const std::string of_y_major = trace.method_value("y_major_ties");
-    if (!is_x_major && !of_y_major.empty())
-        return of_y_major;
+std::string ties_of_lines(const Trace& trace) {
     const std::string ties = trace.method_value("ties");
     return ties.substr(ties.find('+') + 1);
 }
 
-bool steps_at_ties(const Trace& trace, bool is_x_major) {
-    return ties_of_lines(trace, is_x_major) == "step";
+bool steps_at_ties(const Trace& trace) {
+    return ties_of_lines(trace) == "step";
 }
 
 std::optional<Rational> next_d_told(const Replay& replay) {
@@ -499,7 +496,7 @@ std::optional<BresenhamDecisions> decisions_between(const Trace& trace, const Li
     return BresenhamDecisions{.major = longer,
                               .minor = std::min(dx, dy),
                               .steps = static_cast<std::size_t>(longer.get_num().get_ui()),
-                              .steps_at_ties = steps_at_ties(trace, dx >= dy)};
+                              .steps_at_ties = steps_at_ties(trace)};
 }
 
 std::optional<Vec2> center_of(const PrimitiveText& primitive, const Trace& trace) {

@@ -17,7 +17,6 @@ constexpr ConventionView vulkan_view{
 constexpr ConventionView canonical_depths{.pixels = PixelRange::edges, .has_unit_depths = false};
 constexpr ConventionView cs418_view{
     .pixels = PixelRange::edges, .is_y_down = true, .has_unit_depths = false};
-constexpr ConventionView ucr_view{.pixels = PixelRange::edges_half, .has_unit_depths = false};
 
 } // namespace
 
@@ -86,21 +85,6 @@ std::span<const ConventionRow> convention_rows() {
                       &canonical_depths,
                       "tinyrenderer, lessons 1 to 3",
                       "vertices are cut to whole pixels; both triangles draw a shared edge"},
-        ConventionRow{
-            Convention::games101,
-            "games101",
-            "GAMES101, assignments 2 and 3",
-            {{"fill", "barycentric"},
-             {"sample", "center"},
-             {"line", "bresenham"},
-             {"from", "low"},
-             {"ties", "step"},
-             {"y_major_ties", "start"},
-             {"depth", "ndc-z"}},
-            &canonical_depths,
-            "GAMES101, assignment 2: insideTriangle at x + 0.5, y + 0.5; assignment 1: draw_line",
-            "both triangles draw a sample on a shared edge, or neither, as the student "
-            "compares; its frame turns the sign of z, which is a known trap"},
         ConventionRow{Convention::cs418,
                       "cs418",
                       "UIUC CS418, the rasterizer",
@@ -114,17 +98,6 @@ std::span<const ConventionRow> convention_rows() {
                       "UIUC CS418, machine problem Rasterizer: DDA by rows",
                       "a pixel is a whole number: left and top ends belong to a triangle, right "
                       "and bottom ends do not; y points down; colors are cut off"},
-        ConventionRow{Convention::ucr130,
-                      "ucr130",
-                      "UCR CS130 and CS230, the minigl and driver_state projects",
-                      {{"fill", "barycentric"},
-                       {"sample", "integer"},
-                       {"inside_tolerance", "1/1000"},
-                       {"depth", "ndc-z"}},
-                      &ucr_view,
-                      "UCR CS130, project Rasterization: i = W/2 x + W/2 - 1/2",
-                      "weights may be -0.001, as solutions have it: both triangles draw a shared "
-                      "edge, and what lies next to it"},
         ConventionRow{
             Convention::scotty3d,
             "scotty3d",

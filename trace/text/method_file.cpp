@@ -8,28 +8,12 @@
 
 namespace rastertrace {
 
-namespace {
-
-/// A word, or the elements of an array with spaces between.
-std::string words_of(const JsonValue& value) {
-    if (value.kind != JsonValue::Kind::array)
-        return value.text;
-    std::vector<std::string> words;
-    for (const JsonValue& element : value.elements())
-        words.push_back(element.text);
-    return joined(words, " ");
-}
-
-} // namespace
-
 std::string choice_in(const JsonReader& json, const MethodKey& key, const JsonValue& value) {
     const bool is_word = value.kind == JsonValue::Kind::string ||
-                         (value.kind == JsonValue::Kind::number && key.takes_number()) ||
-                         (value.kind == JsonValue::Kind::array && !key.more.empty());
-    std::string words = is_word ? words_of(value) : "";
-    if (Method scratch; !is_word || !key.set(scratch, words))
+                         (value.kind == JsonValue::Kind::number && key.is_number());
+    if (Method scratch; !is_word || !key.set(scratch, value.text))
         json.fail_expecting(value, key.expected(), did_you_mean(value.text, key.values, "\""));
-    return words;
+    return std::string(value.text);
 }
 
 MethodOverrides method_in(const Source& file) {

@@ -96,11 +96,7 @@ constexpr std::array tie_rules{
     Word{Ties::step, "step", "of lines only: to the side that the line goes to"}};
 constexpr std::array samples{
     Word{Sample::integer, "integer", "the pixel's integer point"},
-    Word{Sample::center, "center", "half a pixel from the integer point, in x and in y"},
-    Word{Sample::lower_left, "lower-left", "a corner of the square around the center"},
-    Word{Sample::lower_right, "lower-right", "a corner of the square around the center"},
-    Word{Sample::upper_left, "upper-left", "a corner of the square around the center"},
-    Word{Sample::upper_right, "upper-right", "a corner of the square around the center"}};
+    Word{Sample::center, "center", "half a pixel from the integer point, in x and in y"}};
 constexpr std::array horizontal_edges{
     Word{HorizontalEdge::top, "top", "the top edge, as in Direct3D"},
     Word{HorizontalEdge::bottom, "bottom", "the bottom edge, as in OpenGL by Mesa"}};
@@ -258,47 +254,6 @@ MethodKey key(
     return result;
 }
 
-/// A tolerance as a scene writes it: `1/100000`.
-std::string text_of(const Tolerance& tolerance) {
-    return tolerance.is_zero() ? "0"
-                               : fmt::format("{}/{}", tolerance.numerator, tolerance.denominator);
-}
-
-bool set_tolerance(Method& method, std::string_view text) {
-    const auto number = parse_number(text);
-    const auto* given = std::get_if<Number>(&number);
-    if (given == nullptr)
-        return false;
-    const Rational exact = given->exact();
-    if (exact < 0 || exact > Rational(1, 2) || !exact.get_num().fits_slong_p() ||
-        !exact.get_den().fits_slong_p())
-        return false;
-    method.tolerance = {exact.get_num().get_si(), exact.get_den().get_si()};
-    return true;
-}
-
-/// The places of samples that have no name go as far, and are fractions of so many parts.
-constexpr std::int64_t most_parts_of_sample = 1'000'000;
-
-/// A point between the pixels around: `1/4 3/4`.
-bool set_sample_point(Method& method, std::string_view text) {
-    const auto words = split_at(std::string(text), ' ');
-    if (words.size() != 2)
-        return false;
-    std::array<Number, 2> point;
-    for (std::size_t i = 0; i < 2; ++i) {
-        const auto number = parse_number(words[i]);
-        const auto* given = std::get_if<Number>(&number);
-        if (given == nullptr || abs(given->exact()) > 1 ||
-            given->exact().get_den() > most_parts_of_sample)
-            return false;
-        point[i] = *given;
-    }
-    method.sample = Sample::point;
-    method.sample_point = {point[0], point[1]};
-    return true;
-}
-
 /// True if a scene has what samples that a scene does not choose leave where it is.
 bool has_unsampled(const Scene& scene) {
     const bool has_diamonds = traits_of(scene.method.line).rule == LineRule::diamonds;
@@ -312,37 +267,10 @@ bool tests_samples(const Scene& scene) {
            (has_lines(scene) && traits_of(scene.method.line).rule == LineRule::diamonds);
 }
 
-template <const auto& words> std::string word_of(Sample sample, const Method& method) {
-    for (const auto& word : words)
-        if (word.value == sample)
-            return std::string(word.word);
-    const auto [x, y] = method.sample_point;
-    return fmt::format("{} {}", x.exact().get_str(), y.exact().get_str());
-}
-
-/// Samples that a scene has chosen are those of all; else only those of triangles are not at integers.
-MethodKey sample_key() {
-    MethodKey result = key<&Method::sample, samples>(
-        "sample", "where in its pixel a fill, or a line, looks",
-        [](const Scene& scene) {
-            const bool is_moved = sample_of_others(scene.method) != Sample::integer;
-            return tests_samples(scene) || (is_moved && !scene.primitives.empty());
-        },
-        [](const Scene& scene) { return word_of<samples>(sample_of(scene.method), scene.method); });
-    result.get = [](const Method& method) {
-        return method.sample ? word_of<samples>(*method.sample, method) : std::string();
-    };
-    static constexpr auto set_word = +[](Method& method, std::string_view value) {
-        for (const auto& word : samples)
-            if (word.word == value) {
-                method.sample = word.value;
-                return true;
-            }
-        return set_sample_point(method, value);
-    };
-    result.set = set_word;
-    result.more = R"(a point [x, y] from -1 to 1, "x y")";
-    return result;
+/// The samples of triangles, or of all that is drawn, are not at integers.
+bool moves_samples(const Scene& scene) {
+    const bool is_moved = sample_of_others(scene.method) != Sample::integer;
+    return tests_samples(scene) || (is_moved && !scene.primitives.empty());
 }
 
 } // namespace
@@ -395,7 +323,7 @@ static MethodKey mistake_key() {
                       },
                   .otherwise = [](const Scene&) { return std::string(); },
                   .in_force = [](const Scene& scene) { return scene.method.mistake != nullptr; },
-                  .number = "a name that `rastertrace diagnose --list` lists"};
+                  .told_as = "a name that `rastertrace diagnose --list` lists"};
     for (const Mistake& mistake : mistakes()) {
         key.values.push_back(mistake.name);
         key.meanings.push_back(mistake.says);
@@ -404,13 +332,11 @@ static MethodKey mistake_key() {
 }
 
 std::string MethodKey::listed() const {
-    if (!number.empty())
-        return std::string(number);
-    return joined(values, ", ") + (more.empty() ? "" : fmt::format(", or {}", more));
+    return told_as.empty() ? joined(values, ", ") : std::string(told_as);
 }
 
 std::string MethodKey::expected() const {
-    return number.empty() ? fmt::format("one of {}", listed()) : listed();
+    return told_as.empty() ? fmt::format("one of {}", listed()) : listed();
 }
 
 std::span<const MethodKey> method_keys() {
@@ -436,15 +362,12 @@ std::span<const MethodKey> method_keys() {
             [](const Scene& scene) { return default_of_two(scene, "floor", "nearest"); }),
         key<&Method::ties, tie_rules>("ties", "where rounding to nearest sends a half", has_ties,
                                       default_of_ties),
-        key<&Method::y_major_ties, tie_rules>(
-            "y_major_ties", "the same of lines that are longer in y than in x",
+        key<&Method::sample, samples>(
+            "sample", "where in its pixel a fill, or a line, looks", moves_samples,
             [](const Scene& scene) {
-                const bool has_rounded = rounds_lines(scene) &&
-                                         line_rounding(scene.method).rounding == Rounding::nearest;
-                return scene.method.y_major_ties.has_value() &&
-                       (has_rounded || draws_on_grid(scene));
+                return std::string(sample_of(scene.method) == Sample::center ? "center"
+                                                                             : "integer");
             }),
-        sample_key(),
         key<&Method::horizontal_edge, horizontal_edges>(
             "horizontal_edge", "which horizontal edge of a triangle has the samples on it",
             [](const Scene& scene) {
@@ -456,18 +379,6 @@ std::span<const MethodKey> method_keys() {
                                           return fills_by(scene, PixelRule::row_ends) &&
                                                  scene.method.rows != RowRule::closed;
                                       }),
-        MethodKey{.name = "inside_tolerance",
-                  .meaning = "how far outside counts as inside, of a span's ends or of weights",
-                  .values = {},
-                  .get =
-                      [](const Method& method) {
-                          return method.tolerance.is_zero() ? std::string()
-                                                            : text_of(method.tolerance);
-                      },
-                  .set = set_tolerance,
-                  .otherwise = [](const Scene&) { return std::string("0"); },
-                  .in_force = [](const Scene& scene) { return !scene.method.tolerance.is_zero(); },
-                  .number = "a number from 0 to 1/2"},
         key<&Method::lerp, lerps>("lerp", "how x is found from row to row", fills_spans),
         key<&Method::snap, snaps>("snap", "where vertices on the screen go before they are drawn",
                                   [](const Scene& scene) { return scene.has_transforms(); }),
@@ -596,9 +507,10 @@ Result<MethodOverrides> parse_method(const Source& source) {
         if (!key->set(scratch, value))
             return problem_in_method(
                 source, offset + equals + 1,
-                !key->number.empty() ? fmt::format("expected {}, found \"{}\"", key->number, value)
-                                     : fmt::format("expected {} out of {}, found \"{}\"", name,
-                                                   key->listed(), value),
+                !key->told_as.empty()
+                    ? fmt::format("expected {}, found \"{}\"", key->told_as, value)
+                    : fmt::format("expected {} out of {}, found \"{}\"", name, key->listed(),
+                                  value),
                 did_you_mean(value, key->values));
         method.emplace_back(name, value);
         offset += choice.size() + 1;

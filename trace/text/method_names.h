@@ -23,27 +23,22 @@ namespace rastertrace {
 struct MethodKey {
     std::string_view name;                  ///< as in a scene, and as an option: `--name`
     std::string_view meaning;               ///< one line for people
-    std::vector<std::string_view> values;   ///< the default is the one that Method{} has; none:
-                                            ///< a number, `number` says which
+    std::vector<std::string_view> values;   ///< the default is the one that Method{} has
     std::string (*get)(const Method&);      ///< what was said; "" where nothing was
     bool (*set)(Method&, std::string_view); ///< false if there is no such value
     std::string (*otherwise)(const Scene&); ///< what holds where nothing was said
     bool (*in_force)(const Scene&);         ///< false if the picture cannot depend on it
-    std::string_view number = {};           ///< `a number from 0 to 1/2`
-    std::string_view more = {}; ///< what else it may be, beside its values: `a point [x, y]`
+    std::string_view told_as = {};          ///< in the place of values that are too many to list
     std::vector<std::string_view> meanings = {}; ///< of each of the values: one line for people
 
-    /// Its values: `up, down`, or a number.
+    /// Its values: `up, down`.
     std::string listed() const;
 
     /// The same as what is expected: `one of up, down`.
     std::string expected() const;
 
-    /// True if a scene may give it as a number.
-    bool takes_number() const { return is_number() || values.empty(); }
-
     /// True if the values are whole numbers, which JSON writes without quotes.
-    bool is_number() const { return !values.empty() && values.front() == "1"; }
+    bool is_number() const { return values.front() == "1"; }
 };
 
 /// Every key, in the order in which a trace's header writes them.

@@ -36,31 +36,14 @@ std::string as_text(const Savings& saved) {
     return text;
 }
 
-/// A rule that the scene is drawn by, and what follows from it.
-struct RuleNote {
-    std::string_view rule;
-    std::string value;
-    std::string note;
-};
-
-/// Its convention, and a tolerance.
-std::vector<RuleNote> rules_of(const Scene& scene) {
-    std::vector<RuleNote> notes;
-    if (const ConventionRow* const row = row_of(scene.method.convention)) {
-        std::string sets;
-        for (const auto& [key, value] : row->method)
-            if (const MethodKey& known = *find_method_key(key); known.get(scene.method) == value)
-                sets += fmt::format("{}{} {}", sets.empty() ? "" : ", ", key, value);
-        notes.push_back({"convention", std::string(row->name),
-                         fmt::format("{}: {}; viewport {}; unusual: {}", row->what, sets,
-                                     name_of(scene.viewport), row->unusual)});
-    }
-    const MethodKey& tolerance = *find_method_key("inside_tolerance");
-    if (const std::string value = tolerance.get(scene.method); !value.empty())
-        notes.push_back({"tolerance", value,
-                         "warning: pixels on and next to an edge that two triangles share are "
-                         "drawn by both; a depth test, or the order, decides whose color stays"});
-    return notes;
+/// What a scene's convention sets in it, and what is unusual about that.
+std::string note_on(const ConventionRow& convention, const Scene& scene) {
+    std::string sets;
+    for (const auto& [key, value] : convention.method)
+        if (find_method_key(key)->get(scene.method) == value)
+            sets += fmt::format("{}{} {}", sets.empty() ? "" : ", ", key, value);
+    return fmt::format("{}: {}; viewport {}; unusual: {}", convention.what, sets,
+                       name_of(scene.viewport), convention.unusual);
 }
 
 std::string as_text(const Scene& scene, const Plan& plan) {
@@ -74,8 +57,8 @@ std::string as_text(const Scene& scene, const Plan& plan) {
                             decision.is_kept ? "kept" : "left out", decision.why,
                             saved.empty() ? "" : "; saves " + saved);
     }
-    for (const RuleNote& rule : rules_of(scene))
-        text += fmt::format("{:<12} {:<9} {}\n", rule.rule, rule.value, rule.note);
+    if (const ConventionRow* const row = row_of(scene.method.convention))
+        text += fmt::format("{:<12} {:<9} {}\n", "convention", row->name, note_on(*row, scene));
     return text;
 }
 
@@ -92,12 +75,9 @@ std::string as_json(const Scene& scene, const Plan& plan) {
         separator = ",";
     }
     text += "],\"rules\":[";
-    separator = "";
-    for (const RuleNote& rule : rules_of(scene)) {
-        text += fmt::format(R"({}{{"rule":"{}","value":"{}","note":{}}})", separator, rule.rule,
-                            rule.value, json_quoted(rule.note));
-        separator = ",";
-    }
+    if (const ConventionRow* const row = row_of(scene.method.convention))
+        text += fmt::format(R"({{"rule":"convention","value":"{}","note":{}}})", row->name,
+                            json_quoted(note_on(*row, scene)));
     return text + "]}\n";
 }
 

@@ -56,13 +56,9 @@ void MethodOptions::add_to(OptionList& options) {
     for (const MethodKey& key : method_keys())
         options
             .option(option_named(key.name), values_[std::string(key.name)],
-                    key.values.empty() || key.name == "mistake"
-                        ? fmt::format("{}: {}", key.meaning, key.listed())
-                    : key.more.empty() ? std::string(key.meaning)
-                                       : fmt::format("{}, also {}", key.meaning, key.more),
-                    !key.values.empty()     ? "NAME"
-                    : key.name == "mistake" ? "MISTAKE"
-                                            : "NUMBER")
+                    key.name == "mistake" ? fmt::format("{}: {}", key.meaning, key.listed())
+                                          : std::string(key.meaning),
+                    key.name == "mistake" ? "MISTAKE" : "NAME")
             .values(key.name == "mistake" ? std::vector<std::string_view>() : key.values)
             .names_of(key.name == "mistake" ? NamesOf::mistakes : NamesOf::nothing)
             .shared(title);

@@ -53,9 +53,9 @@ template <typename Scalar, typename OfPixels = Scalar> struct SceneDrawing {
     Image& image;
     SampleGrid<Scalar> grid = sample_grid<Scalar>(scene, plan); ///< of triangles
     SampleOffset<Scalar> line_offset =
-        sample_offset<Scalar>(scene, sample_of_lines(scene.method), plan.denominator);
+        sample_offset<Scalar>(sample_of_lines(scene.method), plan.denominator);
     SampleOffset<Scalar> offset = ///< of polygons, circles and points
-        sample_offset<Scalar>(scene, sample_of_others(scene.method), plan.denominator);
+        sample_offset<Scalar>(sample_of_others(scene.method), plan.denominator);
     DepthTests<DepthOf<OfPixels>>* depth = nullptr; ///< if depths are tested
     Exactness* exactness = nullptr;                 ///< of filtered doubles
     Owners<DepthOf<OfPixels>> owners = {};          ///< if lines are tested
@@ -433,7 +433,7 @@ Image draw_in(const Scene& scene, const Plan& plan, const Listener& listener,
     if constexpr (is_filtered<Scalar>)
         drawing.exactness = &exactness.emplace(
             Exactness{ExactPieces(scene, plan),
-                      sample_offset<Rational>(scene, sample_of(scene.method), plan.denominator)});
+                      sample_offset<Rational>(sample_of(scene.method), plan.denominator)});
 
     // First the steps of all vertices, then the primitives.
     const auto draw_all = [&]<typename AList>(const AList& list) {

@@ -91,7 +91,7 @@ Rational exact_depth_at(const Scene& scene, const Piece<Rational>& piece, std::u
         const auto end = static_cast<std::uint16_t>((side + 1U) % piece.count);
         return line_points(piece, {side, end}, larger_passes, scene).depth_at({x, y});
     }
-    const auto offset = sample_offset<Rational>(scene, sample_of(scene.method), 1);
+    const auto offset = sample_offset<Rational>(sample_of(scene.method), 1);
     const Triangle<Rational> triangle{piece.positions};
     TriangleDepth<Rational> depth(triangle.vertices, piece.depths, larger_passes);
     if (!finds_depths_along_edges(scene))
@@ -125,8 +125,7 @@ std::optional<std::array<std::size_t, 2>> edge_of_depth(const Scene& scene, cons
             const auto piece =
                 piece_of(scene, list, {.primitive = index.primitive, .index = 0, .color = {}});
             const Triangle<Adaptive> triangle{piece_in<Adaptive>(piece, plan).positions};
-            const auto offset =
-                sample_offset<Adaptive>(scene, sample_of(scene.method), plan.denominator);
+            const auto offset = sample_offset<Adaptive>(sample_of(scene.method), plan.denominator);
             const auto [left, right] = edges_of_row(triangle, y, offset, scene.canvas.down());
             const Adaptive height = offset.y_of(y);
             const auto column = scalar_from<Adaptive>(x);

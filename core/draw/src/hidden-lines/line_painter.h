@@ -104,7 +104,7 @@ LinePoints<DepthOf<Scalar>> line_points(const Piece<Scalar>& piece, EdgeName sid
             {first, from.depth, last, to.depth},
             from,
             to,
-            sample_offset<D>(scene, sample_of_lines(scene.method), 1)};
+            sample_offset<D>(sample_of_lines(scene.method), 1)};
 }
 
 /// True if a triangle covers a point on the screen, its sides included, and is nearer there. A

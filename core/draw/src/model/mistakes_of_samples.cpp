@@ -106,14 +106,32 @@ constexpr Mistake samples_table[] = {
          };
      }},
     {"tolerance-in-inside-test", "weight >= -0.001", top_left, "sample",
-     "slivers beside every edge", "UCR CS130, a solution", has_triangles, nullptr,
-     "fill=barycentric,inside_tolerance=1/1000"},
+     "slivers beside every edge", "UCR CS130, a solution", has_triangles,
+     [](ModelRules& rules) {
+         // Where two weights are -t, the third is 1 + 2 t: a corner of the triangle of all points with at least -t.
+         static const Rational t(1, 1000);
+         rules.scene.method.fill = Fill::barycentric;
+         rules.box = [right = rules.box](const ModelTriangle& triangle) {
+             ModelTriangle widened = triangle;
+             for (std::size_t i = 0; i < 3; ++i) {
+                 const auto& a = triangle[i].at;
+                 const auto& b = triangle[(i + 1) % 3].at;
+                 const auto& c = triangle[(i + 2) % 3].at;
+                 widened[i].at.x += t * (2 * a.x - b.x - c.x);
+                 widened[i].at.y += t * (2 * a.y - b.y - c.y);
+             }
+             return right(widened);
+         };
+         rules.admits = [](const Rational& weight, const auto&, const auto&, const auto&) {
+             return weight >= -t;
+         };
+     }},
     {"corner-for-center", "the sample of a pixel is (x, y)", "(x + 1/2, y + 1/2)", "sample",
      "pixels missing at the left, everything half a pixel off", "ppsspp#9681", fills_by_samples,
      nullptr, "sample=integer"},
     {"sample-at-7-12", "the sample of a pixel is (x + 7/12, y + 7/12)", "(x + 1/2, y + 1/2)",
      "sample", "edges one pixel to the lower right here and there", "dolphin#306", has_triangles,
-     nullptr, "sample=7/12 7/12"},
+     [](ModelRules& rules) { rules.sample = Rational(7, 12); }},
     {"vertices-in-the-middle", "vertex = floor(vertex) + 1/2", "the vertex as it is", "vertex",
      "half a pixel off, but not constantly", "datashader#806", has_triangles,
      [](ModelRules& rules) {

@@ -37,13 +37,14 @@ private:
         const auto& [kind, corners, color] = piece;
         const bool has_sides = kind == PrimitiveKind::outline || rules_.draws_outlines;
         if (kind == PrimitiveKind::point)
-            plot(pixel_of(on_samples(corners[0], sample_of_others(method_))), corners[0].color);
+            plot(pixel_of(on_samples(corners[0], offset_of(sample_of_others(method_)).exact())),
+                 corners[0].color);
         if (kind == PrimitiveKind::line)
             draw_line(corners[0], corners[1]);
         if (kind == PrimitiveKind::triangle) {
             ModelTriangle triangle;
             for (std::size_t i = 0; i < 3; ++i) {
-                triangle[i] = on_samples(corners[i], sample_of(method_));
+                triangle[i] = on_samples(corners[i], offset_of_triangles());
                 triangle[i].at.y *= down_;
             }
             fill(triangle, color);
@@ -56,11 +57,14 @@ private:
     }
 
     /// A vertex with samples at whole numbers.
-    ModelVertex on_samples(ModelVertex vertex, Sample sample) const {
-        const Vec<Number, 2> offset = offset_of(sample, method_, down_);
-        vertex.at.x -= offset.x.exact();
-        vertex.at.y -= offset.y.exact();
+    static ModelVertex on_samples(ModelVertex vertex, const Rational& offset) {
+        vertex.at.x -= offset;
+        vertex.at.y -= offset;
         return vertex;
+    }
+
+    Rational offset_of_triangles() const {
+        return rules_.sample ? *rules_.sample : offset_of(sample_of(method_)).exact();
     }
 
     static GridPoint pixel_of(const ModelVertex& vertex) {
@@ -159,7 +163,7 @@ private:
                   const ModelEdge& right) {
         ModelRow row{rules_.x_on(left, y), rules_.x_on(right, y)};
         std::tie(row.from, row.to) = rules_.span(row.left, row.right);
-        const Rational offset = offset_of(sample_of(method_), method_, down_).x.exact();
+        const Rational offset = offset_of_triangles();
         ScanlineSpanned<Rational> told{static_cast<int>(y * down_),
                                        row.left + offset,
                                        row.right + offset,
@@ -231,8 +235,9 @@ private:
     // --- Lines -----------------------------------------------------------------------------------
 
     void draw_line(ModelVertex from, ModelVertex to) {
-        from = on_samples(from, sample_of_lines(method_));
-        to = on_samples(to, sample_of_lines(method_));
+        const Rational offset = offset_of(sample_of_lines(method_)).exact();
+        from = on_samples(from, offset);
+        to = on_samples(to, offset);
         const bool is_on_grid = method_.line == LineMethod::bresenham;
         const ModelLine forward = rules_.line(from.at, to.at);
         const bool falls = is_on_grid           ? forward.last < forward.first
@@ -251,7 +256,7 @@ private:
 
     /// Bresenham's line: straight on, or diagonally?
     void walk(const ModelLine& line, const GridLine& pixels, Index last) {
-        const bool steps_at_ties = line_rules(method_).ties.of(line.is_x_major) == Ties::step;
+        const bool steps_at_ties = line_rules(method_).ties == Ties::step;
         GridPoint at = line.start, pixel = at;
         Index d = line.d;
         for (Index i = 0; i <= last; ++i) {
@@ -270,9 +275,8 @@ private:
 
     /// A naive or dda line: the coordinate across at each step along its major axis.
     void sample(const ModelLine& line, const GridLine& pixels, Index last) {
-        const Vec<Number, 2> offset = offset_of(sample_of_lines(method_), method_, down_);
-        SpanRounding rounding = line_rounding(method_);
-        rounding.ties = line_rules(method_).ties.of(line.is_x_major);
+        const Rational offset = offset_of(sample_of_lines(method_)).exact();
+        const SpanRounding rounding = line_rounding(method_);
         const bool falls = line.is_x_major ? line.to.y < line.from.y : line.to.x < line.from.x;
         for (Index i = 0; i <= last; ++i) {
             const Index along = line.last < line.first ? line.first - i : line.first + i;
@@ -280,9 +284,7 @@ private:
             const Index rounded = pixel_across(across, rounding, falls);
             if (canvas_.contains(line.is_x_major ? along : canvas_.left(),
                                  line.is_x_major ? canvas_.top() : along))
-                sink_(LineSampled<Rational>{
-                    line.is_x_major, along,
-                    across + (line.is_x_major ? offset.y : offset.x).exact(), rounded});
+                sink_(LineSampled<Rational>{line.is_x_major, along, across + offset, rounded});
             const GridPoint at =
                 line.is_x_major ? GridPoint{along, rounded} : GridPoint{rounded, along};
             plot(at, rules_.color_of_step(pixels, at, i, line.steps));

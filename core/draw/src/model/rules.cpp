@@ -100,24 +100,17 @@ ModelRules::ModelRules(Scene of_scene) : scene(std::move(of_scene)) {
     };
 
     // By samples: a weight of 0 lies on the edge opposite to its vertex.
-    box = [&method](const ModelTriangle& triangle) {
-        const Rational t =
-            method.fill == Fill::barycentric ? method.tolerance.in<Rational>() : Rational(0);
-        std::array<Rational, 3> x, y;
-        for (std::size_t i = 0; i < 3; ++i) {
-            const auto& [a, b, c] =
-                std::tie(triangle[i].at, triangle[(i + 1) % 3].at, triangle[(i + 2) % 3].at);
-            x[i] = a.x + t * (2 * a.x - b.x - c.x);
-            y[i] = a.y + t * (2 * a.y - b.y - c.y);
-        }
-        return BoundingBox{
-            ceil_index(std::min({x[0], x[1], x[2]})), floor_index(std::max({x[0], x[1], x[2]})),
-            ceil_index(std::min({y[0], y[1], y[2]})), floor_index(std::max({y[0], y[1], y[2]}))};
+    box = [](const ModelTriangle& triangle) {
+        const auto& [a, b, c] = triangle;
+        return BoundingBox{ceil_index(std::min({a.at.x, b.at.x, c.at.x})),
+                           floor_index(std::max({a.at.x, b.at.x, c.at.x})),
+                           ceil_index(std::min({a.at.y, b.at.y, c.at.y})),
+                           floor_index(std::max({a.at.y, b.at.y, c.at.y}))};
     };
     admits = [&method](const Rational& weight, const ModelVertex& from, const ModelVertex& to,
                        const ModelVertex& opposite) {
         if (method.fill == Fill::barycentric)
-            return weight >= -method.tolerance.in<Rational>();
+            return weight >= 0;
         if (weight != 0)
             return weight > 0;
         if (from.at.y == to.at.y)

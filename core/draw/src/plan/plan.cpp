@@ -119,32 +119,27 @@ std::optional<std::int64_t> common_denominator(std::int64_t a, std::optional<std
 }
 
 /// That of the places of the samples of triangles, lines and all others.
-std::optional<std::int64_t> denominator_of_samples(const Scene& scene) {
+std::int64_t denominator_of_samples(const Scene& scene) {
     const Method& method = scene.method;
-    std::optional<std::int64_t> common = 1;
     for (const Sample sample :
-         {sample_of(method), sample_of_lines(method), sample_of_others(method)}) {
-        const auto [x, y] = offset_of(sample, method, scene.canvas.down());
-        for (const Number& coordinate : {x, y})
-            if (common)
-                common = common_denominator(*common, denominator_of(coordinate.exact()));
-    }
-    return common;
+         {sample_of(method), sample_of_lines(method), sample_of_others(method)})
+        if (sample == Sample::center)
+            return 2;
+    return 1;
 }
 
 /// A plan with the narrowest exact type in which no step of the fill can overflow, for all of the
 /// scene. Depths, and colors in a perspective, are quotients of quotients: for them, any size.
 template <typename AList> Plan plan_in_exact_numbers(const Scene& scene, const AList& list) {
-    if (scene.has_depth_buffer() || scene.mixes_in_perspective() ||
-        !scene.method.tolerance.is_zero())
+    if (scene.has_depth_buffer() || scene.mixes_in_perspective())
         return {.number = NumberType::rational};
 
     // The least common multiple of the denominators as typed, and of the samples'.
     std::optional<std::int64_t> common = denominator_of_samples(scene);
-    const bool has_common = common && all_coordinates(scene, list, [&](const auto& coordinate) {
-                                common = common_denominator(*common, denominator_of(coordinate));
-                                return common.has_value();
-                            });
+    const bool has_common = all_coordinates(scene, list, [&](const auto& coordinate) {
+        common = common_denominator(*common, denominator_of(coordinate));
+        return common.has_value();
+    });
     if (!has_common)
         return {.number = NumberType::rational};
     return plan_in_fractions(scene, list, *common);
@@ -177,9 +172,7 @@ template <typename AList>
 Plan plan_on_grid(const Scene& scene, const AList& list, std::int64_t grid) {
     const auto common = common_denominator(grid, denominator_of_samples(scene));
     const std::int64_t denominator = common.value_or(grid);
-    return {.number = scene.method.tolerance.is_zero()
-                          ? plan_in_fractions(scene, list, denominator).number
-                          : NumberType::rational,
+    return {.number = plan_in_fractions(scene, list, denominator).number,
             .denominator = denominator,
             .coarseness = denominator / grid};
 }

@@ -81,7 +81,7 @@ Index reach_of_samples(PrimitiveKind kind, const Method& method) {
     const bool is_between = is_triangle
                                 ? traits_of(method.fill).rule == PixelRule::samples
                                 : is_line && traits_of(method.line).rule == LineRule::diamonds;
-    return sample == Sample::integer || (is_between && sample == Sample::center) ? 0 : 1;
+    return sample == Sample::integer || is_between ? 0 : 1;
 }
 
 /// The pixels that a piece can reach under any rounding rule: a rounded end of a row, or a pixel of a
@@ -102,23 +102,11 @@ template <typename Coordinate> PixelBox box_of(const Piece<Coordinate>& piece, c
     // (line_painter.h).
     const Index around =
         (is_filled(piece.kind) ? 0 : 1) + reach_of_samples(piece.kind, scene.method);
-    // A weight of -t lies up to 2 t of the triangle's width beside it (fill_barycentric.h).
-    const auto beside = [&](const WholeBounds& bounds) {
-        const Tolerance& t = scene.method.tolerance;
-        const bool is_widened =
-            piece.kind == PrimitiveKind::triangle && scene.method.fill == Fill::barycentric;
-        const auto width = static_cast<double>(bounds.high - bounds.low);
-        return is_widened ? ceil_index(2 * width * static_cast<double>(t.numerator) /
-                                       static_cast<double>(t.denominator))
-                          : 0;
-    };
     const auto side = [](Index at) {
         constexpr Index limit = Index{1} << 30;
         return static_cast<std::int32_t>(std::clamp(at, -limit, limit));
     };
-    const Index in_x = around + beside(x);
-    const Index in_y = around + beside(y);
-    return {side(x.low - in_x), side(top - in_y), side(x.high + in_x), side(bottom + in_y)};
+    return {side(x.low - around), side(top - around), side(x.high + around), side(bottom + around)};
 }
 
 /// True if a triangle's depths pass by a margin that is larger than what rounding makes of them.

@@ -21,12 +21,12 @@ namespace rastertrace {
 /// The pixels of Bresenham's line in any order. Pixel i is reached after i steps.
 class BresenhamLine {
 public:
-    explicit BresenhamLine(GridPoint from, GridPoint to, const LineTies& ties = {})
+    explicit BresenhamLine(GridPoint from, GridPoint to, Ties ties = Ties::start)
         : from_(from), to_(to), x_step_(to.x < from.x ? -1 : 1), y_step_(to.y < from.y ? -1 : 1) {
         const Index dx = std::abs(to.x - from.x);
         const Index dy = std::abs(to.y - from.y);
         is_x_major_ = dx >= dy;
-        steps_at_ties_ = ties.of(is_x_major_) == Ties::step;
+        steps_at_ties_ = ties == Ties::step;
         major_ = std::max(dx, dy);
         minor_ = std::min(dx, dy);
     }

@@ -37,20 +37,13 @@ enum class EndPixels {
     first, ///< the one that it starts from: lines that follow one another draw no pixel twice
 };
 
-/// Where a line goes that is halfway between two pixels. Of Bresenham's: at d = 0, `step` goes diagonally,
-/// all others straight on. Some programs have another rule for lines that are longer in y.
-struct LineTies {
-    Ties x_major = Ties::start;
-    Ties y_major = Ties::start;
-
-    Ties of(bool is_x_major) const { return is_x_major ? x_major : y_major; }
-};
-
 /// The choices that lines leave open.
 struct LineRules {
     ColorLerp color_lerp = ColorLerp::axis;
     ColorRounding color_rounding = ColorRounding::nearest;
-    LineTies ties = {};
+    Ties ties = Ties::
+        start; ///< halfway between two pixels; of Bresenham's line, at d = 0, `step` goes diagonally, all
+               ///< others straight on
     EndPixels ends = EndPixels::both;
 };
 

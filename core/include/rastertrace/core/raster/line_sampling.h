@@ -70,7 +70,7 @@ public:
         const Scalar dx = to.x - from.x;
         const Scalar dy = to.y - from.y;
         is_x_major_ = is_longer_in_x(segment);
-        rounding_.ties = sampling.rules.ties.of(is_x_major_);
+        rounding_.ties = sampling.rules.ties;
         along_from = is_x_major_ ? from.x : from.y;
         across_from = is_x_major_ ? from.y : from.x;
         const Scalar d_along = is_x_major_ ? dx : dy;

@@ -13,10 +13,8 @@
 //     half-open  ceil(left)      ceil(right) - 1   0 .. 3   inside, without the right end
 //
 // Both ends are drawn. A span whose first pixel lies right of its last one is empty. A line has no
-// right end: it cannot be half-open. Programs that round in doubles widen `inside` by a tolerance:
-// ceil(left - 1e-5) .. floor(right + 1e-5).
+// right end: it cannot be half-open.
 
-#include <rastertrace/core/numbers/fraction.h>
 #include <rastertrace/core/numbers/scalar.h>
 #include <rastertrace/core/raster/canvas.h>
 
@@ -44,29 +42,10 @@ enum class ColorRounding {
     truncate, ///< the level below, as a C++ cast has it
 };
 
-/// How far outside counts as inside: a fraction, 0 or more.
-struct Tolerance {
-    std::int64_t numerator = 0;
-    std::int64_t denominator = 1;
-
-    bool is_zero() const { return numerator == 0; }
-
-    /// Fractions over one denominator have none (plan.h).
-    template <typename Scalar> Scalar in() const {
-        if constexpr (is_fraction<Scalar>)
-            return scalar_from<Scalar>(0);
-        else
-            return Scalar(scalar_from<Scalar>(numerator) / scalar_from<Scalar>(denominator));
-    }
-
-    friend bool operator==(const Tolerance&, const Tolerance&) = default;
-};
-
 /// The rules that turn the ends of a span into pixels.
 struct SpanRounding {
     Rounding rounding = Rounding::floor;
-    Ties ties = Ties::up;     ///< read only with Rounding::nearest
-    Tolerance tolerance = {}; ///< read only with Rounding::inside
+    Ties ties = Ties::up; ///< read only with Rounding::nearest
 };
 
 /// The whole number next to `x` in the direction of zero.
@@ -118,9 +97,6 @@ template <typename Scalar> Index first_pixel(const Scalar& left, const SpanRound
     case Rounding::truncate:
         return truncate_index(left);
     case Rounding::inside:
-        if (!rule.tolerance.is_zero())
-            return ceil_index(Scalar(left - rule.tolerance.in<Scalar>()));
-        break;
     case Rounding::half_open:
         break;
     }
@@ -132,8 +108,7 @@ template <typename Scalar> Index first_pixel(const Scalar& left, const SpanRound
 template <typename Scalar> Index last_pixel(const Scalar& right, const SpanRounding& rule) {
     switch (rule.rounding) {
     case Rounding::inside:
-        return rule.tolerance.is_zero() ? floor_index(right)
-                                        : floor_index(Scalar(right + rule.tolerance.in<Scalar>()));
+        return floor_index(right);
     case Rounding::half_open:
         return ceil_index(right) - 1;
     case Rounding::floor:

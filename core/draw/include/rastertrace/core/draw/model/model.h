@@ -119,6 +119,8 @@ struct ModelRules {
     bool draws_outlines = false; ///< as lines, when the triangle is filled
 
     // Triangles by samples.
+    std::optional<Rational>
+        sample; ///< from a pixel's integer point, in x and in y; none: as the method says
     std::function<BoundingBox(const ModelTriangle&)> box;
     std::function<bool(const Rational& weight, const ModelVertex& from, const ModelVertex& to,
                        const ModelVertex& opposite)>

@@ -25,7 +25,7 @@ namespace rastertrace {
 
 /// The samples that the scene's triangles are filled by.
 template <typename Scalar> SampleGrid<Scalar> sample_grid(const Scene& scene, const Plan& plan) {
-    return {sample_offset<Scalar>(scene, sample_of(scene.method), plan.denominator),
+    return {sample_offset<Scalar>(sample_of(scene.method), plan.denominator),
             canvas_of_samples(scene.method, scene.canvas)};
 }
 
@@ -42,7 +42,7 @@ void fill(const Triangle<Scalar>& triangle, const std::array<Color, 3>& colors,
     case Fill::two_halves:
         return fill_two_halves(triangle, grid.offset(), rules, canvas, sink);
     case Fill::barycentric:
-        return fill_barycentric(triangle, grid.offset(), method.tolerance, canvas, sink);
+        return fill_barycentric(triangle, grid.offset(), canvas, sink);
     case Fill::top_left:
         return fill_top_left(triangle, grid, canvas_of_samples(method, canvas), sink);
     case Fill::fan:

@@ -70,9 +70,9 @@ template <std::floating_point Scalar> Piece<Scalar> piece_in(Piece<Scalar> piece
 
 /// Where samples lie in the pixels of a scene.
 template <typename Scalar>
-SampleOffset<Scalar> sample_offset(const Scene& scene, Sample sample, std::int64_t denominator) {
-    const auto [x, y] = offset_of(sample, scene.method, scene.canvas.down());
-    return {scalar_from<Scalar>(x, denominator), scalar_from<Scalar>(y, denominator)};
+SampleOffset<Scalar> sample_offset(Sample sample, std::int64_t denominator) {
+    const auto offset = scalar_from<Scalar>(offset_of(sample), denominator);
+    return {offset, offset};
 }
 
 } // namespace rastertrace

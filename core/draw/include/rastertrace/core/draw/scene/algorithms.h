@@ -57,16 +57,10 @@ enum class PixelRule {
     lines,    ///< Bresenham's lines between pixels
 };
 
-/// Where a pixel has its sample, the point at which fills and lines look. The corners are those of the
-/// picture, of the square that has the center in its middle.
+/// Where a pixel has its sample, the point at which fills and lines look.
 enum class Sample {
     integer, ///< its integer point
     center,  ///< half a pixel from there, in x and in y
-    lower_left,
-    lower_right,
-    upper_left,
-    upper_right,
-    point, ///< where the scene says (Method::sample_point)
 };
 
 /// How a fill finds the depths of its pixels (depth_interpolation.h).

@@ -7,7 +7,6 @@
 
 #include <rastertrace/core/draw/scene/algorithms.h>
 #include <rastertrace/core/numbers/number.h>
-#include <rastertrace/core/numbers/vec.h>
 #include <rastertrace/core/raster/edge.h>
 #include <rastertrace/core/raster/facing.h>
 #include <rastertrace/core/raster/fill_edge_table.h>
@@ -80,9 +79,7 @@ enum class Convention {
     vulkan,
     cgfs,
     tinyrenderer,
-    games101,
     cs418,
-    ucr130,
     scotty3d,
 };
 
@@ -101,10 +98,7 @@ struct Method {
     int fan_passes = 1;
     std::optional<Rounding> rounding = {}; ///< floor for spans, nearest for lines
     std::optional<Ties> ties = {};         ///< up for spans, start for lines
-    std::optional<Ties> y_major_ties = {}; ///< of lines that are longer in y: as the others
     std::optional<Sample> sample = {};     ///< center for top-left, else integer
-    Vec<Number, 2> sample_point = {};      ///< of Sample::point: from a pixel's integer point
-    Tolerance tolerance = {};              ///< of rounding `inside`, and of barycentric weights
     RowRule rows = RowRule::closed;        ///< of triangles that are filled by rows
     LerpForm lerp = LerpForm::direct;
     Snap snap = Snap::none;
@@ -126,8 +120,7 @@ inline bool decides_exactly(const Method& method) {
 
 /// How the ends of a fill's spans become pixels.
 inline SpanRounding span_rounding(const Method& method) {
-    return {method.rounding.value_or(Rounding::floor), method.ties.value_or(Ties::up),
-            method.tolerance};
+    return {method.rounding.value_or(Rounding::floor), method.ties.value_or(Ties::up)};
 }
 
 /// How the coordinates across naive and dda lines become pixels.
@@ -137,10 +130,7 @@ inline SpanRounding line_rounding(const Method& method) {
 
 /// What lines and their colors go by.
 inline LineRules line_rules(const Method& method) {
-    const Ties ties = method.ties.value_or(Ties::start);
-    return {method.color_lerp,
-            method.color_rounding,
-            {ties, method.y_major_ties.value_or(ties)},
+    return {method.color_lerp, method.color_rounding, method.ties.value_or(Ties::start),
             method.ends};
 }
 
@@ -160,26 +150,9 @@ inline Sample sample_of_lines(const Method& method) {
                                                              : sample_of_others(method);
 }
 
-/// From a pixel's integer point to its sample. `down` is that of the canvas.
-inline Vec<Number, 2> offset_of(Sample sample, const Method& method, int down) {
-    const auto row = [down](bool is_upper) { return Number((down < 0) == is_upper ? 1 : 0); };
-    switch (sample) {
-    case Sample::integer:
-        break;
-    case Sample::center:
-        return {Number::decimal(5, -1), Number::decimal(5, -1)};
-    case Sample::lower_left:
-        return {0, row(false)};
-    case Sample::lower_right:
-        return {1, row(false)};
-    case Sample::upper_left:
-        return {0, row(true)};
-    case Sample::upper_right:
-        return {1, row(true)};
-    case Sample::point:
-        return method.sample_point;
-    }
-    return {};
+/// From a pixel's integer point to its sample, in x and in y.
+inline Number offset_of(Sample sample) {
+    return sample == Sample::center ? Number::decimal(5, -1) : Number(0);
 }
 
 /// The canvas as `top-left` fills it: the top edge of a turned one is the bottom edge in the picture.
