@@ -7,9 +7,7 @@
 #include <rastertrace/core/draw/plan/plan.h>
 #include <rastertrace/core/raster/rounding.h>
 #include <rastertrace/numerics/drawing.h>
-#include <rastertrace/trace/audit/t_junctions.h>
 #include <rastertrace/trace/scene/scene_file.h>
-#include <rastertrace/trace/tell/formula.h>
 #include <rastertrace/trace/text/primitive_name.h>
 
 #include <fmt/core.h>
@@ -19,7 +17,6 @@
 #include <cmath>
 #include <limits>
 #include <set>
-#include <span>
 #include <tuple>
 #include <utility>
 
@@ -101,15 +98,6 @@ private:
     bool is_sure_;
 };
 
-/// A triangle of the screen, and what it and its vertices are called.
-struct NamedTriangle {
-    std::array<ScreenPoint, 3> at;
-    std::array<std::uint32_t, 3> corners{}; ///< numbers of the positions; the same for equal ones
-    std::array<std::string, 3> names;
-    std::string name;
-    bool is_drawn = true;
-};
-
 Rational absolute(const Rational& x) {
     return abs(x);
 }
@@ -131,7 +119,6 @@ public:
         });
         look_at_depths();
         look_at_faces();
-        look_at_junctions();
 
         std::vector<CliffGroup> groups;
         for (std::size_t i = 0; i < cliff_kind_count; ++i) {
@@ -259,8 +246,6 @@ private:
     // Pieces on the screen.
 
     void look_at(const Piece<Rational>& piece, const PieceNames& names) {
-        if (piece.kind == PrimitiveKind::triangle)
-            note_triangle(piece, names);
         if (piece.is_skipped)
             return;
         const std::string owner = fmt::format("{} {}", name_of(piece.kind), names.piece);
@@ -498,51 +483,11 @@ private:
         return touches;
     }
 
-    // Vertices on edges that have no vertex there.
-
-    void note_triangle(const Piece<Rational>& piece, const PieceNames& names) {
-        NamedTriangle triangle;
-        for (std::size_t i = 0; i < 3; ++i) {
-            const auto& [x, y] = piece.positions[i];
-            triangle.at[i] = {Coordinate(x), Coordinate(y)};
-            triangle.names[i] = names.corners[i];
-            triangle.corners[i] = position_numbers_.of(triangle.at[i]);
-        }
-        const auto& [a, b, c] = piece.positions;
-        triangle.name = names.piece;
-        triangle.is_drawn = !piece.is_skipped && sgn(doubled_area(a, b, c)) != 0;
-        triangles_.push_back(std::move(triangle));
-    }
-
-    void look_at_junctions() {
-        std::vector<ScreenTriangle> mesh;
-        for (const NamedTriangle& triangle : triangles_)
-            mesh.push_back({triangle.at, triangle.corners, triangle.is_drawn});
-
-        const auto junctions = t_junctions_of(mesh);
-        const std::size_t shown = std::min(junctions.size(), most_cliffs);
-        more_[static_cast<std::size_t>(CliffKind::t_junction)] += junctions.size() - shown;
-        for (const TJunction& junction : std::span(junctions).first(shown)) {
-            const auto& [from, to] = junction.edge;
-            const NamedTriangle& owner = triangles_[from.triangle];
-            const std::array<std::string_view, 2> ends{owner.names[from.corner],
-                                                       owner.names[to.corner]};
-            const TriangleCorner& vertex = junction.vertices.front();
-            std::string text = triangles_[vertex.triangle].names[vertex.corner] + " lies on it";
-            if (const std::size_t more = junction.vertices.size() - 1)
-                text += fmt::format(", and {} more", more);
-            add(CliffKind::t_junction,
-                fmt::format("edge {} of triangle {}", joined_names(ends), owner.name), text, 0);
-        }
-    }
-
     Scene scene_;
     Geometry<Rational> geometry_;
     std::set<std::size_t> seen_vertices_; ///< places in the scene
     std::set<std::tuple<bool, std::size_t, std::size_t>>
         seen_edges_; ///< filled or not, and its ends
-    std::vector<NamedTriangle> triangles_;
-    PointNumbers position_numbers_;
     std::array<std::vector<Cliff>, cliff_kind_count> found_;
     std::array<std::uint64_t, cliff_kind_count> more_{};
 };
@@ -593,11 +538,9 @@ std::string_view name_of(CliffKind kind) {
     case CliffKind::near_plane:
         return "near-plane";
     case CliffKind::far_out:
-        return "far-out";
-    case CliffKind::t_junction:
         break;
     }
-    return "t-junction";
+    return "far-out";
 }
 
 std::string_view meaning_of(CliffKind kind) {
@@ -624,12 +567,9 @@ std::string_view meaning_of(CliffKind kind) {
     case CliffKind::near_plane:
         return "vertices at the near plane, or before it: clipping makes new ones";
     case CliffKind::far_out:
-        return "coordinates beyond 2^23: float has no half pixels there";
-    case CliffKind::t_junction:
         break;
     }
-    return "T-junctions, vertices on an edge that has no vertex there: every scalar that "
-           "rounds may fall";
+    return "coordinates beyond 2^23: float has no half pixels there";
 }
 
 std::vector<CliffGroup> cliffs_of(const Scene& scene) {

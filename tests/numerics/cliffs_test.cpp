@@ -150,19 +150,6 @@ TEST(Cliffs, DepthsOneToAMillion) {
     EXPECT_THAT(kinds_in(deep("999999")), IsEmpty());
 }
 
-TEST(Cliffs, VerticesOnAnEdgeThatHasNone) {
-    const auto mesh = [](const std::string& triangles, const std::string& method = "") {
-        return R"({"canvas":{"width":16,"height":16,"origin":"top-left"},"vertices":{"P":[1,4],)"
-               R"("Q":[13,7],"T":[8.25,0.75],"B":[6.25,15.25],"M":[5,5],"N":[9,6]},"triangles":[)" +
-               triangles + R"(],"method":{"fill":"top-left")" + method + "}}";
-    };
-    EXPECT_EQ(worst_of(CliffKind::t_junction, mesh(R"("PQT","PMB","MQB")")),
-              "edge PQ of triangle PQT: M lies on it");
-    EXPECT_EQ(worst_of(CliffKind::t_junction, mesh(R"("PQT","PMB","MNB","NQB")")),
-              "edge PQ of triangle PQT: M lies on it, and 1 more");
-    EXPECT_EQ(worst_of(CliffKind::t_junction, mesh(R"("PMT","MQT","PMB","MQB")")), "");
-}
-
 /// A triangle seen in a perspective; the eye is the origin.
 std::string seen(const std::string& a, const std::string& b, const std::string& c) {
     return R"({"canvas":{"width":16,"height":16},"vertices":{"A":[)" + a + R"(],"B":[)" + b +

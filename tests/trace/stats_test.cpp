@@ -434,7 +434,7 @@ TEST(SharedEdge, OfVeryManyTrianglesTheFirstAreCompared) {
     EXPECT_EQ(stats_of_scene(scene).edges.size(), 3 * most_compared * (most_compared - 1) / 2);
 }
 
-/// What stats tell as text, edges by the numbers of their triangles; without T-junctions and outlines.
+/// What stats tell as text, edges by the numbers of their triangles; without outlines.
 std::string all_of(const Stats& stats) {
     std::ostringstream all;
     const auto add_pixels = [&all](const PixelList& pixels) {
@@ -453,8 +453,6 @@ std::string all_of(const Stats& stats) {
             continue;
         for (const auto list : {&Coverage::holes, &Coverage::open_edge, &Coverage::outside})
             add_pixels((*one.coverage).*list);
-        for (const auto& [cause, pixels] : one.coverage->causes)
-            all << cause << ' ' << pixels << '\n';
     }
     for (const SharedEdge& edge : stats.edges) {
         all << edge.one << ' ' << edge.other << ' ' << edge.named_by << '\n';

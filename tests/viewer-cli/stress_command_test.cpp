@@ -215,16 +215,6 @@ TEST_F(ProgramTest, StressLooksForCliffsInAScene) {
                    "or edge-on.\n"));
 }
 
-TEST_F(ProgramTest, StressTellsOfTJunctionsInAScene) {
-    EXPECT_THAT(shell("$rastertrace stress $examples/tutorial/shared-edges/m-on.json").out,
-                HasSubstr("T-junctions, vertices on an edge that has no vertex there: every scalar "
-                          "that rounds may fall\n"
-                          "  edge PQ of triangle PQT                 M lies on it\n"));
-    // C15: M lies 1/40 px below PQ.
-    EXPECT_THAT(shell("$rastertrace stress --case C15 --scene 1 | $rastertrace stress -").out,
-                Not(HasSubstr("T-junctions")));
-}
-
 TEST_F(ProgramTest, StressRefusesWhatItCannotRun) {
     const auto refusal = [this](const std::string& arguments) {
         const Outcome outcome = shell("$rastertrace stress " + arguments);

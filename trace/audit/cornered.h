@@ -6,7 +6,6 @@
 
 #include "drawn_primitive.h"
 #include "screen_point.h"
-#include "triangle_samples.h"
 
 #include <rastertrace/core/raster/canvas.h>
 
@@ -14,7 +13,6 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <memory>
 
 namespace rastertrace {
 
@@ -23,8 +21,7 @@ struct Cornered {
     const DrawnPrimitive* drawn = nullptr;
     std::uint32_t place = 0;                ///< in Stats::primitives
     std::array<std::uint32_t, 3> corners{}; ///< numbers of the positions; the same for equal ones
-    std::unique_ptr<const TriangleSamples> samples = {}; ///< of a triangle with area
-    bool is_drawn_whole = false; ///< it has all its samples, and rounding matters for none of them
+    bool is_drawn_whole = false;            ///< it has all its samples
 
     const std::array<ScreenPoint, 3>& at() const { return *drawn->corners; }
 };

@@ -2,7 +2,6 @@
 #include "coverage.h"
 
 #include "cornered.h"
-#include "outside_causes.h"
 #include "positions.h"
 #include "screen_point.h"
 #include "shared_edges.h"
@@ -11,24 +10,17 @@
 #include <rastertrace/trace/record/told_samples.h>
 #include <rastertrace/trace/text/in_threads.h>
 
-#include <gmpxx.h>
-
 #include <algorithm>
 #include <array>
 #include <cstdint>
 #include <iterator>
 #include <map>
-#include <memory>
 #include <string>
 #include <vector>
 
 namespace rastertrace {
 
 namespace {
-
-Span common_part(const Span& a, const Span& b) {
-    return {std::max(a.first, b.first), std::min(a.last, b.last)};
-}
 
 /// Adds the pixels of a row; the time it takes does not depend on how many are not kept.
 void add(PixelList& list, int y, const Span& span) {
@@ -49,20 +41,21 @@ PixelSet::Part drawn_on_row(const DrawnPrimitive& primitive, Index row, const Ca
 
 /// The pixels `gap` of a row were not drawn; `inside` is the part of the row within the triangle.
 void add_missing(Coverage& coverage, int y, const Span& gap, const Span& inside) {
+    if (inside.is_empty())
+        return add(coverage.open_edge, y, gap);
     add(coverage.open_edge, y, common_part(gap, {gap.first, inside.first - 1}));
     add(coverage.holes, y, common_part(gap, inside));
     add(coverage.open_edge, y, common_part(gap, {inside.last + 1, gap.last}));
 }
 
-/// What a triangle drew, but for the causes: `outside` gets the places of the pixels that need one, in ascending order.
-Coverage coverage_of(const Cornered& triangle, const CanvasSamples& grid,
-                     std::vector<std::uint32_t>& outside) {
+Coverage coverage_of(const Cornered& triangle, const CanvasSamples& grid) {
     const Canvas& canvas = grid.canvas;
     const auto& [a, b, c] = triangle.at();
     const auto& drawn = triangle.drawn->covering();
+    const TriangleSamples samples(triangle.at(), grid);
 
     // The rows that the triangle passes through, and those that it was drawn on.
-    Span rows = rows_between(std::min({a.y, b.y, c.y}), std::max({a.y, b.y, c.y}), grid);
+    Span rows = grid.rows_about(std::min({a.y, b.y, c.y}), std::max({a.y, b.y, c.y}));
     if (!drawn.empty()) {
         const Span drawn_rows{canvas.row_of(pixel_at(drawn.front(), canvas).y),
                               canvas.row_of(pixel_at(drawn.back(), canvas).y)};
@@ -75,15 +68,13 @@ Coverage coverage_of(const Cornered& triangle, const CanvasSamples& grid,
     Coverage coverage;
     for (Index row = rows.first; row <= rows.last; ++row) {
         const int y = canvas.y_of(static_cast<int>(row));
-        const auto [closed, inside, within_error] = triangle.samples->row(y);
+        const auto [closed, inside, within_error] = samples.row(y);
         Index next = closed.first;
         for (const std::uint32_t offset : drawn_on_row(*triangle.drawn, row, canvas)) {
             const Pixel pixel = pixel_at(offset, canvas);
             if (!closed.has(pixel.x)) {
-                if (!within_error.has(pixel.x)) {
+                if (!within_error.has(pixel.x))
                     coverage.outside.add(pixel);
-                    outside.push_back(offset);
-                }
                 continue;
             }
             add_missing(coverage, y, {next, pixel.x - 1}, inside);
@@ -101,32 +92,20 @@ double one_rounding_of(const Trace& trace) {
     return is_exact ? 0 : has_floats(trace) ? 0x1p-24 : 0x1p-53;
 }
 
-/// Judges all triangles with area by the samples of a grid.
-void judge_by_samples(const CanvasSamples& grid, const Trace& trace, std::size_t jobs,
-                      std::vector<Cornered>& fills, const std::vector<Cornered>& not_drawn,
-                      Stats& stats) {
-    stats.t_junctions.clear();
-    const double one_rounding = one_rounding_of(trace);
-    std::vector<OutsideCauses> causes;
-    for (std::size_t i = 0; i < jobs; ++i)
-        causes.emplace_back(trace, grid);
+/// Judges all triangles with area by samples that are so far from the integer points.
+void judge_by_samples(double offset, const Trace& trace, std::size_t jobs,
+                      std::vector<Cornered>& fills, Stats& stats) {
+    const CanvasSamples grid{trace.canvas, offset, one_rounding_of(trace)};
     in_threads(
         fills.size(), jobs,
-        [&](std::size_t i, std::size_t thread) {
+        [&](std::size_t i, std::size_t /*thread*/) {
             Cornered& fill = fills[i];
-            fill.samples = std::make_unique<TriangleSamples>(fill.at(), grid, one_rounding);
-            std::vector<std::uint32_t> outside;
-            PrimitiveStats& primitive = stats.primitives[fill.place];
-            Coverage& coverage = primitive.coverage.emplace(coverage_of(fill, grid, outside));
-            coverage.causes = causes[thread].of(outside, primitive.step);
-            fill.is_drawn_whole = coverage.holes.count == 0 && coverage.open_edge.count == 0 &&
-                                  fill.samples->is_clear();
+            const Coverage& coverage =
+                stats.primitives[fill.place].coverage.emplace(coverage_of(fill, grid));
+            fill.is_drawn_whole = coverage.holes.count == 0 && coverage.open_edge.count == 0;
         },
         neighbors_at_once(fills.size(), jobs));
     stats.edges = compared_edges(fills, jobs, grid);
-    find_junctions(fills, not_drawn, trace, grid, stats);
-    for (Cornered& fill : fills)
-        fill.samples.reset(); // they refer to the grid
 }
 
 /// True if every pixel has been drawn whose sample lies inside a triangle, and no other one.
@@ -195,14 +174,13 @@ void compare_with_corners(const Trace& trace, std::span<const DrawnPrimitive> dr
     // The triangles and the outlines whose corners are known.
     PointNumbers numbers;
     std::vector<Cornered> fills;
-    std::vector<Cornered> not_drawn;
     std::vector<Cornered> outlines;
     for (std::uint32_t place = 0; place < drawn.size(); ++place) {
         const std::string& kind = stats.primitives[place].kind;
         const bool is_culled = stats.primitives[place].skipped == "culled";
-        if ((kind != "triangle" && (kind != "outline" || is_culled)) || !drawn[place].corners)
+        if ((kind != "triangle" && kind != "outline") || is_culled || !drawn[place].corners)
             continue;
-        auto& list = kind == "outline" ? outlines : is_culled ? not_drawn : fills;
+        auto& list = kind == "outline" ? outlines : fills;
         Cornered& cornered = list.emplace_back(Cornered{.drawn = &drawn[place], .place = place});
         for (std::size_t i = 0; i < 3; ++i)
             cornered.corners[i] = numbers.of(cornered.at()[i]);
@@ -210,22 +188,20 @@ void compare_with_corners(const Trace& trace, std::span<const DrawnPrimitive> dr
     compare_outlines(outlines, fills, trace.canvas, stats);
 
     // A triangle without area covers nothing, and shares an edge with nobody.
-    const auto flat = std::stable_partition(fills.begin(), fills.end(), [](const Cornered& fill) {
-        return orientation(fill.at()[0], fill.at()[1], fill.at()[2]) != 0;
+    std::erase_if(fills, [](const Cornered& fill) {
+        return orientation(fill.at()[0], fill.at()[1], fill.at()[2]) == 0;
     });
-    std::move(flat, fills.end(), std::back_inserter(not_drawn));
-    fills.erase(flat, fills.end());
-    const auto judge = [&](const SampleOffset<mpq_class>& offset) {
-        judge_by_samples({trace.canvas, offset}, trace, jobs, fills, not_drawn, stats);
+    const auto judge = [&](double offset) {
+        judge_by_samples(offset, trace, jobs, fills, stats);
         return explains_all(stats);
     };
     if (tells_sample(trace)) {
-        judge(told_samples(trace).triangles);
+        judge(told_samples(trace).triangles.x().get_d());
         return;
     }
-    const SampleOffset<mpq_class> center(mpq_class(1, 2), mpq_class(1, 2));
+    constexpr double center = 0.5;
     const bool center_explains = judge(center);
-    const bool integer_explains = judge({});
+    const bool integer_explains = judge(0);
     if (center_explains && integer_explains)
         return;
     stats.sample = {.is_center = center_explains,

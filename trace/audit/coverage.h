@@ -2,7 +2,7 @@
 #pragma once
 
 // What the primitives of a trace drew, compared with the corners that their steps give: holes,
-// pixels outside, edges drawn twice or not at all, T-junctions, outlines that stick out of their fill.
+// pixels outside, edges drawn twice or not at all, outlines that stick out of their fill.
 //
 //     std::vector<DrawnPrimitive> drawn{{.corners = at, .pixels = PixelSet(offsets)}};
 //     compare_with_corners(trace, drawn, 2, stats);
@@ -17,7 +17,7 @@
 
 namespace rastertrace {
 
-/// Fills in the coverage of stats.primitives, stats.edges, stats.t_junctions, stats.outlines and
+/// Fills in the coverage of stats.primitives, stats.edges, stats.outlines and
 /// stats.sample, in so many threads.
 /// `drawn` are the first primitives of `stats`, one for one.
 void compare_with_corners(const Trace& trace, std::span<const DrawnPrimitive> drawn,

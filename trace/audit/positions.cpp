@@ -5,10 +5,19 @@
 #include <rastertrace/trace/text/json_scanner.h>
 
 #include <cstddef>
+#include <string_view>
 
 namespace rastertrace {
 
 namespace {
+
+/// A number of a step as it is stored, if it is one.
+std::optional<Coordinate> coordinate_in(std::string_view json, bool is_float) {
+    if (const auto stored = stored_double_in(json, is_float))
+        return Coordinate(*stored);
+    const auto number = stored_number_in(json, is_float);
+    return number ? std::optional(Coordinate(*number)) : std::nullopt;
+}
 
 /// The place that a point of a step stands for, if it is a pair of numbers.
 std::optional<ScreenPoint> position_in(std::string_view json, bool is_float) {
@@ -50,13 +59,6 @@ std::optional<std::array<ScreenPoint, 3>> plain_positions_in(std::string_view js
 
 bool has_floats(const Trace& header) {
     return header.method_value("scalar") == "float";
-}
-
-std::optional<Coordinate> coordinate_in(std::string_view json, bool is_float) {
-    if (const auto stored = stored_double_in(json, is_float))
-        return Coordinate(*stored);
-    const auto number = stored_number_in(json, is_float);
-    return number ? std::optional(Coordinate(*number)) : std::nullopt;
 }
 
 std::optional<std::array<ScreenPoint, 3>> positions_in(const PrimitiveStep& step,

@@ -13,15 +13,11 @@
 
 #include <array>
 #include <optional>
-#include <string_view>
 
 namespace rastertrace {
 
 /// True if the numbers of a trace stand for floats.
 bool has_floats(const Trace& header);
-
-/// A number of a step as it is stored, if it is one.
-std::optional<Coordinate> coordinate_in(std::string_view json, bool is_float);
 
 /// The corners that a primitive's step gives, if they are three pairs of numbers and given exactly.
 std::optional<std::array<ScreenPoint, 3>> positions_in(const PrimitiveStep& step,

@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "shared_edges.h"
 
-#include "pixel_set.h"
 #include "screen_point.h"
-#include "t_junctions.h"
 #include "triangle_samples.h"
 
 #include <rastertrace/trace/record/traced_steps.h>
@@ -26,14 +24,15 @@ namespace rastertrace {
 
 namespace {
 
-// Two triangles at the edge that they share.
-
 /// An edge of a triangle.
 struct EdgeUse {
-    std::uint64_t ends; ///< its edge_key
+    std::uint64_t ends; ///< numbers of its ends, the same from either of them
     std::uint32_t triangle;
     std::uint8_t from; ///< its vertices, 0 to 2
     std::uint8_t to;
+
+    /// Its number in TriangleSamples.
+    std::size_t number() const { return to == from + 1 ? from : to; }
 };
 
 /// All edges of some triangles, those with the same ends behind one another.
@@ -41,8 +40,12 @@ std::vector<EdgeUse> edges_by_ends(const std::vector<Cornered>& triangles) {
     std::vector<EdgeUse> uses;
     uses.reserve(3 * triangles.size());
     for (std::uint32_t i = 0; i < triangles.size(); ++i)
-        for (const auto& [from, to] : {std::pair<std::uint8_t, std::uint8_t>{0, 1}, {0, 2}, {1, 2}})
-            uses.push_back({edge_key(triangles[i].corners, from, to), i, from, to});
+        for (const auto& [from, to] :
+             {std::pair<std::uint8_t, std::uint8_t>{0, 1}, {0, 2}, {1, 2}}) {
+            const auto [low, high] =
+                std::minmax(triangles[i].corners[from], triangles[i].corners[to]);
+            uses.push_back({std::uint64_t{low} << 32 | high, i, from, to});
+        }
     std::stable_sort(uses.begin(), uses.end(),
                      [](const EdgeUse& a, const EdgeUse& b) { return a.ends < b.ends; });
     return uses;
@@ -93,67 +96,72 @@ bool lie_on_one_side(const EdgeUse& one, const EdgeUse& other,
     return side_of(one) == side_of(other);
 }
 
-/// The pixels of a triangle at one of its edges: so far from the other two that no rounding matters,
-/// and up to as far beyond this one as rounding may put it.
-ConvexRegion region_at_edge(const Cornered& triangle, std::size_t from) {
-    ConvexRegion region = triangle.samples->regions().interior;
-    region[from] = triangle.samples->regions().within_error[from];
-    return region;
-}
+/// A triangle at an edge that it shares.
+class SideOfEdge {
+public:
+    SideOfEdge(const EdgeUse& edge, const Cornered& triangle, const CanvasSamples& grid,
+               bool is_fold)
+        : samples_(triangle.at(), grid), edge_(edge.number()), is_fold_(is_fold) {}
 
-/// The same of an edge that it shares. The edge of a fold is like the other two: what lies on it lies
-/// between no two triangles.
-ConvexRegion region_at_edge(const EdgeUse& edge, const Cornered& triangle, bool is_fold) {
-    if (is_fold)
-        return triangle.samples->regions().interior;
-    return region_at_edge(triangle, edge.to == edge.from + 1U ? edge.from : edge.to);
-}
+    /// True if a pixel lies so far from the other two edges that no rounding matters, and up to as far beyond this one as
+    /// rounding may put it. The edge of a fold is like the other two: what lies on it lies between no two triangles.
+    bool has(const Pixel& pixel) const {
+        using Place = TriangleSamples::Place;
+        for (std::size_t i = 0; i < 3; ++i)
+            if (const bool is_shared = i == edge_ && !is_fold_; !samples_.admits(
+                    i, pixel.x, pixel.y, is_shared ? Place::within_error : Place::inside))
+                return false;
+        return true;
+    }
 
-/// The pixels near an edge, between its ends and in `within`, that lie in one of some regions and that
-/// neither of two primitives drew. SharedEdge says which are near.
-std::vector<std::uint32_t> never_drawn(const ScreenPoint& from, const ScreenPoint& to,
-                                       ConvexRegion within, std::span<const ConvexRegion> regions,
-                                       const DrawnPrimitive& one, const DrawnPrimitive& other,
-                                       const CanvasSamples& grid) {
-    const Canvas& canvas = grid.canvas;
+private:
+    TriangleSamples samples_;
+    std::size_t edge_;
+    bool is_fold_;
+};
 
-    // a x + b y + c is b times the height above the edge, and a times the distance to its right.
-    const HalfPlane side = left_of(from, to, grid);
-    const mpz_class reach = std::max<mpz_class>(abs(side.a), abs(side.b));
-    for (const HalfPlane& plane : between_ends(from, to, grid))
-        within.push_back(plane);
-    within.push_back(widened(side, reach));
-    within.push_back(widened(opposite(side), reach));
+/// The pixels near an edge and between its ends; SharedEdge says which are near.
+class PixelsNearEdge {
+public:
+    PixelsNearEdge(const ScreenPoint& from, const ScreenPoint& to, const CanvasSamples& grid)
+        : edge_(from, to), grid_(grid),
+          runs_along_x_(abs(to.x.exact() - from.x.exact()) >= abs(to.y.exact() - from.y.exact())),
+          low_(runs_along_x_ ? std::min(from.x, to.x) : std::min(from.y, to.y)),
+          high_(runs_along_x_ ? std::max(from.x, to.x) : std::max(from.y, to.y)) {}
 
-    std::vector<std::uint32_t> never;
-    const auto [low, high] = std::minmax(from.y, to.y);
-    const Span rows = rows_between(Coordinate(low.exact() - 1), Coordinate(high.exact() + 1), grid);
-    for (Index row = rows.first; row <= rows.last; ++row) {
-        const int y = canvas.y_of(static_cast<int>(row));
-        const Span close_by = span_on_row(within, y, whole_row(canvas));
-        if (close_by.is_empty())
-            continue;
-        std::vector<Span> spans;
-        for (const ConvexRegion& region : regions)
-            spans.push_back(span_on_row(region, y, close_by));
-        for (Index x = close_by.first; x <= close_by.last; ++x) {
-            const auto offset =
-                static_cast<std::uint32_t>(canvas.offset_of({static_cast<int>(x), y}));
-            const bool belongs = std::any_of(spans.begin(), spans.end(),
-                                             [x](const Span& span) { return span.has(x); });
-            if (belongs && !one.covering().contains(offset) && !other.covering().contains(offset))
-                never.push_back(offset);
+    /// Calls `visit` with each, from the top, and from left to right.
+    template <typename Visit> void for_each(Visit&& visit) const {
+        const auto [low, high] = std::minmax(edge_.from().y, edge_.to().y);
+        const Span rows = grid_.rows_about(low, high);
+        for (Index row = rows.first; row <= rows.last; ++row) {
+            const int y = grid_.canvas.y_of(static_cast<int>(row));
+            const Span columns = edge_.columns_near(y + grid_.offset, grid_.all_columns());
+            for (Index x = columns.first; x <= columns.last; ++x)
+                if (is_near(x, y))
+                    visit(Pixel{static_cast<int>(x), y});
         }
     }
-    return never;
-}
 
-PixelList pixel_list(const std::vector<std::uint32_t>& offsets, const Canvas& canvas) {
-    PixelList list;
-    for (const std::uint32_t offset : offsets)
-        list.add(pixel_at(offset, canvas));
-    return list;
-}
+private:
+    bool is_near(Index x, int y) const {
+        const ScreenPoint sample = grid_.sample_of(x, y);
+        const Coordinate& along = runs_along_x_ ? sample.x : sample.y;
+        if (along < low_ || high_ < along)
+            return false;
+        // The edge passes between the samples on both sides, or through one of them.
+        const ScreenPoint before =
+            runs_along_x_ ? grid_.sample_of(x, y - 1) : grid_.sample_of(x - 1, y);
+        const ScreenPoint behind =
+            runs_along_x_ ? grid_.sample_of(x, y + 1) : grid_.sample_of(x + 1, y);
+        return edge_.sign(before) * edge_.sign(behind) <= 0;
+    }
+
+    ExactEdge edge_;
+    const CanvasSamples& grid_;
+    bool runs_along_x_;
+    const Coordinate low_;
+    const Coordinate high_;
+};
 
 /// The pixels that both primitives drew.
 PixelList drawn_by_both(const DrawnPrimitive& one, const DrawnPrimitive& other,
@@ -176,80 +184,25 @@ SharedEdge compared_at(const EdgeUse& one, const EdgeUse& other, const EdgeUse& 
                        const std::vector<Cornered>& triangles, const CanvasSamples& grid) {
     const Cornered& a = triangles[one.triangle];
     const Cornered& b = triangles[other.triangle];
-    const Cornered& named_by = triangles[first.triangle];
     const bool is_fold = lie_on_one_side(one, other, triangles);
     SharedEdge edge{.one = a.place,
                     .other = b.place,
-                    .named_by = named_by.place,
+                    .named_by = triangles[first.triangle].place,
                     .vertices = {first.from, first.to}};
     if (!is_fold)
         edge.twice = drawn_by_both(*a.drawn, *b.drawn, grid.canvas);
     // Of two triangles that are drawn whole there is nothing to look for.
-    if (!a.is_drawn_whole || !b.is_drawn_whole)
-        edge.never = pixel_list(never_drawn(named_by.at()[first.from], named_by.at()[first.to], {},
-                                            std::array{region_at_edge(one, a, is_fold),
-                                                       region_at_edge(other, b, is_fold)},
-                                            *a.drawn, *b.drawn, grid),
-                                grid.canvas);
-    return edge;
-}
-
-// Vertices on edges that have no vertex there.
-
-/// A vertex's name in a trace, or its place where the step names no vertices.
-std::string vertex_name(const PrimitiveStep& step, std::size_t corner) {
-    const std::vector<std::string> names = step.vertices.texts();
-    if (names.size() == 3)
-        return names[corner];
-    const auto at = text_rows(step.at);
-    return fmt::format("({}, {})", at[corner][0], at[corner][1]);
-}
-
-/// Counts the pixels along a T-junction that its triangle and one beside it drew, or neither did.
-void count_pixels(const TJunction& junction, const std::vector<Cornered>& drawn,
-                  const CanvasSamples& grid, EdgeWithJunctions& result) {
-    const Cornered& owner = drawn[junction.edge.from.triangle];
-    const auto covers = [](const Cornered& triangle, std::uint32_t offset) {
-        return triangle.drawn->covering().contains(offset);
-    };
-    const auto triangle_at = [&](const TriangleEdge& edge) -> const Cornered& {
-        return drawn[edge.from.triangle];
-    };
-    std::vector<std::uint32_t> twice;
-    std::vector<std::uint32_t> never;
-    for (const TriangleEdge& beside : junction.beside) {
-        const Cornered& other = triangle_at(beside);
-        for (const std::uint32_t offset : other.drawn->covering())
-            if (covers(owner, offset))
-                twice.push_back(offset);
-
-        // Strictly inside the one or the other, or on both edges.
-        std::array<ConvexRegion, 3> regions;
-        for (const TriangleEdge& edge : {junction.edge, beside}) {
-            const Cornered& triangle = triangle_at(edge);
-            const std::size_t from = edge.from.corner;
-            ConvexRegion& inside = regions[&triangle == &owner ? 0 : 1];
-            inside = triangle.samples->regions().interior;
-            inside[from] = interior_of(triangle.samples->regions().closed)[from];
-            for (const HalfPlane& plane : region_at_edge(triangle, from))
-                regions[2].push_back(plane);
-        }
-        const auto added = never_drawn(other.at()[beside.from.corner], other.at()[beside.to.corner],
-                                       between_ends(owner.at()[junction.edge.from.corner],
-                                                    owner.at()[junction.edge.to.corner], grid),
-                                       regions, *owner.drawn, *other.drawn, grid);
-        never.insert(never.end(), added.begin(), added.end());
-    }
-    // At a vertex, rounding may give a sample to the next triangle.
-    std::erase_if(never, [&](std::uint32_t offset) {
-        return std::any_of(
-            junction.beside.begin(), junction.beside.end(),
-            [&](const TriangleEdge& beside) { return covers(triangle_at(beside), offset); });
+    if (a.is_drawn_whole && b.is_drawn_whole)
+        return edge;
+    const SideOfEdge side_a(one, a, grid, is_fold);
+    const SideOfEdge side_b(other, b, grid, is_fold);
+    PixelsNearEdge(a.at()[one.from], a.at()[one.to], grid).for_each([&](const Pixel& pixel) {
+        const auto offset = static_cast<std::uint32_t>(grid.canvas.offset_of(pixel));
+        if (!a.drawn->covering().contains(offset) && !b.drawn->covering().contains(offset) &&
+            (side_a.has(pixel) || side_b.has(pixel)))
+            edge.never.add(pixel);
     });
-    put_in_order(twice);
-    put_in_order(never);
-    result.twice = pixel_list(twice, grid.canvas);
-    result.never = pixel_list(never, grid.canvas);
+    return edge;
 }
 
 } // namespace
@@ -280,34 +233,6 @@ std::vector<SharedEdge> compared_edges(const std::vector<Cornered>& triangles, s
         },
         neighbors_at_once(edges.size(), jobs));
     return pairs;
-}
-
-void find_junctions(const std::vector<Cornered>& drawn, const std::vector<Cornered>& not_drawn,
-                    const Trace& trace, const CanvasSamples& grid, Stats& stats) {
-    std::vector<ScreenTriangle> mesh;
-    for (const Cornered& triangle : drawn)
-        mesh.push_back({triangle.at(), triangle.corners});
-    for (const Cornered& triangle : not_drawn)
-        mesh.push_back({triangle.at(), triangle.corners, false});
-
-    const auto step_of = [&](std::size_t triangle) {
-        return trace.step(stats.primitives[drawn[triangle].place].step).as<PrimitiveStep>();
-    };
-    const auto name_of_triangle = [&](std::size_t triangle) {
-        return stats.primitives[drawn[triangle].place].name;
-    };
-    for (const TJunction& junction : t_junctions_of(mesh)) {
-        const auto& [from, to] = junction.edge;
-        EdgeWithJunctions edge;
-        edge.name = edge_name(step_of(from.triangle), from.corner, to.corner);
-        edge.triangle = name_of_triangle(from.triangle);
-        for (const auto& [triangle, corner] : junction.vertices)
-            edge.vertices.push_back(vertex_name(step_of(triangle), corner));
-        for (const TriangleEdge& beside : junction.beside)
-            edge.beside.push_back(name_of_triangle(beside.from.triangle));
-        count_pixels(junction, drawn, grid, edge);
-        stats.t_junctions.push_back(std::move(edge));
-    }
 }
 
 } // namespace rastertrace

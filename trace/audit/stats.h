@@ -7,8 +7,8 @@
 //     const Stats stats = stats_of(trace);
 //     stats.primitives[0].coverage->holes.count;
 //
-// What a triangle should have drawn is found from the positions in its primitive step alone, by
-// exact arithmetic. A pixel is judged by its sample point: its integer point, or (1/2, 1/2) from
+// What a triangle should have drawn is found from the positions in its primitive step alone, by its
+// edge functions. A pixel is judged by its sample point: its integer point, or (1/2, 1/2) from
 // there when the method says "sample":"center". Numbers of a trace are read as the doubles, or
 // floats, which they stand for. Where they leave open on which side of an edge a sample lies, it
 // counts as neither inside nor outside.
@@ -46,19 +46,12 @@ struct PixelList {
     }
 };
 
-/// Why pixels were drawn that should not have been.
-struct PixelCause {
-    std::string cause; ///< "floor takes the pixel left of the edge"
-    std::uint64_t pixels = 0;
-};
-
 /// What a triangle drew against what it covers.
 struct Coverage {
     PixelList holes;     ///< not drawn, though the sample point lies strictly inside
     PixelList open_edge; ///< not drawn, and the sample point lies on the boundary
     PixelList
         outside; ///< drawn, or hidden, though the sample point lies outside the closed triangle
-    std::vector<PixelCause> causes; ///< of those outside: each of them has one
 };
 
 /// What one primitive drew.
@@ -90,21 +83,6 @@ struct SharedEdge {
     /// from the edge, up or down where the edge is flatter than 45 degrees (or just that), to the
     /// left or right where it is steeper.
     PixelList never = {};
-};
-
-/// An edge that one triangle has and no other, with T-junctions: vertices of other triangles lie
-/// exactly on it. Which ones, t_junctions.h says. No rule for shared edges holds there, so it is told
-/// even if no pixel came out wrong: rounded otherwise, one may.
-struct EdgeWithJunctions {
-    std::string name;                  ///< as its triangle names its vertices
-    std::string triangle;              ///< the one that has it
-    std::vector<std::string> vertices; ///< from one end of the edge to the other
-    std::vector<std::string> beside;   ///< the triangles whose edges run along it, the same
-    PixelList twice;                   ///< in its triangle and in one of those; hidden ones too
-
-    /// In none of these. The sample point lies strictly inside a triangle, or on both edges but not
-    /// on their ends; near the edge, as in SharedEdge.
-    PixelList never;
 };
 
 /// An outline, and a filled triangle with the same three corners.
@@ -160,8 +138,7 @@ struct Stats {
     std::uint64_t pixels = 0;                                 ///< different pixels drawn
     std::uint64_t writes = 0;                                 ///< pixel steps on the canvas
     std::vector<PrimitiveStats> primitives;
-    std::vector<SharedEdge> edges; ///< every pair of triangles with area at every edge
-    std::vector<EdgeWithJunctions> t_junctions;
+    std::vector<SharedEdge> edges;       ///< every pair of triangles with area at every edge
     std::vector<OutlineOnFill> outlines; ///< every pair of an outline and a fill
     std::vector<WrongRow> wrong_rows;
     std::vector<Unjudged> unjudged;

@@ -53,19 +53,15 @@ bool has(const Stats& stats, StatsFinding finding) {
             stats.primitives.begin(), stats.primitives.end(),
             [list](const auto& one) { return one.coverage && ((*one.coverage).*list).count > 0; });
     };
-    const auto any_edge = [&stats](PixelList SharedEdge::*edge,
-                                   PixelList EdgeWithJunctions::*other) {
+    const auto any_edge = [&stats](PixelList SharedEdge::*list) {
         return std::any_of(stats.edges.begin(), stats.edges.end(),
-                           [edge](const auto& one) { return (one.*edge).count > 0; }) ||
-               std::any_of(stats.t_junctions.begin(), stats.t_junctions.end(),
-                           [other](const auto& one) { return (one.*other).count > 0; });
+                           [list](const auto& one) { return (one.*list).count > 0; });
     };
     switch (finding) {
     case StatsFinding::holes:
-        return any_primitive(&Coverage::holes) ||
-               any_edge(&SharedEdge::never, &EdgeWithJunctions::never);
+        return any_primitive(&Coverage::holes) || any_edge(&SharedEdge::never);
     case StatsFinding::twice:
-        return any_edge(&SharedEdge::twice, &EdgeWithJunctions::twice);
+        return any_edge(&SharedEdge::twice);
     case StatsFinding::outside:
         return any_primitive(&Coverage::outside);
     case StatsFinding::rows:

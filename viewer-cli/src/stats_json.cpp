@@ -24,21 +24,6 @@ std::string as_json(const PixelList& pixels) {
     return text + "]}";
 }
 
-std::string as_json(const std::vector<std::string>& names) {
-    std::string text = "[";
-    for (const std::string& name : names)
-        text += (text.size() > 1 ? "," : "") + json_quoted(name);
-    return text + "]";
-}
-
-std::string as_json(const std::vector<PixelCause>& causes) {
-    std::string text = "[";
-    for (const auto& [cause, pixels] : causes)
-        text += fmt::format(R"({}{{"cause":{},"pixels":{}}})", text.size() > 1 ? "," : "",
-                            json_quoted(cause), pixels);
-    return text + "]";
-}
-
 std::string as_json(const std::vector<WrongRow>& rows) {
     std::string text = "[";
     for (const WrongRow& row : rows)
@@ -72,20 +57,6 @@ std::string pairs_as_json(const Stats& stats, const Trace& trace) {
     return text + "]";
 }
 
-/// The edges that vertices of other triangles lie on.
-std::string junctions_as_json(const Stats& stats) {
-    std::string text = R"("t_junctions":[)";
-    std::string_view separator;
-    for (const EdgeWithJunctions& edge : stats.t_junctions) {
-        text += fmt::format(
-            R"({}{{"edge":{},"triangle":{},"vertices":{},"beside":{},"twice":{},"never":{}}})",
-            separator, json_quoted(edge.name), json_quoted(edge.triangle), as_json(edge.vertices),
-            as_json(edge.beside), as_json(edge.twice), as_json(edge.never));
-        separator = ",";
-    }
-    return text + "]";
-}
-
 } // namespace
 
 std::string stats_json(const Trace& trace, const Stats& stats) {
@@ -111,17 +82,17 @@ std::string stats_json(const Trace& trace, const Stats& stats) {
         if (!primitive.skipped.empty())
             text += fmt::format(R"(,"skipped":{})", json_quoted(primitive.skipped));
         if (const auto& coverage = primitive.coverage)
-            text += fmt::format(R"(,"holes":{},"open_edge":{},"outside":{},"causes":{})",
-                                as_json(coverage->holes), as_json(coverage->open_edge),
-                                as_json(coverage->outside), as_json(coverage->causes));
+            text +=
+                fmt::format(R"(,"holes":{},"open_edge":{},"outside":{})", as_json(coverage->holes),
+                            as_json(coverage->open_edge), as_json(coverage->outside));
         text += '}';
         separator = ",";
     }
     const bool has_depth =
         std::any_of(stats.count.begin(), stats.count.end(),
                     [](const auto& entry) { return entry.first == name_of(StepKind::depth); });
-    return text + "]," + pairs_as_json(stats, trace) + "," + junctions_as_json(stats) +
-           R"(,"wrong_rows":)" + as_json(stats.wrong_rows) +
+    return text + "]," + pairs_as_json(stats, trace) + R"(,"wrong_rows":)" +
+           as_json(stats.wrong_rows) +
            (has_depth ? R"(,"depth_ties":)" + as_json(stats.depth_ties) : "") + "}\n";
 }
 

@@ -46,15 +46,7 @@ std::string places_of(const PixelList& pixels) {
     return text;
 }
 
-/// Why pixels were drawn outside, a line for each cause.
-std::string as_text(const std::vector<PixelCause>& causes) {
-    std::string text;
-    for (const auto& [cause, pixels] : causes)
-        text += fmt::format("    {}: {}\n", printable(cause), pixels);
-    return text;
-}
-
-/// What a triangle missed and what it drew too much, a line each, and why. What is hidden counts as drawn.
+/// What a triangle missed and what it drew too much, a line each. What is hidden counts as drawn.
 std::string as_text(const Coverage& coverage, bool has_hidden) {
     const auto line = [](const PixelList& pixels, std::string_view what) {
         return pixels.count == 0
@@ -63,8 +55,7 @@ std::string as_text(const Coverage& coverage, bool has_hidden) {
     };
     return line(coverage.holes, "inside not drawn") +
            line(coverage.open_edge, "on its boundary not drawn") +
-           line(coverage.outside, has_hidden ? "drawn or hidden outside" : "drawn outside") +
-           as_text(coverage.causes);
+           line(coverage.outside, has_hidden ? "drawn or hidden outside" : "drawn outside");
 }
 
 // Primitives and edges. The parts of a mesh, which may be thousands, are added up.
@@ -87,15 +78,6 @@ void add(Coverage& sum, const Coverage& more) {
     add(sum.holes, more.holes);
     add(sum.open_edge, more.open_edge);
     add(sum.outside, more.outside);
-    for (const PixelCause& cause : more.causes) {
-        const auto known =
-            std::find_if(sum.causes.begin(), sum.causes.end(),
-                         [&cause](const PixelCause& other) { return other.cause == cause.cause; });
-        if (known == sum.causes.end())
-            sum.causes.push_back(cause);
-        else
-            known->pixels += cause.pixels;
-    }
 }
 
 std::string as_text(const PrimitiveStats& primitive) {
@@ -191,27 +173,6 @@ std::string edges_as_text(const Stats& stats, const Trace& trace) {
     return text;
 }
 
-/// "a, b ... and 3 more", by what says how an entry reads.
-template <typename List, typename TextOf> std::string some_of(const List& list, TextOf&& text_of) {
-    std::string text;
-    const std::size_t named = std::min(list.size(), most_pixels_named);
-    for (std::size_t i = 0; i < named; ++i)
-        text += (i == 0 ? "" : ", ") + text_of(list[i]);
-    if (list.size() > named)
-        text += fmt::format(" ... and {} more", list.size() - named);
-    return text;
-}
-
-std::string as_text(const EdgeWithJunctions& edge) {
-    const auto vertex = [](const std::string& name) { return shown(name) + " on it"; };
-    return fmt::format(
-        "T-junction{} at edge {} of {}: {}; beside it {}: {} in two triangles{}; {} in "
-        "none{}\n",
-        edge.vertices.size() == 1 ? "" : "s", shown(edge.name), shown(edge.triangle),
-        some_of(edge.vertices, vertex), some_of(edge.beside, shown), counted(edge.twice.count),
-        places_of(edge.twice), edge.never.count, places_of(edge.never));
-}
-
 std::string as_text(const OutlineOnFill& pair) {
     return fmt::format("outline {} on triangle {}: {} outside the fill{}\n", shown(pair.outline),
                        shown(pair.fill), counted(pair.outside.count), places_of(pair.outside));
@@ -261,8 +222,7 @@ std::string stats_text(const Trace& trace, const Stats& stats) {
                             : "");
     if (stats.sample)
         text += as_text(*stats.sample);
-    text += as_text(stats.primitives) + edges_as_text(stats, trace) +
-            first_of(stats.t_junctions, "T-junctions");
+    text += as_text(stats.primitives) + edges_as_text(stats, trace);
     std::vector<OutlineOnFill> beside;
     std::copy_if(stats.outlines.begin(), stats.outlines.end(), std::back_inserter(beside),
                  [](const OutlineOnFill& pair) { return pair.outside.count > 0; });

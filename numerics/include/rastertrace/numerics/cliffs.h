@@ -41,9 +41,8 @@ enum class CliffKind {
     edge_on,        ///< |cosine| between normal and view at most 2^-20
     near_plane,     ///< a vertex on the near plane, or cut off by it, or at the eye
     far_out,        ///< a coordinate beyond 2^23, where float has no halves of pixels
-    t_junction,     ///< vertices on an edge that has no vertex there (t_junctions.h)
 };
-inline constexpr std::size_t cliff_kind_count = 12;
+inline constexpr std::size_t cliff_kind_count = 11;
 
 /// "sliver", as JSON has it.
 std::string_view name_of(CliffKind kind);
