@@ -51,8 +51,7 @@ std::string key_of(const StepLine& line, const StepKeys& keys) {
     return key;
 }
 
-} // namespace
-
+/// A step by its number. Throws a Problem if it is none.
 StepLine step_line(const std::string& name, std::string json, std::size_t number,
                    const StepKeys& keys) {
     Source source{name, std::move(json), {}};
@@ -64,6 +63,8 @@ StepLine step_line(const std::string& name, std::string json, std::size_t number
     line.number = number;
     return line;
 }
+
+} // namespace
 
 std::string_view step_of_line(std::string_view line) {
     line = without_blanks(line);

@@ -45,10 +45,6 @@ struct StepLine {
 /// By kinds that we do not know: the fields that tell a step from others of its kind. `name`, `x` and `y` of any other.
 using StepKeys = std::map<std::string, std::vector<std::string>>;
 
-/// A step that stands nowhere, by its number. Throws a Problem if it is none.
-StepLine step_line(const std::string& name, std::string json, std::size_t number,
-                   const StepKeys& keys = {});
-
 class StepLines {
 public:
     /// Goes from a place on, the first line if that is at offset 0, to the end of the steps or to `end`.
