@@ -140,59 +140,6 @@ static void the_first_one_stays(void) {
     expect_fault(line, "rt_number \"x\"", "each field once", 2);
 }
 
-static struct rt_trace part[2];
-
-/// A trace, and two parts with a primitive of number 3 and a pixel.
-static void begin_parts(void) {
-    begin();
-    for (int i = 0; i < 2; ++i) {
-        rt_part(&part[i]);
-        rt_primitive_number(&part[i], 3);
-        rt_primitive(&part[i], "triangle", "ABC");
-        rt_pixel(&part[i], i, i);
-    }
-}
-
-static void parts(void) {
-    int line;
-    FAULT_IN_TRACE(rt_primitive_number(t, 1), "rt_primitive_number",
-                   "a part that has not been joined", 2);
-
-    begin_parts();
-    line = __LINE__ + 1;
-    rt_primitive_number(&part[1], 2);
-    rt_join(t, part, 2);
-    expect_fault(line, "rt_primitive_number", "numbers from 0 that do not fall", 3);
-
-    begin_parts();
-    line = __LINE__ + 1;
-    rt_primitive(&part[0], "triangle", "ABC");
-    rt_join(t, part, 2);
-    expect_fault(line, "rt_primitive", "one primitive of a number in a part", 3);
-
-    begin_parts();
-    rt_primitive_number(&part[0], 4);
-    rt_primitive(&part[0], "triangle", "ABC");
-    rt_primitive_number(&part[1], 4);
-    rt_primitive(&part[1], "triangle", "ABD");
-    EXPECT_FAULT(rt_join(t, part, 2), "rt_join", "the same primitive of a number in all parts", 7);
-
-    begin_parts();
-    rt_join(t, part, 2);
-    EXPECT_FAULT(rt_join(t, part, 2), "rt_join", "parts that have not been joined", 6);
-
-    rt_part(&part[0]);
-    line = __LINE__ + 1;
-    rt_pixel(&part[0], 1, 2);
-    begin();
-    rt_join(t, part, 1);
-    expect_fault(line, "rt_pixel", "rt_primitive_number before it", 3);
-
-    remove(path);
-    rt_part(t);
-    EXPECT_FAULT(rt_end(t), "rt_end", "rt_join, which ends a part", 0);
-}
-
 int main(int count, char** arguments) {
     if (count < 2)
         return 2;
@@ -201,6 +148,5 @@ int main(int count, char** arguments) {
     fields();
     headers_and_names();
     the_first_one_stays();
-    parts();
     return failures;
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Tells so many pixels, the second half by a part, and says what went wrong.
+// Tells so many pixels, and says what went wrong.
 //
 //     limits FILE STEPS
 
@@ -8,17 +8,14 @@
 #include <stdlib.h>
 
 int main(int count, char** arguments) {
-    static struct rt_trace trace, part;
+    static struct rt_trace trace;
     if (count < 3)
         return 2;
     const long steps = atol(arguments[2]);
     rt_open(&trace, arguments[1]);
     rt_header(&trace, 1000, 1000, "top-left");
-    rt_part(&part);
-    rt_primitive_number(&part, 0);
     for (long i = 0; i < steps; ++i)
-        rt_pixel(i < steps / 2 ? &trace : &part, i % 1000, i / 1000 % 1000);
-    rt_join(&trace, &part, 1);
+        rt_pixel(&trace, i % 1000, i / 1000 % 1000);
     const int status = rt_end(&trace);
     printf("%s\n", rt_error(&trace));
     return status;

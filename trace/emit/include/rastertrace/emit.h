@@ -21,12 +21,8 @@
 // The first fault (a wrong order, a field twice, a full disk) is kept for rt_error. Nothing more is written then, and no
 // end record: readers take the steps before it, and see that the trace has broken off.
 //
-// NaN and infinities are recorded as "NaN", "inf" and "-inf", RT_NONE, where there is no number, as null.
-//
-// A thread or a tile has a part: rt_part(&part), and rt_primitive_number(&part, 7) in front of the steps of each
-// primitive, from low to high. In the end, rt_join(&trace, parts, count) appends the steps of all: by the number, and
-// within a number part after part. The primitive step of a number is written once; the parts must agree on it.
-// Until then a part is in a file of its own (tmpfile): memory does not grow, and no thread waits for another.
+// NaN and infinities are recorded as "NaN", "inf" and "-inf", RT_NONE, where there is no number, as null. One thread
+// writes a trace.
 
 #include <errno.h>
 #include <stdio.h>
@@ -105,14 +101,6 @@
 /// No number: `stored` where nothing was, `dx_dy` of a horizontal edge.
 #define RT_NONE rt_none_()
 
-/// Begins a part.
-#define rt_part(t) rt_part_(RT_IN_(t, "rt_part"))
-/// What follows in a part belongs to that primitive: a number from 0, not below the one before.
-#define rt_primitive_number(t, number)                                                             \
-    rt_primitive_number_(RT_IN_(t, "rt_primitive_number"), number)
-/// Appends parts, struct rt_trace[count], to a trace, and ends them.
-#define rt_join(t, parts, count) rt_join_(RT_IN_(t, "rt_join"), parts, count)
-
 // --- how it is done ------------------------------------------------------------------------------
 
 #ifndef RT_FILE
@@ -173,7 +161,7 @@ enum { RT_EACH_KIND_(RT_KIND_) rt_kind_own_, rt_kinds_ };
 
 enum rt_state_ {
     RT_NEW_,    ///< a struct of zeros
-    RT_FILE_,   ///< a trace without its header yet, a part without a number
+    RT_FILE_,   ///< a trace without its header yet
     RT_HEADER_, ///< the header's line is open
     RT_METHOD_, ///< the same, in its `method`
     RT_OPEN_,   ///< a step's line is open
@@ -182,16 +170,9 @@ enum rt_state_ {
     RT_FAILED_
 };
 
-/// In front of steps in a part's file that belong to one primitive.
-struct rt_piece_ {
-    long long number; ///< of the primitive; -1 behind the last piece
-    size_t size;
-    size_t primitive, primitive_size; ///< where the `primitive` step is, if it is among them
-};
-
 struct rt_trace {
     FILE* file;
-    int owns_file, is_part, has_primitive, step_kind;
+    int owns_file;
     enum rt_state_ state;
     const char *call, *code; ///< the last call, and its place in the code
     const char* step_code;   ///< that of the open step
@@ -199,7 +180,6 @@ struct rt_trace {
     size_t start, used; ///< of the buffer: where the open line begins, where the next byte goes
     unsigned long long keys; ///< of the open line: a bit for each of its fields, see rt_bit_
     long long counts[rt_kinds_];
-    struct rt_piece_ piece; ///< of a part: what the buffer holds
     char error[256];
     char buffer[RT_BUFFER_ + 2 * RT_ROOM_]; ///< behind a fault, what is told goes to its end
 };
@@ -238,24 +218,13 @@ static inline const char* rt_error(const struct rt_trace* t) {
     return t->error;
 }
 
-static inline void rt_write_(struct rt_trace* t, const void* bytes, size_t size) {
-    if (t->state != RT_FAILED_ && fwrite(bytes, 1, size, t->file) != size)
-        rt_fail_by_system_(t, "the file cannot be written");
-}
-
 /// Writes the whole lines, or what there is of a line that is longer than the buffer.
 RT_SELDOM_ void rt_flush_(struct rt_trace* t) {
     const size_t size = t->start > 0 ? t->start : t->used;
     if (t->state == RT_FAILED_ || size == 0)
         return;
-    if (t->is_part) {
-        if (t->start == 0 && t->step_kind == rt_kind_primitive_)
-            rt_fail_(t, RT_NULL_, "expected at most 64 KB of a primitive in a part");
-        t->piece.size = size;
-        rt_write_(t, &t->piece, sizeof t->piece);
-        t->piece.primitive_size = 0;
-    }
-    rt_write_(t, t->buffer, size);
+    if (fwrite(t->buffer, 1, size, t->file) != size)
+        rt_fail_by_system_(t, "the file cannot be written");
     memmove(t->buffer, t->buffer + size, t->used - size);
     t->used -= size;
     t->start = 0;
@@ -475,22 +444,16 @@ RT_OFTEN_ void rt_end_step_(struct rt_trace* t) {
         *out++ = '"';
     }
     rt_set_end_(t, rt_put_(out, RT_BYTES_("}\n")));
-    if (t->is_part && t->step_kind == rt_kind_primitive_) {
-        t->piece.primitive = t->start;
-        t->piece.primitive_size = t->used - t->start;
-    }
     t->start = t->used;
 }
 
 /// Ends the line that is open, whatever it is. False, with a fault, where no line may follow.
 RT_SELDOM_ int rt_end_line_(struct rt_trace* t) {
-    const char* const before =
-        t->is_part ? "expected rt_primitive_number before it" : "expected rt_header before it";
     rt_room_(t);
     if (t->state == RT_NEW_)
         rt_fail_(t, RT_NULL_, "expected rt_open before it");
     else if (t->state == RT_FILE_)
-        rt_fail_(t, RT_NULL_, before);
+        rt_fail_(t, RT_NULL_, "expected rt_header before it");
     else if (t->state == RT_ENDED_)
         rt_fail_(t, RT_NULL_, "expected it before the end");
     else if (t->state == RT_OPEN_)
@@ -517,15 +480,12 @@ RT_OFTEN_ struct rt_trace* rt_step_(struct rt_trace* t, int kind, const char* fr
     else
         rt_end_line_(t);
     rt_room_(t);
-    if (t->is_part && kind == rt_kind_primitive_ && t->has_primitive++)
-        rt_fail_(t, RT_NULL_, "expected one primitive of a number in a part");
     if (t->state == RT_FAILED_)
         t->used = t->start;
     else
         t->state = RT_OPEN_;
     t->step_code = t->code;
     t->step_code_size = t->code_size;
-    t->step_kind = kind;
     t->keys = rt_bit_(RT_BYTES_(",\"step\":"));
     ++t->counts[kind];
     rt_append_(t, front, size);
@@ -692,7 +652,7 @@ static inline void rt_open_(struct rt_trace* t, const char* name) {
 
 static inline void rt_header_(struct rt_trace* t, int width, int height, const char* origin) {
     char size[80];
-    if (t->state != RT_FILE_ || t->is_part)
+    if (t->state != RT_FILE_)
         rt_fail_(t, RT_NULL_, "expected it once, directly behind rt_open");
     if (width < 1 || height < 1 || width > 16384 || height > 16384)
         rt_fail_(t, RT_NULL_, "expected a canvas of 1 to 16384 pixels a side");
@@ -733,21 +693,9 @@ static inline void rt_method_(struct rt_trace* t, const char* front, size_t size
     t->state = RT_METHOD_;
 }
 
-/// Closes the file; 0 if all went well.
-static inline int rt_close_(struct rt_trace* t) {
-    if (t->file != RT_NULL_ && (t->owns_file ? fclose(t->file) : fflush(t->file)) != 0)
-        rt_fail_by_system_(t, "the file cannot be written");
-    t->file = RT_NULL_;
-    if (t->state != RT_FAILED_)
-        t->state = RT_ENDED_;
-    return t->state == RT_FAILED_;
-}
-
 static inline int rt_end_(struct rt_trace* t) {
 #define RT_KIND_NAME_(kind) #kind,
     static const char* const names[] = {RT_EACH_KIND_(RT_KIND_NAME_) RT_NULL_};
-    if (t->is_part)
-        rt_fail_(t, RT_NULL_, "expected rt_join, which ends a part");
     if (rt_end_line_(t)) {
         const char* separator = "{";
         long long steps = 0;
@@ -767,117 +715,13 @@ static inline int rt_end_(struct rt_trace* t) {
         rt_append_literal_(t, *separator == '{' ? "{}}}\n" : "}}}\n");
         t->start = t->used;
         rt_flush_(t);
-    } else if (t->file != RT_NULL_ && !t->is_part) {
+    } else if (t->file != RT_NULL_) {
         fwrite(t->buffer, 1, t->start, t->file); // the steps before the fault
     }
-    return rt_close_(t);
-}
-
-static inline void rt_part_(struct rt_trace* t) {
-    rt_open_file_(t, tmpfile(), 1);
-    t->is_part = 1;
-    t->piece.number = -1;
-}
-
-static inline void rt_primitive_number_(struct rt_trace* t, long long number) {
-    if (!t->is_part || t->state == RT_ENDED_)
-        rt_fail_(t, RT_NULL_, "expected a part that has not been joined");
-    if (number < 0 || number < t->piece.number)
-        rt_fail_(t, RT_NULL_, "expected numbers from 0 that do not fall");
-    if (t->state == RT_OPEN_)
-        rt_end_step_(t);
-    if (number > t->piece.number)
-        rt_flush_(t);
-    if (t->state == RT_FAILED_)
-        return;
-    t->has_primitive = t->has_primitive && number == t->piece.number;
-    t->piece.number = number;
-    t->state = RT_LINES_;
-}
-
-/// Goes on to the next piece of a part; its number is -1 if there is none.
-static inline void rt_next_piece_(struct rt_trace* part) {
-    struct rt_piece_* const piece = &part->piece;
-    if (fread(piece, sizeof *piece, 1, part->file) != 1)
-        piece->number = -1;
-    else if (fread(part->buffer, 1, piece->size, part->file) != piece->size)
-        rt_fail_(part, RT_NULL_, "the file of a part cannot be read");
-}
-
-/// Ends a part's steps and goes to the first piece of them.
-static inline void rt_reread_(struct rt_trace* part) {
-    if (!part->is_part || part->state == RT_ENDED_)
-        rt_fail_(part, RT_NULL_, "expected parts that have not been joined");
-    if (part->state == RT_OPEN_)
-        rt_end_step_(part);
-    rt_flush_(part);
-    if (part->state == RT_FAILED_)
-        return;
-    if (fflush(part->file) != 0 || fseek(part->file, 0, SEEK_SET) != 0)
-        rt_fail_by_system_(part, "the file of a part cannot be written");
-    rt_next_piece_(part);
-}
-
-/// Writes what a part tells of a primitive. The hash of its `primitive` step (FNV-1a), 0 without one.
-static inline unsigned long long rt_join_primitive_(struct rt_trace* t, struct rt_trace* part,
-                                                    int is_first) {
-    const struct rt_piece_* const piece = &part->piece;
-    const long long number = piece->number;
-    unsigned long long hash = 0;
-    while (piece->number == number && part->state != RT_FAILED_) {
-        const size_t begin = piece->primitive_size > 0 ? piece->primitive : 0;
-        const size_t end = begin + piece->primitive_size;
-        rt_write_(t, part->buffer, is_first ? end : begin);
-        rt_write_(t, part->buffer + end, piece->size - end);
-        if (begin < end && !is_first)
-            --t->counts[rt_kind_primitive_];
-        if (begin < end)
-            hash = 14695981039346656037ULL;
-        for (size_t i = begin; i < end; ++i)
-            hash = (hash ^ RT_CAST_(unsigned char, part->buffer[i])) * 1099511628211ULL;
-        rt_next_piece_(part);
-    }
-    return hash;
-}
-
-static inline void rt_join_(struct rt_trace* t, struct rt_trace* parts, size_t count) {
-    if (t->is_part)
-        rt_fail_(t, RT_NULL_, "expected a trace, found a part");
-    if (rt_end_line_(t))
-        rt_flush_(t);
-    for (size_t i = 0; i < count; ++i) {
-        rt_reread_(rt_in_(&parts[i], t->call, t->code));
-        for (int kind = 0; kind < rt_kinds_; ++kind)
-            t->counts[kind] += parts[i].counts[kind];
-    }
-    for (long long number = 0; number >= 0;) {
-        // The lowest number that is left, unless there is a fault.
-        number = -1;
-        for (size_t i = 0; i < count; ++i) {
-            const long long next = parts[i].piece.number;
-            if (next >= 0 && (number < 0 || next < number))
-                number = next;
-        }
-        for (size_t i = 0; i < count; ++i)
-            if (parts[i].state == RT_FAILED_ && t->state != RT_FAILED_) {
-                t->state = RT_FAILED_;
-                memcpy(t->error, parts[i].error, sizeof t->error);
-            }
-        if (t->state == RT_FAILED_)
-            break;
-
-        // Part after part. All that have it must have the same `primitive` step.
-        unsigned long long first_hash = 0;
-        int is_first = 1;
-        for (size_t i = 0; i < count; ++i)
-            if (number >= 0 && parts[i].piece.number == number) {
-                const unsigned long long hash = rt_join_primitive_(t, &parts[i], is_first);
-                if (!is_first && hash != first_hash)
-                    rt_fail_(t, RT_NULL_, "expected the same primitive of a number in all parts");
-                first_hash = hash;
-                is_first = 0;
-            }
-    }
-    for (size_t i = 0; i < count; ++i)
-        rt_close_(&parts[i]);
+    if (t->file != RT_NULL_ && (t->owns_file ? fclose(t->file) : fflush(t->file)) != 0)
+        rt_fail_by_system_(t, "the file cannot be written");
+    t->file = RT_NULL_;
+    if (t->state != RT_FAILED_)
+        t->state = RT_ENDED_;
+    return t->state == RT_FAILED_;
 }
