@@ -10,7 +10,7 @@ set(libraries rastertrace_core rastertrace_draw)
 set(find_modules ${CMAKE_CURRENT_LIST_DIR}/FindGMP.cmake)
 if(RASTERTRACE_BUILD_TRACE)
   list(APPEND libraries ${rastertrace_rooms} rastertrace_trace rastertrace_emit)
-  list(APPEND find_modules ${CMAKE_CURRENT_LIST_DIR}/FindUnistring.cmake ${CMAKE_CURRENT_LIST_DIR}/FindZstd.cmake)
+  list(APPEND find_modules ${CMAKE_CURRENT_LIST_DIR}/FindUnistring.cmake)
 endif()
 # The libraries that a program finds by one export.
 function(install_libraries export)

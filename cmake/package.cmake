@@ -17,7 +17,7 @@ set(CPACK_DEBIAN_PROGRAM_PACKAGE_SHLIBDEPS ON)
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_NAME librastertrace-dev)
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SECTION libdevel)
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS
-  "rastertrace (= ${PROJECT_VERSION}), libfmt-dev, libglm-dev, libgmp-dev, libpng-dev, libunistring-dev, libzstd-dev, zlib1g-dev")
+  "rastertrace (= ${PROJECT_VERSION}), libfmt-dev, libglm-dev, libgmp-dev, libpng-dev, libunistring-dev")
 set(CPACK_COMPONENT_PROGRAM_DESCRIPTION ${CPACK_PACKAGE_DESCRIPTION})
 set(CPACK_COMPONENT_DEVELOPMENT_DESCRIPTION "Libraries and headers of rastertrace: rasterization algorithms and\nthe traces of their decisions.")
 include(CPack)

@@ -14,8 +14,6 @@ if(TARGET rastertrace::trace AND (rastertrace_components_beside_core OR NOT ${ra
   find_dependency(PNG)
   find_dependency(Threads)
   find_dependency(Unistring)
-  find_dependency(ZLIB)
-  find_dependency(Zstd)
   find_dependency(fmt CONFIG)
 endif()
 list(POP_BACK CMAKE_MODULE_PATH)

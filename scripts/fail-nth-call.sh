@@ -135,7 +135,7 @@ if [ $stride = 1 ]; then
     try no yes yes show inputs/trace.json --every scanline
     try no yes yes stats inputs/mesh.json
     try no yes yes stats inputs/trace.json --json
-    try no yes yes convert inputs/trace.json --to csv -o output.csv
+    try no yes yes trace inputs/trace.json --flat -o output.csv
     try no yes yes check inputs/scene.json inputs/claims.txt
     try no yes yes diff inputs inputs
     try no yes yes sheet inputs/scene.json

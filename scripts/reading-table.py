@@ -1,8 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""Prints the tables of docs/performance.md, "Reading a trace" and "Packed traces": what whole processes take to read a
-large trace, also over `wc -l` of the file, with one thread and with one for each core, and their peak resident memory;
-and what they take to write it packed, also over writing it plain, on one core and on all, and its size.
+"""Prints the table of docs/performance.md, "Traces": what whole processes take to read a large trace, also over
+`wc -l` of the file, and their peak resident memory.
 
 usage: scripts/reading-table.py PROGRAM [RUNS]
 """
@@ -17,14 +16,12 @@ import time
 CALLS = ["show --last", "validate", "stats", "explain --pixel 300,300"]
 
 
-def least_time(words, runs, cores=None):
+def least_time(words, runs):
     """In seconds, of some runs."""
     times = []
     for _ in range(runs):
         begin = time.monotonic()
         process = subprocess.Popen(words, stdout=subprocess.DEVNULL)
-        if cores:
-            os.sched_setaffinity(process.pid, cores)
         if process.wait() != 0:
             raise SystemExit(f"{' '.join(words)}: status {process.returncode}")
         times.append(time.monotonic() - begin)
@@ -41,31 +38,11 @@ def reading_table(program, runs):
     size = os.path.getsize("torus.jsonl")
     lines = least_time(["wc", "-l", "torus.jsonl"], runs)
     print(f"{size / 1e6:.0f} MB; `wc -l`: {lines * 1000:.0f} ms\n")
-    print("| | one thread | over `wc -l` | all cores | over `wc -l` | memory |\n|---|---|---|---|---|---|")
+    print("| | time | over `wc -l` | memory |\n|---|---|---|---|")
     for call in CALLS:
         words = [program, *call.split(), "torus.jsonl"]
-        alone = least_time([*words, "--jobs", "1"], runs)
-        together = least_time(words, runs)
-        print(f"| `{call}` | {alone:.2f} s | {alone / lines:.0f} | {together:.2f} s | {together / lines:.0f} "
-              f"| {peak_memory(words):.0f} MB |")
-
-
-def packed_table(program, runs):
-    size = os.path.getsize("torus.jsonl")
-    print("\n| | size | by the packer alone | one core | over plain | all cores | over plain |\n|---|---|---|---|---|---|---|")
-    plain = {}
-    for ending, packer in [("", None), (".gz", "gzip"), (".zst", "zstd")]:
-        name = f"written.jsonl{ending}"
-        cells = []
-        for cores in [1, os.cpu_count()]:
-            spent = least_time([program, "trace", "torus.json", "-o", name], runs, range(cores))
-            plain.setdefault(cores, spent)
-            cells.append(f"{spent:.2f} s | {spent / plain[cores]:.1f}")
-        rival = "-"
-        if packer:
-            alone = subprocess.run([packer, "-1", "-c", "torus.jsonl"], stdout=subprocess.PIPE, check=True).stdout
-            rival = f"{len(alone) / size:.1%}"
-        print(f"| `trace -o {name}` | {os.path.getsize(name) / size:.1%} | {rival} | {' | '.join(cells)} |")
+        spent = least_time(words, runs)
+        print(f"| `{call}` | {spent:.2f} s | {spent / lines:.0f} | {peak_memory(words):.0f} MB |")
 
 
 def main():
@@ -87,7 +64,6 @@ def main():
             json.dump(scene, file)
         subprocess.run([program, "trace", "torus.json", "-o", "torus.jsonl"], check=True)
         reading_table(program, runs)
-        packed_table(program, runs)
 
 
 main()

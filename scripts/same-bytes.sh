@@ -37,7 +37,7 @@ unpack_for() {
     scripts/install-packages.sh qemu-user "g++-$2-linux-gnu"
     mkdir -p "$3/packages"
     (cd "$3/packages" && apt-get download -qq "libagg-dev:$1" "libfmt-dev:$1" "libfmt9:$1" "libgif-dev:$1" \
-        "libgmp-dev:$1" "libpng-dev:$1" "libunistring-dev:$1" "libzstd-dev:$1" "zlib1g-dev:$1")
+        "libgmp-dev:$1" "libpng-dev:$1" "libunistring-dev:$1" "zlib1g-dev:$1")
     for package in "$3/packages"/*.deb; do
         dpkg-deb -x "$package" "$3"
     done

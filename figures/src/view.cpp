@@ -117,11 +117,10 @@ std::string_view only_color(std::string_view json) {
 
 } // namespace
 
-View default_view(const Trace& trace, std::size_t most_steps) {
+View default_view(const Trace& trace) {
     std::set<std::string> faces;
     std::set<std::string, std::less<>> colors;
-    for (const std::size_t n :
-         trace.steps_of({StepKind::light, StepKind::primitive}, 1, most_steps)) {
+    for (const std::size_t n : trace.steps_of({StepKind::light, StepKind::primitive})) {
         if (trace.kind_of(n) == StepKind::light)
             return View::shade;
         const StepView step = trace.step(n);

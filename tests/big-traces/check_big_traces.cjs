@@ -25,7 +25,7 @@ function expect_same(what, found, expected) {
 const duckdb = path.join(tools, "node_modules/@duckdb/node-api");
 if (!fs.existsSync(duckdb))
   execFileSync("npm", ["install", "--prefix", tools, "--no-audit", "--no-fund", "--silent", "@duckdb/node-api@1.5.6-r.1"], {stdio: "inherit"});
-const environment = {...process.env, RASTERTRACE: program, PATH: `${path.dirname(program)}:${process.env.PATH}`, NODE_PATH: path.join(tools, "node_modules")};
+const environment = {...process.env, PATH: `${path.dirname(program)}:${process.env.PATH}`};
 
 const page = fs.readFileSync(path.join(source, "docs/big-traces.md"), "utf8");
 const blocks = language => [...page.matchAll(new RegExp("```" + language + "\\n([^]*?)```", "g"))].map(([, text]) => text);
@@ -82,38 +82,38 @@ async function database() {
 }
 
 async function main() {
-  // As on the page; npm has been asked already.
-  for (const name of ["examples", "scripts"]) fs.symlinkSync(path.join(source, name), path.join(folder, name));
-  const commands = blocks("sh")[0].split("\n").filter(line => !line.startsWith("npm "));
-  execFileSync("sh", ["-ec", commands.join("\n")], {cwd: folder, env: environment, stdio: "inherit"});
-  const files = {floor: "floor.jsonl.zst", truncate: "truncate.jsonl", cubes: "cubes.jsonl.zst"};
-  const traces = Object.fromEntries(Object.entries(files).map(([name, file]) => [name, said("stats", file)]));
+  // As on the page.
+  fs.symlinkSync(path.join(source, "examples"), path.join(folder, "examples"));
+  execFileSync("sh", ["-ec", blocks("sh")[0]], {cwd: folder, env: environment, stdio: "inherit"});
+  const triangle = "examples/t0-fill/first-triangle.json";
+  const traces = {
+    floor: said("stats", triangle), truncate: said("stats", triangle, "--rounding", "truncate"),
+    cubes: said("stats", "examples/t0-hidden/two-cubes.json")
+  };
   const {run, rows_of} = await database();
   await run(view);
   const answers = {
-    totals: traces, overdraw: traces.cubes, fights: traces.cubes, rows: said("diff", files.floor, files.truncate)
+    totals: traces, overdraw: traces.cubes, fights: traces.cubes, rows: said("diff", triangle, "--against", "rounding=truncate")
   };
   expect_same("queries on the page", [...queries.keys()], Object.keys(answers));
   for (const [name, sql] of queries) checks_of[name](await rows_of(sql), answers[name], "cubes");
 
   // Every example that is a scene.
-  fs.rmSync(path.join(folder, "steps"), {recursive: true});
-  fs.mkdirSync(path.join(folder, "traces"));
+  fs.mkdirSync(path.join(folder, "all"));
   const examples = {};
   for (const file of fs.readdirSync(path.join(source, "examples"), {recursive: true}).filter(name => name.endsWith(".json")))
     for (const scalar of ["double", "exact"]) {
       const name = `${file.slice(0, -5).replaceAll("/", ", ")}, ${scalar}`;
-      const trace = path.join("traces", `${name}.jsonl`);
-      if (spawnSync(program, ["trace", path.join("examples", file), "--scalar", scalar, "--frame", "1", "-o", trace], {cwd: folder}).status === 0)
-        examples[name] = said("stats", trace);
+      const words = [path.join("examples", file), "--scalar", scalar, "--frame", "1"];
+      if (spawnSync(program, ["trace", ...words, "--flat", "-o", `all/${name}.jsonl`], {cwd: folder}).status === 0)
+        examples[name] = said("stats", ...words);
     }
   if (Object.keys(examples).length < 100) failures.push(`only ${Object.keys(examples).length} traces`);
-  execFileSync(process.execPath, ["scripts/to-parquet.cjs", "steps", ...Object.keys(examples).map(name => `traces/${name}.jsonl`)],
-    {cwd: folder, env: environment, stdio: "inherit"});
-  await run(view.replace("CREATE", "CREATE OR REPLACE"));
+  const all = view.replace("CREATE", "CREATE OR REPLACE");
+  await run(all.replace("*.jsonl", "all/*.jsonl"));
   checks_of.totals(await rows_of(queries.get("totals")), examples);
   for (const [name, stats] of Object.entries(examples)) {
-    await run(view.replace("CREATE", "CREATE OR REPLACE").replace("/*/", `/trace=${encodeURIComponent(name)}/`)); // faster
+    await run(all.replace("*.jsonl", `all/${name}.jsonl`)); // faster
     for (const query of ["overdraw", "fights"])
       checks_of[query](await rows_of(queries.get(query).replace("'cubes'", `'${name}'`)), stats, name);
   }

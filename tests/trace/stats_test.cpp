@@ -15,7 +15,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
-#include <sstream>
 #include <string>
 #include <utility>
 #include <vector>
@@ -432,67 +431,6 @@ TEST(SharedEdge, OfVeryManyTrianglesTheFirstAreCompared) {
     Scene scene = triangle_scene({"0", "0", "2", "0", "0", "2"}, ten_by_ten);
     scene.primitives.resize(100, scene.primitives[0]);
     EXPECT_EQ(stats_of_scene(scene).edges.size(), 3 * most_compared * (most_compared - 1) / 2);
-}
-
-/// What stats tell as text, edges by the numbers of their triangles; without outlines.
-std::string all_of(const Stats& stats) {
-    std::ostringstream all;
-    const auto add_pixels = [&all](const PixelList& pixels) {
-        all << pixels.count << ':';
-        for (const Pixel& pixel : pixels.kept)
-            all << ' ' << pixel.x << ' ' << pixel.y;
-        all << '\n';
-    };
-    for (const auto& [kind, count] : stats.count)
-        all << kind << ' ' << count << '\n';
-    all << stats.pixels << ' ' << stats.writes << ' ' << stats.frame << '\n';
-    for (const PrimitiveStats& one : stats.primitives) {
-        all << one.step << ' ' << one.kind << ' ' << one.name << ' ' << one.writes << ' '
-            << one.pixels << ' ' << one.over << ' ' << one.hidden << ' ' << one.skipped << '\n';
-        if (!one.coverage)
-            continue;
-        for (const auto list : {&Coverage::holes, &Coverage::open_edge, &Coverage::outside})
-            add_pixels((*one.coverage).*list);
-    }
-    for (const SharedEdge& edge : stats.edges) {
-        all << edge.one << ' ' << edge.other << ' ' << edge.named_by << '\n';
-        add_pixels(edge.twice);
-        add_pixels(edge.never);
-    }
-    for (const WrongRow& row : stats.wrong_rows)
-        all << row.step << ' ' << row.primitive << ' ' << row.missing << ' ' << row.others << '\n';
-    for (const auto& [findings, lacks] : stats.unjudged)
-        all << names_of(findings) << ' ' << lacks << '\n';
-    add_pixels(stats.depth_ties);
-    return all.str();
-}
-
-// Each primitive a part, in three threads, against one part.
-TEST(Stats, OfPartsAreThoseOfTheWhole) {
-    std::size_t primitives = 0;
-    for (std::uint64_t seed = 1; seed <= 300; ++seed) {
-        const auto read = read_scene({"scene.json", RandomScene(seed).text()});
-        if (!read)
-            continue;
-        // Also with a step less, of a kind that nobody knows, and cut off.
-        std::string text = trace_text(read.value().scene);
-        std::string strange = text;
-        const std::size_t middle = text.find('\n', text.size() / 2);
-        if (const std::size_t kind = strange.find(R"("step":"pixel")", middle);
-            kind != std::string::npos)
-            strange.replace(kind + 8, 5, "pixie");
-        if (const std::size_t next = text.find('\n', middle + 1); next != std::string::npos)
-            strange.erase(middle, next - middle);
-        for (const std::string& one : {text, strange, text.substr(0, 1 + middle)}) {
-            const auto trace = read_trace({"trace.jsonl", one});
-            if (!trace)
-                continue;
-            const Stats whole = stats_of(trace.value(), 1, one.size());
-            primitives += whole.primitives.size();
-            ASSERT_EQ(all_of(stats_of(trace.value(), 3, 1)), all_of(whole)) << "seed " << seed;
-        }
-    }
-    EXPECT_GT(primitives, 1000u);
 }
 
 TEST(WrongRows, AreNotInWhatIsDrawnHere) {

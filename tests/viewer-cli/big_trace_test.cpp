@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Traces that are damaged, large, or changed while they are read: whatever is in the file, a command ends by itself, and
-// says the same of a trace as of the same trace packed. scripts/check-big-traces.sh runs these tests with many more cases.
+// says the same of a trace in a file as of the same trace from a pipe. scripts/check-big-traces.sh runs these tests with many more cases.
 
 #include "effort.h"
-#include "packed_text.h"
 #include "program.h"
 
 #include <gmock/gmock.h>
@@ -35,28 +34,28 @@ constexpr std::array<std::string_view, 5> questions{
 
 class BigTrace : public ProgramTest {
 protected:
-    /// All answers about a trace, as it is and packed, the files having one name in three folders.
+    /// All answers about the trace t, in its file and from a pipe.
     std::vector<std::string> answers(const std::string& text, const std::string& sound) const {
-        std::vector<std::string> all;
-        for (const Packing packing : {Packing::none, Packing::gzip, Packing::zstd}) {
-            const std::string folder = std::to_string(static_cast<int>(packing));
-            fs::create_directories(folder_ / folder);
-            write(folder + "/t", packing == Packing::none ? text : packed(text, packing));
-            write(folder + "/sound", packing == Packing::none ? sound : packed(sound, packing));
-            std::string commands = "cd " + folder;
-            for (const std::string_view question : questions)
-                commands += "; $rastertrace " + std::string(question) + " 2>&1; echo \"status $?\"";
-            all.push_back(shell(commands).out);
+        write("t", text);
+        write("sound", sound);
+        std::string of_file;
+        std::string of_pipe;
+        for (const std::string_view question : questions) {
+            const std::size_t name = question.find(" t") + 1;
+            std::string piped(question);
+            piped[name] = '-';
+            const std::string end = " 2>&1; echo \"status $?\"; ";
+            of_file += "$rastertrace " + std::string(question) + end;
+            of_pipe += "cat t | $rastertrace " + piped + end;
         }
-        return all;
+        return {shell(of_file).out, shell("(" + of_pipe + ") | sed 's/standard input/t/g'").out};
     }
 
     /// That they are the same, and that every command has ended by itself and not for lack of something.
     void expect_same_answers(const std::string& text, const std::string& sound,
                              const std::string& what) const {
         const auto all = answers(text, sound);
-        EXPECT_EQ(all[1], all[0]) << what << ", gzip\n" << text;
-        EXPECT_EQ(all[2], all[0]) << what << ", Zstandard\n" << text;
+        EXPECT_EQ(all[1], all[0]) << what << "\n" << text;
         std::size_t ended = 0;
         for (std::size_t at = 0; (at = all[0].find("\nstatus ", at)) != std::string::npos; ++at)
             ended += std::string_view("012").find(all[0][at + 8]) != std::string_view::npos &&
@@ -192,58 +191,16 @@ std::string random_lines(Random& random) {
     return text + (random.chance(2) ? "{\"end\":{}}\n" : "");
 }
 
-// --- packed and not -----------------------------------------------------------------------------
+// --- from a file and from a pipe ----------------------------------------------------------------
 
-// Parts of a megabyte are read at once: what comes of them does not depend on how many, nor on what lies between them.
-TEST_F(BigTrace, IsReadAlikeByAnyNumberOfThreads) {
-    std::string vertices;
-    std::string triangles;
-    Random random(3);
-    for (int i = 0; i < 60; ++i) {
-        for (const char corner : {'A', 'B', 'C'})
-            vertices += (vertices.empty() ? "\"" : ",\"") + (corner + std::to_string(i)) + "\":[" +
-                        std::to_string(random.whole(0, 199)) + "," +
-                        std::to_string(random.whole(0, 149)) + "," +
-                        std::to_string(random.whole(1, 9)) + "]";
-        const std::string n = std::to_string(i);
-        triangles += (i == 0 ? "" : ",") + ("[\"A" + n + "\",\"B" + n + "\",\"C" + n + "\"]");
-    }
-    write("scene.json", R"({"canvas":{"width":200,"height":150,"origin":"top-left"},)"
-                        R"("method":{"depth":"linear-z"},"vertices":{)" +
-                            vertices + "},\"triangles\":[" + triangles + "]}");
-    const std::string sound = shell("$rastertrace trace scene.json --format jsonl").out;
-    ASSERT_GT(sound.size(), 4'000'000U);
-    std::string damaged = sound;
-    for (int i = 0; i < 3; ++i) // written otherwise, still a step
-        damaged.insert(damaged.find("{\"step\"", static_cast<std::size_t>(random.whole(
-                                                     0, static_cast<int>(damaged.size()) - 9999))) +
-                           1,
-                       " ");
-    for (const std::string& text :
-         {sound, damaged, damaged.substr(0, damaged.size() / 2), mutated(sound, random)}) {
-        write("t", text);
-        for (const std::string question :
-             {"stats --json", "validate", "explain --pixel 90,70", "show --last"}) {
-            const auto answer = [&](const std::string& jobs) {
-                return shell("$rastertrace " + question + " t --jobs " + jobs + " 2>&1; echo $?")
-                    .out;
-            };
-            const std::string by_one = answer("1");
-            EXPECT_EQ(answer("2"), by_one) << question;
-            EXPECT_EQ(answer("7"), by_one) << question;
-        }
-    }
-    EXPECT_EQ(shell("$rastertrace stats t --jobs 0").status, 2);
-}
-
-TEST_F(BigTrace, EveryExampleIsTheSamePacked) {
+TEST_F(BigTrace, EveryExampleIsTheSameFromAPipe) {
     const auto traces = traces_of_examples();
     ASSERT_GT(traces.size(), 20U);
     for (std::size_t i = 0; i < traces.size(); ++i)
         expect_same_answers(traces[i], traces[(i + 1) % traces.size()], std::to_string(i));
 }
 
-TEST_F(BigTrace, DamagedTracesAreTheSamePacked) {
+TEST_F(BigTrace, DamagedTracesAreTheSameFromAPipe) {
     const auto traces = traces_of_examples();
     const int cases = is_long() ? 10'000 : random_cases(100);
     for (int seed = 1; seed <= cases && !HasFailure(); ++seed) {
@@ -260,7 +217,7 @@ TEST_F(BigTrace, DamagedTracesAreTheSamePacked) {
     }
 }
 
-TEST_F(BigTrace, RandomLinesAreTheSamePacked) {
+TEST_F(BigTrace, RandomLinesAreTheSameFromAPipe) {
     const std::string sound = shell("$rastertrace trace $examples/t0-fill/first-triangle.json").out;
     const int cases = is_long() ? 10'000 : random_cases(50);
     for (int seed = 1; seed <= cases && !HasFailure(); ++seed) {
@@ -269,98 +226,33 @@ TEST_F(BigTrace, RandomLinesAreTheSamePacked) {
     }
 }
 
-// --- with an index ------------------------------------------------------------------------------
-
-/// What an index may be used for, of a trace t.jsonl.
-constexpr std::array<std::string_view, 5> indexed_questions{
-    "explain t.jsonl --pixel 3,2", "explain t.jsonl --pixel 0,0", "explain t.jsonl --step 40",
-    "show t.jsonl --step 40 --bare", "play t.jsonl --step 40 --print 80x30"};
-
-class IndexedTrace : public BigTrace {
-protected:
-    /// What all questions are answered, and how they end; with an option.
-    std::string answers_to_all(const std::string& option) const {
-        std::string commands;
-        for (const std::string_view question : indexed_questions)
-            commands += "$rastertrace " + std::string(question) + option +
-                        " 2>err; echo \"status $?\"; grep -v t.jsonl.index err; ";
-        return shell(commands).out;
-    }
-
-    /// The same, where there is no index.
-    std::string answers_without_index() const {
-        shell("mv t.jsonl.index aside");
-        std::string all = answers_to_all("");
-        shell("mv aside t.jsonl.index");
-        return all;
-    }
-
-    void expect_same_as_without() const { EXPECT_EQ(answers_to_all(""), answers_without_index()); }
-};
-
-TEST_F(IndexedTrace, IsWrittenBesideATraceAndAnswersTheSame) {
-    shell("$rastertrace trace $examples/t0-hidden/two-cubes.json -o t.jsonl --index");
-    ASSERT_TRUE(fs::exists(folder_ / "t.jsonl.index"));
-    expect_same_as_without();
-
-    // Of many primitives, few are told of; their distances are all but the same, or far from that.
-    shell("$rastertrace trace $examples/t3-light/lambert.json -o t.jsonl --index");
-    const std::string ask = "for x in -24 -7 0 5 23; do for y in -20 0 3 18; do "
-                            "$rastertrace explain t.jsonl --pixel $x,$y; done; done; ";
-    const std::string by_index = shell(ask).out;
-    fs::remove(folder_ / "t.jsonl.index");
-    EXPECT_EQ(by_index, shell(ask).out);
-
-    EXPECT_EQ(shell("$rastertrace stats t.jsonl --index >stats; $rastertrace stats t.jsonl | cmp - "
-                    "stats")
+// What unpacks a trace is another program.
+TEST_F(BigTrace, APackedTraceIsRefusedWithWhatUnpacksIt) {
+    shell("$rastertrace trace $examples/t0-fill/first-triangle.json -o t.jsonl; gzip -k t.jsonl; "
+          "printf '\\050\\265\\057\\375 and so on' > t.jsonl.zst");
+    for (const std::string_view question :
+         {"stats", "validate", "diff t.jsonl", "explain --pixel 0,0", "show", "play --print 80x24",
+          "trace", "plan"})
+        EXPECT_EQ(shell("$rastertrace " + std::string(question) + " t.jsonl.gz").err,
+                  "rastertrace: t.jsonl.gz: expected a file that is not packed, found one packed "
+                  "by gzip\nhint: `zcat FILE | rastertrace show -` unpacks it on the way\n")
+            << question;
+    const Outcome piped = shell("cat t.jsonl.zst | $rastertrace show -");
+    EXPECT_EQ(piped.status, 2);
+    EXPECT_EQ(piped.err, "rastertrace: standard input: expected a file that is not packed, found "
+                         "one packed by zstd\nhint: `zstdcat FILE | rastertrace show -` unpacks "
+                         "it on the way\n");
+    EXPECT_EQ(shell("zcat t.jsonl.gz | $rastertrace show - >piped; $rastertrace show t.jsonl | "
+                    "cmp - piped")
                   .status,
               0);
-    EXPECT_TRUE(fs::exists(folder_ / "t.jsonl.index"));
-    expect_same_as_without();
-    EXPECT_EQ(shell("$rastertrace trace t.jsonl --index").status, 2);
-}
-
-TEST_F(IndexedTrace, IsToldOfOnlyWhereItWasAskedForIfItDoesNotFit) {
-    shell("$rastertrace trace $examples/t0-hidden/two-cubes.json -o other.jsonl --index; "
-          "$rastertrace trace $examples/t0-fill/first-triangle.json -o t.jsonl; "
-          "cp other.jsonl.index t.jsonl.index");
-    expect_same_as_without();
-    EXPECT_EQ(shell("$rastertrace explain t.jsonl --pixel 3,2").err, "");
-    EXPECT_EQ(shell("$rastertrace explain t.jsonl --pixel 3,2 --index").err,
-              "rastertrace: t.jsonl.index: expected the index of t.jsonl, found that of another "
-              "trace\n");
-    EXPECT_EQ(shell("$rastertrace explain t.jsonl --pixel 3,2 --index").err, ""); // made anew
-    shell("touch -d '1 hour ago' t.jsonl.index");
-    EXPECT_EQ(shell("$rastertrace explain t.jsonl --pixel 3,2 --index").err,
-              "rastertrace: t.jsonl.index: expected the index of t.jsonl, found an older one\n");
-    shell("head -c 300 other.jsonl.index > t.jsonl.index");
-    EXPECT_EQ(shell("$rastertrace explain t.jsonl --pixel 3,2 --index").err,
-              "rastertrace: t.jsonl.index: expected the index of t.jsonl, found something else\n");
-}
-
-TEST_F(IndexedTrace, AStepThatChangesUnderItIsReadWithoutIt) {
-    shell("$rastertrace trace $examples/t0-hidden/two-cubes.json -o t.jsonl --index; "
-          "sed -i 's/\"depth\",\"x\":-7,\"y\":9,/\"depth\",\"x\":-7,\"y\":8,/' t.jsonl; "
-          "touch t.jsonl.index");
-    expect_same_as_without();
-    EXPECT_EQ(shell("$rastertrace explain t.jsonl --step 40 --index").err,
-              "rastertrace: t.jsonl.index: expected the index of t.jsonl, found that of another "
-              "trace\n");
-}
-
-TEST_F(IndexedTrace, DamagedTracesAreAnsweredTheSame) {
-    const auto traces = traces_of_examples();
-    const int cases = is_long() ? 3'000 : random_cases(40);
-    for (int seed = 1; seed <= cases && !HasFailure(); ++seed) {
-        Random random(static_cast<std::uint64_t>(seed));
-        const std::string sound =
-            traces[static_cast<std::size_t>(random.whole(0, static_cast<int>(traces.size()) - 1))];
-        write("t.jsonl", sound);
-        shell("$rastertrace validate t.jsonl --index");
-        write("t.jsonl", mutated(sound, random));
-        expect_same_as_without();
-        EXPECT_EQ(answers_to_all(" --index"), answers_without_index()) << seed;
-    }
+    for (const std::string flat : {"", " --flat"})
+        EXPECT_EQ(shell("$rastertrace trace t.jsonl -o u.jsonl.gz" + flat +
+                        "; s=$?; "
+                        "test ! -e u.jsonl.gz && exit $s")
+                      .err,
+                  "rastertrace: u.jsonl.gz: expected a name that ends in .json or .jsonl, found "
+                  ".gz\nhint: --format says what to write\n");
 }
 
 // --- changed while it is read -------------------------------------------------------------------
@@ -425,7 +317,7 @@ TEST_F(BigTrace, ATraceThatGrowsWhileItIsReadIsReadToSomeEnd) {
 /// A program that is started counts the memory of the one that starts it: a suite of its own has little.
 class BigTraceMemory : public BigTrace {};
 
-/// A line of a trace has an end: what is longer is refused without being held, from a file, a pipe or packed.
+/// A line of a trace has an end: what is longer is refused without being held, from a file or a pipe.
 TEST_F(BigTraceMemory, ALineOfAnyLengthIsRefusedInBoundedMemory) {
     const std::string size = is_long() ? "1000000000" : "40000000";
     shell("(echo '{\"rastertrace\":1,\"canvas\":{\"width\":3,\"height\":3}}'; "
@@ -446,7 +338,7 @@ TEST_F(BigTraceMemory, ALineOfAnyLengthIsRefusedInBoundedMemory) {
     EXPECT_THAT(piped.err, HasSubstr("expected lines of at most 16 MB in a trace"));
 }
 
-/// What comes from a pipe, or is packed, is read more than once, but not held in memory.
+/// What comes from a pipe is read more than once, but not held in memory.
 TEST_F(BigTraceMemory, ATraceFromAPipeIsNotHeldInMemory) {
     shell("(echo '{\"rastertrace\":1,\"title\":\"dot\",\"canvas\":{\"width\":3,\"height\":3}}'; "
           "yes '{\"step\":\"pixel\",\"x\":0,\"y\":0}' | head -n 9000000; echo '{\"end\":{}}') > t");
@@ -479,26 +371,19 @@ TEST_F(BigTraceMemory, ManyNamesAreReadInTheirTime) {
     }
 }
 
-/// A few kilobytes that would become blank lines without end behind the header of a trace.
-TEST_F(BigTraceMemory, ABombBehindAHeaderIsRefusedInBoundedMemory) {
+/// Blank lines, or one line of blanks, without end behind the header of a trace.
+TEST_F(BigTraceMemory, BlanksBehindAHeaderAreRefusedInBoundedMemory) {
     const std::string header = "{\"rastertrace\":1,\"canvas\":{\"width\":3,\"height\":3}}\n";
     const std::size_t size = is_long() ? 300'000'000 : 60'000'000;
     for (const char filling : {'\n', ' '}) {
-        const std::string text = header + std::string(size, filling);
-        for (const Packing packing : {Packing::gzip, Packing::zstd}) {
-            if (!is_long() && (filling == ' ') != (packing == Packing::gzip))
-                continue;
-            write("t", packed(text, packing));
-            write("sound", packed(text, packing));
-            EXPECT_LT(fs::file_size(folder_ / "t"), 2'000'000U);
-            for (const std::string_view question : questions) {
-                const Outcome told = shell("$rastertrace " + std::string(question));
-                EXPECT_EQ(told.status, 2) << question;
-                EXPECT_THAT(told.err, HasSubstr("rastertrace: ")) << question;
-                if (!is_sanitized) {
-                    EXPECT_LT(told.peak_memory, static_cast<long>(3 * size + 100'000'000))
-                        << question;
-                }
+        write("t", header + std::string(size, filling));
+        write("sound", header + std::string(size, filling));
+        for (const std::string_view question : questions) {
+            const Outcome told = shell("$rastertrace " + std::string(question));
+            EXPECT_EQ(told.status, 2) << question;
+            EXPECT_THAT(told.err, HasSubstr("rastertrace: ")) << question;
+            if (!is_sanitized) {
+                EXPECT_LT(told.peak_memory, static_cast<long>(3 * size + 100'000'000)) << question;
             }
         }
     }

@@ -88,7 +88,7 @@ TEST_F(ProgramTest, UsageErrorsNameTheWordAndANearOne) {
               "rastertrace: expected a command out of trace, "
               "show, play, figure, explain, stats, check, sheet, diff, "
               "diagnose, fuzz, stress, report, validate, plan, "
-              "convert, examples, renew, help, found "
+              "examples, renew, help, found "
               "\"shw\"\n"
               "hint: did you mean show?\n");
     EXPECT_EQ(shell("$rastertrace show x --evry pixel").err,

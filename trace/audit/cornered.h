@@ -9,7 +9,6 @@
 
 #include <rastertrace/core/raster/canvas.h>
 
-#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -30,11 +29,6 @@ struct Cornered {
 inline Pixel pixel_at(std::uint32_t offset, const Canvas& canvas) {
     const int place = static_cast<int>(offset);
     return {canvas.left() + place % canvas.width, canvas.y_of(place / canvas.width)};
-}
-
-/// How many neighboring primitives or edges one thread takes at a time. Their corners lie near each other in memory.
-inline std::size_t neighbors_at_once(std::size_t count, std::size_t jobs) {
-    return std::clamp<std::size_t>(count / (8 * jobs), 1, 64);
 }
 
 } // namespace rastertrace

@@ -8,7 +8,6 @@
 #include "triangle_samples.h"
 
 #include <rastertrace/trace/record/told_samples.h>
-#include <rastertrace/trace/text/in_threads.h>
 
 #include <algorithm>
 #include <array>
@@ -93,19 +92,14 @@ double one_rounding_of(const Trace& trace) {
 }
 
 /// Judges all triangles with area by samples that are so far from the integer points.
-void judge_by_samples(double offset, const Trace& trace, std::size_t jobs,
-                      std::vector<Cornered>& fills, Stats& stats) {
+void judge_by_samples(double offset, const Trace& trace, std::vector<Cornered>& fills, Stats& stats) {
     const CanvasSamples grid{trace.canvas, offset, one_rounding_of(trace)};
-    in_threads(
-        fills.size(), jobs,
-        [&](std::size_t i, std::size_t /*thread*/) {
-            Cornered& fill = fills[i];
-            const Coverage& coverage =
-                stats.primitives[fill.place].coverage.emplace(coverage_of(fill, grid));
-            fill.is_drawn_whole = coverage.holes.count == 0 && coverage.open_edge.count == 0;
-        },
-        neighbors_at_once(fills.size(), jobs));
-    stats.edges = compared_edges(fills, jobs, grid);
+    for (Cornered& fill : fills) {
+        const Coverage& coverage =
+            stats.primitives[fill.place].coverage.emplace(coverage_of(fill, grid));
+        fill.is_drawn_whole = coverage.holes.count == 0 && coverage.open_edge.count == 0;
+    }
+    stats.edges = compared_edges(fills, grid);
 }
 
 /// True if every pixel has been drawn whose sample lies inside a triangle, and no other one.
@@ -169,8 +163,7 @@ void compare_outlines(const std::vector<Cornered>& outlines, const std::vector<C
 
 } // namespace
 
-void compare_with_corners(const Trace& trace, std::span<const DrawnPrimitive> drawn,
-                          std::size_t jobs, Stats& stats) {
+void compare_with_corners(const Trace& trace, std::span<const DrawnPrimitive> drawn, Stats& stats) {
     // The triangles and the outlines whose corners are known.
     PointNumbers numbers;
     std::vector<Cornered> fills;
@@ -192,7 +185,7 @@ void compare_with_corners(const Trace& trace, std::span<const DrawnPrimitive> dr
         return orientation(fill.at()[0], fill.at()[1], fill.at()[2]) == 0;
     });
     const auto judge = [&](double offset) {
-        judge_by_samples(offset, trace, jobs, fills, stats);
+        judge_by_samples(offset, trace, fills, stats);
         return explains_all(stats);
     };
     if (tells_sample(trace)) {

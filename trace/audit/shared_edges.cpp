@@ -5,7 +5,6 @@
 #include "triangle_samples.h"
 
 #include <rastertrace/trace/record/traced_steps.h>
-#include <rastertrace/trace/text/in_threads.h>
 #include <rastertrace/trace/text/primitive_name.h>
 
 #include <fmt/core.h>
@@ -212,26 +211,14 @@ std::string name_of(const SharedEdge& edge, const Stats& stats, const Trace& tra
     return edge_name(trace.step(step).as<PrimitiveStep>(), edge.vertices[0], edge.vertices[1]);
 }
 
-std::vector<SharedEdge> compared_edges(const std::vector<Cornered>& triangles, std::size_t jobs,
+std::vector<SharedEdge> compared_edges(const std::vector<Cornered>& triangles,
                                        const CanvasSamples& grid) {
     const std::vector<EdgeUse> uses = edges_by_ends(triangles);
-    const std::vector<EdgeUses> edges = shared_edges(uses);
-    std::vector<std::size_t> first_pair; // of each edge
-    std::size_t count = 0;
-    for (const EdgeUses& edge : edges) {
-        first_pair.push_back(count);
-        count += edge.size() * (edge.size() - 1) / 2;
-    }
-    std::vector<SharedEdge> pairs(count);
-    in_threads(
-        edges.size(), jobs,
-        [&](std::size_t i, std::size_t /*thread*/) {
-            auto pair = pairs.begin() + static_cast<std::ptrdiff_t>(first_pair[i]);
-            for (auto one = edges[i].begin(); one != edges[i].end(); ++one)
-                for (auto other = one + 1; other != edges[i].end(); ++other)
-                    *pair++ = compared_at(*one, *other, edges[i].front(), triangles, grid);
-        },
-        neighbors_at_once(edges.size(), jobs));
+    std::vector<SharedEdge> pairs;
+    for (const EdgeUses& edge : shared_edges(uses))
+        for (auto one = edge.begin(); one != edge.end(); ++one)
+            for (auto other = one + 1; other != edge.end(); ++other)
+                pairs.push_back(compared_at(*one, *other, edge.front(), triangles, grid));
     return pairs;
 }
 

@@ -12,8 +12,8 @@
 
 namespace rastertrace {
 
-/// Compares every two triangles that share an edge, the first `most_compared` at each edge, in `jobs` threads.
-std::vector<SharedEdge> compared_edges(const std::vector<Cornered>& triangles, std::size_t jobs,
+/// Compares every two triangles that share an edge, the first `most_compared` at each edge.
+std::vector<SharedEdge> compared_edges(const std::vector<Cornered>& triangles,
                                        const CanvasSamples& grid);
 
 } // namespace rastertrace

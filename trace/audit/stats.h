@@ -158,8 +158,7 @@ std::string name_of(const SharedEdge& edge, const Stats& stats, const Trace& tra
 
 /// Counts, and compares what was drawn with what should have been. Nothing is compared in a trace
 /// that steps were left out of, nor is the last primitive of a truncated trace: pixels that are
-/// missing there were not necessarily missed. `jobs` threads, or with 0 as many as run at once, count
-/// parts of at least `steps_in_part` steps.
-Stats stats_of(const Trace& trace, std::size_t jobs = 0, std::size_t steps_in_part = 1 << 14);
+/// missing there were not necessarily missed.
+Stats stats_of(const Trace& trace);
 
 } // namespace rastertrace

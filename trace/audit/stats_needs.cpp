@@ -72,13 +72,6 @@ void StatsNeeds::close() {
                                      primitive.first_pixel);
 }
 
-void StatsNeeds::add(const StatsNeeds& behind) {
-    if (lacks_of_corners_.empty())
-        lacks_of_corners_ = behind.lacks_of_corners_;
-    if (lacks_of_rows_.empty())
-        lacks_of_rows_ = behind.lacks_of_rows_;
-}
-
 std::vector<Unjudged> StatsNeeds::unjudged() const {
     if (header_.is_partial)
         return {{{stats_findings.begin(), stats_findings.end()},

@@ -39,9 +39,6 @@ public:
     /// Behind the last step.
     void close();
 
-    /// Adds what the next part of the trace lacks, which has been closed.
-    void add(const StatsNeeds& behind);
-
     /// The positions of the current primitive; `nullopt` if its step does not give three, exactly.
     const std::optional<std::array<ScreenPoint, 3>>& corners() const { return primitive_.corners; }
 

@@ -49,8 +49,6 @@ struct Question {
     /// So many of the primitives that have not drawn a pixel, the nearest, are told of in sentences at least. The others
     /// may be counted alone.
     std::size_t most_why_not = std::numeric_limits<std::size_t>::max();
-
-    std::size_t jobs = 0; ///< threads that look for them; 0: as many as run at once
 };
 
 /// The question in words: `pixel (4, 2)`.

@@ -3,8 +3,8 @@
 
 #include "explain_pixels.h"
 #include "explanation.h"
-#include "pixel_units.h"
 #include "steps_of_pixel.h"
+#include "steps_to_read.h"
 #include "why_not.h"
 
 #include <rastertrace/trace/tell/describe.h>
@@ -338,10 +338,9 @@ bool may_be_quoted(StepKind kind) {
 } // namespace
 
 Explanation explain_pixel(const Trace& trace, const Question& question) {
-    if (auto chosen =
-            question.most_why_not < trace.size()
-                ? steps_to_read(trace, question.pixel, question.most_why_not, question.jobs)
-                : std::nullopt) {
+    if (auto chosen = question.most_why_not < trace.size()
+                          ? steps_to_read(trace, question.pixel, question.most_why_not)
+                          : std::nullopt) {
         StepsOfPixel steps(trace, question.pixel);
         for (const std::size_t n : chosen->steps)
             steps.take(trace.step(n), trace.kind_of(n), trace.number_of(n));

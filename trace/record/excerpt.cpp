@@ -118,16 +118,12 @@ private:
     StepCounts counts_;
 };
 
-void refuse_damage(const std::vector<Problem>& damage) {
-    if (!damage.empty())
-        throw damage.front();
-}
-
 } // namespace
 
 void write_excerpt(const Trace& trace, std::string_view header,
                    const std::vector<std::string>& kinds, TraceLayout layout, Output& output) {
-    refuse_damage(trace.damage);
+    if (!trace.damage.empty())
+        throw trace.damage.front();
     for (const std::string& kind : kinds)
         if (const auto known = step_kind_named(kind); known && trace.lacks(*known))
             throw problem_of("", fmt::format("{} steps were left out of the trace", kind));
@@ -136,15 +132,6 @@ void write_excerpt(const Trace& trace, std::string_view header,
     for (std::size_t n = 1; n <= trace.size(); ++n)
         excerpt.add(trace.step(n), trace.kind_of(n));
     excerpt.finish(trace.end);
-}
-
-void write_all(StepStream& steps, TraceLayout layout, Output& output) {
-    const std::vector<std::string> all_kinds;
-    Excerpt excerpt(steps.header_json(), all_kinds, layout, output);
-    while (steps.next())
-        excerpt.add(steps.step(), steps.kind());
-    refuse_damage(steps.damage());
-    excerpt.finish(steps.end());
 }
 
 } // namespace rastertrace

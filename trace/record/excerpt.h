@@ -6,7 +6,6 @@
 //
 //     write_excerpt(trace, text.header_json(), {"scanline", "pixel"}, TraceLayout::jsonl, output);
 
-#include "step_stream.h"
 #include "trace.h"
 #include "trace_options.h"
 
@@ -22,9 +21,5 @@ namespace rastertrace {
 /// a Problem if the trace is damaged, if it has left out steps of such a kind, or if the output cannot be written.
 void write_excerpt(const Trace& trace, std::string_view header,
                    const std::vector<std::string>& kinds, TraceLayout layout, Output& output);
-
-/// Writes a trace that is read once, whole. The Problem of one that is damaged is thrown when its steps have been
-/// written.
-void write_all(StepStream& steps, TraceLayout layout, Output& output);
 
 } // namespace rastertrace

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "frame.h"
 
-#include "trace_index.h"
 #include "traced_steps.h"
 
 #include <algorithm>
@@ -51,26 +50,21 @@ void add_to(std::vector<std::size_t>& list, std::size_t& count, std::size_t step
 
 } // namespace
 
+void ReplayState::pass() {
+    ++place_.step;
+    place_.drew_over = place_.stored_before = 0;
+}
+
 void ReplayState::take(const StepView& step, std::optional<StepKind> kind) {
     if (!kind)
         return pass();
     switch (*kind) {
     case StepKind::primitive:
-        return take_primitive(color_of_primitive(step.as<PrimitiveStep>()));
+        return take(step.as<PrimitiveStep>());
     case StepKind::pixel:
-        if (const auto plotted =
-                plotted_by(step.as<PixelStep>(), frame_.image.canvas(), place_.color))
-            return take_pixel(plotted->pixel, plotted->color);
-        return pass();
-    case StepKind::depth: {
-        if (!parts_.depths)
-            return pass();
-        const auto test = step.as<DepthStep>();
-        if (frame_.image.canvas().contains(test.x, test.y))
-            return take_depth({static_cast<int>(test.x), static_cast<int>(test.y)},
-                              stores_depth(test));
-        return pass();
-    }
+        return take(step.as<PixelStep>());
+    case StepKind::depth:
+        return parts_.depths ? take(step.as<DepthStep>()) : pass();
     default:
         return take(*kind);
     }
@@ -105,32 +99,37 @@ void ReplayState::take(StepKind kind) {
     }
 }
 
-void ReplayState::take_primitive(Color color) {
+void ReplayState::take(const PrimitiveStep& step) {
     pass();
     place_.primitive = place_.step;
     add_to(primitives_, place_.primitives, place_.step);
     place_.ray = place_.scanline = place_.scanline_before = 0;
     place_.edges.clear();
-    place_.color = color;
+    place_.color = color_of_primitive(step);
 }
 
-void ReplayState::take_pixel(Pixel pixel, Color color) {
+void ReplayState::take(const PixelStep& step) {
     pass();
-    const std::size_t offset = frame_.image.canvas().offset_of(pixel);
-    frame_.image.at(pixel) = color;
+    const auto plotted = plotted_by(step, frame_.image.canvas(), place_.color);
+    if (!plotted)
+        return;
+    const std::size_t offset = frame_.image.canvas().offset_of(plotted->pixel);
+    frame_.image.at(plotted->pixel) = plotted->color;
     place_.drew_over = std::exchange(frame_.drawn_by[offset], place_.step);
     if (parts_.writes)
         ++frame_.writes[offset];
     has_changed_[offset / tile_size] = 1;
 }
 
-void ReplayState::take_depth(Pixel pixel, bool stores) {
+void ReplayState::take(const DepthStep& step) {
     pass();
-    if (!parts_.depths)
+    const Canvas& canvas = frame_.image.canvas();
+    if (!parts_.depths || !canvas.contains(step.x, step.y))
         return;
-    const std::size_t offset = frame_.image.canvas().offset_of(pixel);
+    const std::size_t offset =
+        canvas.offset_of({static_cast<int>(step.x), static_cast<int>(step.y)});
     place_.stored_before = frame_.stored_by[offset];
-    if (!stores)
+    if (!stores_depth(step))
         return;
     frame_.stored_by[offset] = place_.step;
     has_changed_[offset / tile_size] = 1;
@@ -151,8 +150,9 @@ void ReplayState::take_over(ReplayState&& other) {
 void Replay::go_to(std::size_t n) {
     if (n < step())
         start_over();
-    if (auto ahead = trace_.state_ahead(step(), n))
-        take_over(*std::move(ahead));
+    if (n == trace_.size())
+        if (auto ahead = trace_.end_state_ahead(step()))
+            take_over(*std::move(ahead));
     while (step() < n)
         take(trace_.step(step() + 1), trace_.kind_of(step() + 1));
 }
@@ -170,14 +170,6 @@ std::size_t ReplayState::primitive_of(std::size_t step) const {
 
 const std::vector<std::size_t>& Replay::places_of(const std::string& vertex) const {
     auto& [by_name, steps] = *vertex_places_;
-    if (const TraceIndex* const index = trace_.index()) {
-        const auto [place, is_new] = by_name.try_emplace(vertex);
-        for (const std::size_t n :
-             is_new ? index->vertex_steps(vertex) : std::vector<std::size_t>{})
-            if (trace_.step(n).as<VertexStep>().name == vertex)
-                place->second.push_back(n);
-        return place->second;
-    }
     for (; steps < trace_.size(); ++steps)
         if (trace_.kind_of(steps + 1) == StepKind::vertex)
             by_name[trace_.step(steps + 1).as<VertexStep>().name.text()].push_back(steps + 1);

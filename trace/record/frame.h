@@ -65,20 +65,11 @@ public:
     /// Takes the next step, of a kind that is not known if there is none.
     void take(const StepView& step, std::optional<StepKind> kind);
 
-    /// The same for a step of which no more is known than this: neither a primitive nor a pixel, nor a depth test if
-    /// depths are remembered.
+    /// The same for a step that has been decoded; of other kinds, the kind is enough.
+    void take(const PrimitiveStep& step);
+    void take(const PixelStep& step);
+    void take(const DepthStep& step);
     void take(StepKind kind);
-    void take_primitive(Color color);
-    void take_pixel(Pixel pixel, Color color); ///< of the canvas
-    void take_depth(Pixel pixel, bool stores); ///< of the canvas
-
-    /// Takes steps that change nothing but their number, up to step n, if there are any.
-    void pass_to(std::size_t n) {
-        if (n == place_.step)
-            return;
-        place_.step = n;
-        place_.drew_over = place_.stored_before = 0;
-    }
 
     /// The picture after the current step.
     const Frame& frame() const& { return frame_; }
@@ -130,7 +121,6 @@ public:
 
 protected:
     friend class Snapshots;
-    friend struct ReplayBytes;
 
     /// The current step and what it refers to: all but the frame.
     struct Place {
@@ -173,7 +163,7 @@ protected:
     std::vector<std::size_t> matrices_;
 
 private:
-    void pass() { pass_to(place_.step + 1); }
+    void pass();
 };
 
 /// Plays a trace forward step by step and remembers what the current step belongs to.
@@ -184,8 +174,7 @@ public:
 
     const Trace& trace() const { return trace_; }
 
-    /// Goes to step n, 0 to trace().size(). Going back starts over: from the last keyframe, if the trace has an index,
-    /// else from the first step. A keyframe far ahead is taken, too.
+    /// Goes to step n, 0 to trace().size(). Going back starts over.
     void go_to(std::size_t n);
 
     /// Goes to where another replay of the same trace and parts is.

@@ -45,12 +45,11 @@ struct GrowingTrace::State {
     std::optional<StepStream> steps; ///< none: the trace has been given whole
     bool is_whole = false;
     std::string name;
-    std::string path; ///< "" of standard input
+    std::string path; ///< of the file that steps stay in; "": of none
     int descriptor = -1;
     struct stat status {}; ///< when it was opened
 
-    std::optional<InputFile> whole_file; ///< of a trace that is there whole
-    std::optional<InputFile> pipe;       ///< until its end
+    std::optional<InputFile> pipe; ///< until its end
     std::string from_pipe;
     Descriptor spool;
 
@@ -80,19 +79,9 @@ GrowingTrace::GrowingTrace(GrowingTrace&&) noexcept = default;
 GrowingTrace& GrowingTrace::operator=(GrowingTrace&&) noexcept = default;
 GrowingTrace::~GrowingTrace() = default;
 
-GrowingTrace::GrowingTrace(Trace trace, const std::string& path)
-    : state_(std::make_unique<State>()) {
+GrowingTrace::GrowingTrace(Trace trace) : state_(std::make_unique<State>()) {
     state_->trace = std::move(trace);
     state_->is_whole = true;
-    state_->name = state_->path = path;
-    if (path.empty())
-        return;
-    auto file = InputFile::open(path);
-    if (!file)
-        throw file.problem();
-    state_->whole_file = std::move(file.value());
-    state_->descriptor = state_->whole_file->descriptor();
-    state_->status = status_of(state_->descriptor, path);
 }
 
 const Trace& GrowingTrace::trace() const {
@@ -120,11 +109,6 @@ int GrowingTrace::pipe() const {
 void GrowingTrace::wait_for_pipe() const {
     if (state_->pipe)
         wait_until_readable(state_->pipe->descriptor());
-}
-
-std::size_t GrowingTrace::steps_at_first() const {
-    const Trace& trace = state_->trace;
-    return trace.index() == nullptr ? trace.size() : std::min(trace.size(), steps_in_piece);
 }
 
 double GrowingTrace::share() const {
@@ -211,7 +195,7 @@ std::variant<GrowingTrace, Source> GrowingTrace::open(const std::string& path,
 
     auto state = std::make_unique<GrowingTrace::State>();
     state->name = source.name;
-    if (source.file && path != "-" && !input.is_packed()) {
+    if (source.file && path != "-") {
         state->path = path;
         state->steps = StepStream(std::move(input), layout, source.text);
         state->descriptor = state->steps->descriptor();

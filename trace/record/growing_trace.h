@@ -31,8 +31,8 @@ public:
     static std::variant<GrowingTrace, Source> open(const std::string& path,
                                                    const InputLimits& limits);
 
-    /// A trace that is there whole; `path`: of the file that its steps stay in, if they do. Throws a Problem.
-    explicit GrowingTrace(Trace trace, const std::string& path = {});
+    /// A trace that is there whole.
+    explicit GrowingTrace(Trace trace);
     GrowingTrace(GrowingTrace&&) noexcept;
     GrowingTrace& operator=(GrowingTrace&&) noexcept;
     ~GrowingTrace();
@@ -46,9 +46,6 @@ public:
 
     /// Lets the sentences of wrong steps say what their numbers give, see Trace::numbers_give.
     void let_numbers_give(std::map<std::size_t, std::string> values_of_steps);
-
-    /// The steps so far; of a trace with an index, as many as would be there at first without.
-    std::size_t steps_at_first() const;
 
     /// Reads a piece more, some ten thousand steps; false if there is none, or none yet. What cannot be read on from
     /// is damage, and the end.

@@ -5,7 +5,6 @@
 #include <rastertrace/trace/text/text.h>
 
 #include <algorithm>
-#include <system_error>
 #include <utility>
 
 namespace rastertrace {
@@ -16,8 +15,8 @@ namespace {
 constexpr std::size_t least_block = 1 << 20;
 constexpr std::size_t largest_block = 4 * least_block;
 
-/// What a file gives at once, also a packed one, and what is put behind the lines of a block.
-constexpr std::size_t room_behind = (1 << 20) + (1 << 10);
+/// What a file gives at once, and what is put behind the lines of a block.
+constexpr std::size_t room_behind = (1 << 16) + (1 << 10);
 
 /// Of the text behind the steps.
 constexpr std::size_t most_behind = 16 << 20;
@@ -25,10 +24,9 @@ constexpr std::size_t most_behind = 16 << 20;
 } // namespace
 
 LineBlocks::LineBlocks(InputFile file, LineLayout layout, std::string header_line,
-                       std::string_view begun, std::size_t begin, bool reads_ahead)
+                       std::string_view begun, std::size_t begin)
     : file_(std::move(file)), layout_(layout), header_line_(std::move(header_line)),
-      text_(header_line_ + "\n"), begin_(begin), block_size_(least_block),
-      reads_ahead_(reads_ahead && file_.id()) { // the destructor would wait for a pipe's writer
+      text_(header_line_ + "\n"), begin_(begin), block_size_(least_block) {
     text_ += begun;
 }
 
@@ -68,7 +66,8 @@ LineBlocks::WholeLines LineBlocks::whole_lines() const {
     return whole;
 }
 
-std::optional<LineBlock> LineBlocks::read_block() {
+std::optional<LineBlock> LineBlocks::next() {
+    text_.reserve(front() + block_size_ + room_behind);
     while (lines().size() < block_size_ && read_more()) {
     }
     block_size_ = std::min(2 * block_size_, largest_block);
@@ -89,25 +88,6 @@ std::optional<LineBlock> LineBlocks::read_block() {
                     .is_last = whole.is_last,
                     .is_cut_off = !whole.is_last && has_all_};
     begin_ += whole.size;
-    return block;
-}
-
-std::optional<LineBlock> LineBlocks::next() {
-    // Reserved by this thread: glibc keeps an arena for each thread, and would keep the memory of each block there.
-    const auto make_room = [this] { text_.reserve(front() + block_size_ + room_behind); };
-    if (!ahead_.valid())
-        make_room();
-    auto block = ahead_.valid() ? ahead_.get() : read_block();
-#ifndef __EMSCRIPTEN__
-    if (block && !block->is_last && !block->is_cut_off && reads_ahead_) {
-        make_room();
-        try {
-            ahead_ = std::async(std::launch::async, [this] { return read_block(); });
-        } catch (const std::system_error&) { // no thread is to be had
-            reads_ahead_ = false;
-        }
-    }
-#endif
     return block;
 }
 

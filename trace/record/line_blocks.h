@@ -1,17 +1,15 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Reads a trace of one step a line in blocks of whole lines. A thread can read the next block while the caller uses this
-// one.
+// Reads a trace of one step a line in blocks of whole lines.
 //
-//     LineBlocks blocks(std::move(file), layout, header_line, begun, begin, true);
+//     LineBlocks blocks(std::move(file), layout, header_line, begun, begin);
 //     blocks.next()->text;
 
 #include <rastertrace/trace/text/input_file.h>
 #include <rastertrace/trace/text/trace_layout.h>
 
 #include <cstddef>
-#include <future>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -30,19 +28,14 @@ struct LineBlock {
 class LineBlocks {
 public:
     /// `header_line` has no blanks around it. `begun` is what has been read behind it, from byte `begin` of the file on.
-    /// Only a regular file is read ahead.
     LineBlocks(InputFile file, LineLayout layout, std::string header_line, std::string_view begun,
-               std::size_t begin, bool reads_ahead);
-    LineBlocks(LineBlocks&&) = delete; // a thread may be at work
-    LineBlocks& operator=(LineBlocks&&) = delete;
-    ~LineBlocks() = default;
+               std::size_t begin);
 
     const InputFile& file() const { return file_; }
     LineLayout layout() const { return layout_; }
     const std::string& header_line() const { return header_line_; }
 
-    /// If true, the end of the file is not taken for the end of the trace: more may be written to it. Not of a file that
-    /// is read ahead.
+    /// If true, the end of the file is not taken for the end of the trace: more may be written to it.
     void let_grow(bool may_grow) { may_grow_ = may_grow; }
 
     /// The next block; not behind the last one. `nullopt` if a file that may grow has no whole line yet. Throws a Problem,
@@ -63,7 +56,6 @@ private:
     WholeLines whole_lines() const;
     std::string_view lines() const { return std::string_view(text_).substr(front()); }
     std::size_t front() const { return header_line_.size() + 1; }
-    std::optional<LineBlock> read_block();
 
     InputFile file_;
     LineLayout layout_;
@@ -73,8 +65,6 @@ private:
     std::size_t block_size_;
     bool has_all_ = false; ///< the file has come to its end
     bool may_grow_ = false;
-    bool reads_ahead_;
-    std::future<std::optional<LineBlock>> ahead_;
 };
 
 } // namespace rastertrace

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "snapshots.h"
 
-#include "trace_index.h"
-
 #include <algorithm>
 #include <utility>
 
@@ -117,11 +115,6 @@ void Snapshots::drop_every_second() {
                 own && (i == 0 || own != kept_[i - 1].tiles[tile]))
                 bytes_ += own->bytes();
     }
-}
-
-std::size_t Snapshots::primitive_of(std::size_t step) const {
-    const TraceIndex* const index = ahead_.trace().index();
-    return index != nullptr ? index->primitive_of(step) : ahead_.primitive_of(step);
 }
 
 void Snapshots::go_to(Replay& replay, std::size_t n) const {

@@ -41,9 +41,6 @@ public:
     /// A replay at that step.
     const Replay& farthest() const { return ahead_; }
 
-    /// The primitive that a step belongs to, of those that it went through or that an index tells; 0 if there is none.
-    std::size_t primitive_of(std::size_t step) const;
-
     /// Takes a replay of the same trace and parts to step n.
     void go_to(Replay& replay, std::size_t n) const;
 

@@ -2,9 +2,6 @@
 #include "step_places.h"
 
 #include "step_decoder.h"
-#include "trace_index.h"
-
-#include <rastertrace/trace/text/packed.h>
 
 #include <fmt/core.h>
 
@@ -22,7 +19,7 @@ constexpr std::size_t blocks_found = 256;
 /// bounded, for whatever a pipe may have.
 constexpr std::size_t most_measured = std::size_t{1} << 23U;
 
-/// So many bytes of a mapped file may be in memory for a StepFinder.
+/// So many bytes of a mapped file may be in memory.
 constexpr std::size_t most_in_memory = std::size_t{8} << 20U;
 
 /// Who looks at one byte of a mapped file may get so many.
@@ -84,7 +81,7 @@ void StepPlaces::add(const StepPlace& step) {
         blocks_.back().kinds.add(*step.kind);
     if (blocks_.back().form == kept) {
         kept_.push_back(step);
-        finder_.start_over();
+        forget_found();
     }
     ++size_;
 }
@@ -102,27 +99,13 @@ void StepPlaces::add_lines(const MeasuredLines& lines) {
             blocks_.back().kinds.add(static_cast<StepKind>(lines.kinds[line]));
         }
     }
-    finder_.start_over();
+    forget_found();
     if (!are_measured) {
         end_of_line_ = lines.end - 1;
         return;
     }
     kinds_.insert(kinds_.end(), lines.kinds.begin(), lines.kinds.end());
     sizes_.insert(sizes_.end(), lines.sizes.begin(), lines.sizes.end());
-}
-
-void StepPlaces::add_indexed(const TraceIndex& index) {
-    indexed_ = index.blocks();
-    blocks_.reserve(indexed_.size());
-    is_checked_.resize(indexed_.size());
-    for (const IndexedBlock& block : indexed_)
-        blocks_.push_back({.first = block.first,
-                           .begin = static_cast<std::size_t>(block.offset),
-                           .form = Block::Form::plain,
-                           .kinds = StepKindSet::all(),
-                           .measured = 0});
-    size_ = index.steps();
-    end_of_line_ = index.end_of_steps();
 }
 
 void StepPlaces::add_run(std::string& text, Pixel first, std::size_t count) {
@@ -166,27 +149,17 @@ void StepPlaces::find_lines(const Block& block, std::size_t count, std::string_v
     }
 }
 
-void StepPlaces::check_indexed(std::size_t block, std::string_view text) const {
-    if (block >= indexed_.size() || is_checked_[block])
-        return;
-    const std::size_t begin = blocks_[block].begin;
-    const std::size_t end = block + 1 < blocks_.size() ? blocks_[block + 1].begin : end_of_line_;
-    if (end < begin || end > text.size() ||
-        checksum_of(text.substr(begin, end - begin)) != indexed_[block].checksum)
-        throw StaleIndex();
-    is_checked_[block] = true;
+/// The same, of the blocks that were asked of last without a search.
+std::size_t StepPlaces::block_asked_for(std::size_t n) const {
+    return found_.has(n) ? found_.block : measured_.has(n) ? measured_.block : block_of(n);
 }
 
-std::size_t StepFinder::block_of(std::size_t n) const {
-    return found_.has(n) ? found_.block : measured_.has(n) ? measured_.block : steps_.block_of(n);
-}
-
-void StepFinder::find(std::size_t block, std::string_view text) {
-    const StepPlaces::Block& wanted = steps_.blocks_[block];
-    const std::size_t count = steps_.end_of(block) - wanted.first;
+void StepPlaces::find(std::size_t block, std::string_view text) const {
+    const Block& wanted = blocks_[block];
+    const std::size_t count = end_of(block) - wanted.first;
     const StepPlace* places = nullptr;
-    if (wanted.form == StepPlaces::Block::Form::kept) {
-        places = steps_.kept_.data() + wanted.begin;
+    if (wanted.form == Block::Form::kept) {
+        places = kept_.data() + wanted.begin;
     } else {
         known_.resize(blocks_found);
         KnownBlock& known = known_[block % blocks_found];
@@ -194,8 +167,7 @@ void StepFinder::find(std::size_t block, std::string_view text) {
             found_.count = 0; // its places may be those that are replaced
             known.block = block;
             known.places.clear();
-            steps_.check_indexed(block, text);
-            steps_.find_lines(wanted, count, text, known.places);
+            find_lines(wanted, count, text, known.places);
         }
         places = known.places.data();
     }
@@ -204,25 +176,25 @@ void StepFinder::find(std::size_t block, std::string_view text) {
 }
 
 /// Takes the kinds of a block, if its lines have been measured.
-bool StepFinder::take_measured(std::size_t block) {
-    const StepPlaces::Block& wanted = steps_.blocks_[block];
-    if (wanted.form != StepPlaces::Block::Form::measured)
+bool StepPlaces::take_measured(std::size_t block) const {
+    const Block& wanted = blocks_[block];
+    if (wanted.form != Block::Form::measured)
         return false;
     measured_ = {.block = block,
                  .first = wanted.first,
-                 .count = steps_.end_of(block) - wanted.first,
-                 .kinds = steps_.kinds_.data() + wanted.measured};
+                 .count = end_of(block) - wanted.first,
+                 .kinds = kinds_.data() + wanted.measured};
     return true;
 }
 
-std::size_t StepFinder::next_of(StepKindSet kinds, std::size_t n, std::size_t last,
-                                std::string_view text) {
-    assert(n > 0 && last <= steps_.size());
+std::size_t StepPlaces::next_of(StepKindSet kinds, std::size_t n, std::size_t last,
+                                std::string_view text) const {
+    assert(n > 0 && last <= size());
     if (n > last)
         return last + 1;
-    for (std::size_t block = block_of(n); n <= last; ++block) {
-        const std::size_t end = std::min(steps_.end_of(block), last + 1);
-        if (steps_.blocks_[block].kinds.has_any_of(kinds)) {
+    for (std::size_t block = block_asked_for(n); n <= last; ++block) {
+        const std::size_t end = std::min(end_of(block), last + 1);
+        if (blocks_[block].kinds.has_any_of(kinds)) {
             if (!found_.has(n) && !take_measured(block))
                 find(block, text);
             for (; n < end; ++n)
@@ -235,11 +207,11 @@ std::size_t StepFinder::next_of(StepKindSet kinds, std::size_t n, std::size_t la
 }
 
 /// The text from `begin` to `end` is looked at: what was looked at before is forgotten, if it has become too much.
-void StepFinder::forget_text(std::size_t begin, std::size_t end) {
-    if (!steps_.file_)
+void StepPlaces::forget_text(std::size_t begin, std::size_t end) const {
+    if (!file_)
         return;
     if (in_memory_ > most_in_memory) {
-        steps_.file_->forget();
+        file_->forget();
         in_memory_ = 0;
     }
     // The lines of an excerpt may stand far from each other, in any order.

@@ -19,7 +19,6 @@
 #include <limits>
 #include <memory>
 #include <optional>
-#include <span>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -50,45 +49,63 @@ struct StepPlace {
     std::optional<Pixel> pixel = {}; ///< that a run of pixels has plotted, in the place of a text
 };
 
-class TraceIndex;
-struct IndexedBlock;
-
-class StepPlaces;
-
-/// Finds steps, and remembers where the last ones were. Each thread needs its own. The pages of a mapped file that it has
-/// read are given back from time to time, so that some megabytes at most stay in memory for each StepFinder.
-class StepFinder {
+/// The places, and where the steps were that somebody has asked for last. The pages of a mapped file that it has read are
+/// given back from time to time, so that some megabytes at most stay in memory. Not for two threads at once.
+class StepPlaces {
 public:
-    /// No step is added to `places` while somebody else finds one there.
-    explicit StepFinder(const StepPlaces& places) : steps_(places) {}
+    StepPlaces() = default;
+    StepPlaces(const StepPlaces&) = delete;
+    StepPlaces& operator=(const StepPlaces&) = delete;
 
-    /// Step n, from 1 on, in the text that it was added from. The reference is valid until the next call.
-    const StepPlace& at(std::size_t n, std::string_view text) {
+    std::size_t size() const { return size_; }
+
+    /// The file that the text is in, if it is mapped.
+    void set_file(std::shared_ptr<const MappedFile> file) { file_ = std::move(file); }
+
+    /// The next step.
+    void add(const StepPlace& step);
+
+    /// The next steps, plain ones in lines that follow each other. They are kept as measured, if they are not too many.
+    void add_lines(const MeasuredLines& lines);
+
+    /// The next steps: pixels of a row, plotted one after the other from left to right. Adds a line for them to the text.
+    void add_run(std::string& text, Pixel first, std::size_t count);
+
+    /// Step n, from 1 to size(), in the text that it was added from. The reference is valid until the next call.
+    const StepPlace& at(std::size_t n, std::string_view text) const {
         if (!found_.has(n))
-            find(block_of(n), text);
+            find(block_asked_for(n), text);
         return found_.places[n - found_.first];
     }
 
     /// The kind of step n.
-    std::optional<StepKind> kind(std::size_t n, std::string_view text) {
-        if (measured_.has(n) || (!found_.has(n) && take_measured(block_of(n))))
+    std::optional<StepKind> kind(std::size_t n, std::string_view text) const {
+        if (measured_.has(n) || (!found_.has(n) && take_measured(block_asked_for(n))))
             return static_cast<StepKind>(measured_.kinds[n - measured_.first]);
         return at(n, text).kind;
     }
 
     /// True if step n is a plain one. The place of a measured line is not found for that.
-    bool is_plain(std::size_t n, std::string_view text) {
-        return measured_.has(n) || (!found_.has(n) && take_measured(block_of(n))) ||
+    bool is_plain(std::size_t n, std::string_view text) const {
+        return measured_.has(n) || (!found_.has(n) && take_measured(block_asked_for(n))) ||
                at(n, text).is_plain;
     }
 
     /// The first step from n to `last` of one of these kinds; last + 1 if there is none.
-    std::size_t next_of(StepKindSet kinds, std::size_t n, std::size_t last, std::string_view text);
-
-    /// Steps have been added.
-    void start_over() { found_.count = measured_.count = 0; }
+    std::size_t next_of(StepKindSet kinds, std::size_t n, std::size_t last,
+                        std::string_view text) const;
 
 private:
+    /// Steps one behind the other: all of them of one form.
+    struct Block {
+        enum class Form : std::uint8_t { kept, plain, measured };
+        std::size_t first; ///< its first step
+        std::size_t begin; ///< where that stands: in the text, or in kept_
+        Form form;
+        StepKindSet kinds;    ///< of its steps
+        std::size_t measured; ///< where its lines are in kinds_ and sizes_
+    };
+
     /// A block whose lines have been found.
     struct KnownBlock {
         std::size_t block = 0;
@@ -115,90 +132,30 @@ private:
         bool has(std::size_t n) const { return n - first < count; }
     };
 
-    std::size_t block_of(std::size_t n) const;
-    void find(std::size_t block, std::string_view text);
-    bool take_measured(std::size_t block);
-    void forget_text(std::size_t begin, std::size_t end);
-
-    const StepPlaces& steps_;
-    std::vector<KnownBlock> known_; ///< a block has one place here, whatever is there
-    FoundBlock found_ = {};
-    MeasuredBlock measured_ = {};
-    std::size_t in_memory_ = 0; ///< bytes of a mapped file, since they were last forgotten
-    std::size_t last_end_ = 0;  ///< of the text that was looked at last
-};
-
-class StepPlaces {
-public:
-    StepPlaces() = default;
-    StepPlaces(const StepPlaces&) = delete;
-    StepPlaces& operator=(const StepPlaces&) = delete;
-
-    std::size_t size() const { return size_; }
-
-    /// The file that the text is in, if it is mapped.
-    void set_file(std::shared_ptr<const MappedFile> file) { file_ = std::move(file); }
-
-    /// The next step.
-    void add(const StepPlace& step);
-
-    /// The next steps, plain ones in lines that follow each other. They are kept as measured, if they are not too many.
-    void add_lines(const MeasuredLines& lines);
-
-    /// All steps of a trace, found again in the blocks of its index. A block of another text throws a StaleIndex when it
-    /// is first looked at.
-    void add_indexed(const TraceIndex& index);
-
-    /// The next steps: pixels of a row, plotted one after the other from left to right. Adds a line for them to the text.
-    void add_run(std::string& text, Pixel first, std::size_t count);
-
-    /// Step n, from 1 to size(), in the text that it was added from. The reference is valid until the next call. Not for
-    /// two threads at once.
-    const StepPlace& at(std::size_t n, std::string_view text) const { return finder_.at(n, text); }
-
-    /// The kind of step n.
-    std::optional<StepKind> kind(std::size_t n, std::string_view text) const {
-        return finder_.kind(n, text);
-    }
-
-    /// The same as of a StepFinder.
-    bool is_plain(std::size_t n, std::string_view text) const { return finder_.is_plain(n, text); }
-    std::size_t next_of(StepKindSet kinds, std::size_t n, std::size_t last,
-                        std::string_view text) const {
-        return finder_.next_of(kinds, n, last, text);
-    }
-
-private:
-    friend class StepFinder;
-
-    /// Steps one behind the other: all of them of one form.
-    struct Block {
-        enum class Form : std::uint8_t { kept, plain, measured };
-        std::size_t first; ///< its first step
-        std::size_t begin; ///< where that stands: in the text, or in kept_
-        Form form;
-        StepKindSet kinds;    ///< of its steps; all, if nobody has looked
-        std::size_t measured; ///< where its lines are in kinds_ and sizes_
-    };
-
-    void find_lines(const Block& block, std::size_t count, std::string_view text,
-                    std::vector<StepPlace>& places) const;
-    void check_indexed(std::size_t block, std::string_view text) const;
-    std::size_t block_of(std::size_t n) const;
     void begin_block(std::size_t begin, Block::Form form);
     std::size_t end_of(std::size_t block) const;
+    std::size_t block_of(std::size_t n) const;
+    std::size_t block_asked_for(std::size_t n) const;
+    void find(std::size_t block, std::string_view text) const;
+    void find_lines(const Block& block, std::size_t count, std::string_view text,
+                    std::vector<StepPlace>& places) const;
+    bool take_measured(std::size_t block) const;
+    void forget_text(std::size_t begin, std::size_t end) const;
+    void forget_found() { found_.count = measured_.count = 0; }
 
     std::shared_ptr<const MappedFile> file_;
     std::vector<Block> blocks_;
-    std::span<const IndexedBlock> indexed_; ///< those of an index: the same, with their checksums
     std::vector<StepPlace> kept_;
     std::vector<std::uint8_t> kinds_;  ///< of the measured lines
     std::vector<std::uint16_t> sizes_; ///< the same
     std::size_t size_ = 0;
     std::size_t end_of_line_ = 0; ///< behind the last plain step
 
-    mutable std::vector<bool> is_checked_; ///< the text of an indexed block has been looked at
-    mutable StepFinder finder_{*this};
+    mutable std::vector<KnownBlock> known_; ///< a block has one place here, whatever is there
+    mutable FoundBlock found_ = {};
+    mutable MeasuredBlock measured_ = {};
+    mutable std::size_t in_memory_ = 0; ///< bytes of a mapped file, since they were last forgotten
+    mutable std::size_t last_end_ = 0;  ///< of the text that was looked at last
 };
 
 } // namespace rastertrace

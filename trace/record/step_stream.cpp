@@ -7,7 +7,6 @@
 #include "unknown_names.h"
 
 #include <rastertrace/trace/text/first_line.h>
-#include <rastertrace/trace/text/in_threads.h>
 #include <rastertrace/trace/text/input_check.h>
 #include <rastertrace/trace/text/input_file.h>
 #include <rastertrace/trace/text/text.h>
@@ -44,7 +43,6 @@ struct StepStream::State {
     std::size_t before = 0; ///< steps in front of the block
     bool is_behind = false; ///< the last step has been passed
     BlockSums sums;
-    std::size_t jobs = 0;
     std::optional<EndRecord> end;
     std::optional<Problem> fault; ///< what stands behind the current block
     std::vector<Problem> damage;
@@ -55,10 +53,10 @@ struct StepStream::State {
     bool has_useless_steps = false; ///< nobody knows what they should have been
 
     /// What has been read of a file, its first line at least.
-    State(InputFile file, LineLayout layout, std::string_view first, bool reads_ahead)
+    State(InputFile file, LineLayout layout, std::string_view first)
         : lines(std::move(file), layout,
                 std::string(without_blanks(first.substr(0, first.find('\n')))),
-                first.substr(first.find('\n') + 1), first.find('\n') + 1, reads_ahead) {}
+                first.substr(first.find('\n') + 1), first.find('\n') + 1) {}
 
     const std::string& name() const { return lines.file().name(); }
 
@@ -81,7 +79,7 @@ struct StepStream::State {
             from.text += is_document ? "],\"end\":{}}" : "{\"end\":{}}";
         Source source{name(), std::move(from.text), {}};
         const bool goes_on = tells_all && damage.size() < most_useless_steps;
-        auto read = read_block(source, goes_on, jobs, sums);
+        auto read = read_block(source, goes_on, sums);
         if (!read) {
             from.text = std::move(source.text);
             from.text.resize(size);
@@ -236,15 +234,6 @@ const Trace& StepStream::header() const {
     return state_->header;
 }
 
-std::string StepStream::header_json() const {
-    return state_->lines.header_line() +
-           (state_->lines.layout() == LineLayout::document ? "]}" : "");
-}
-
-const std::optional<FileId>& StepStream::file() const {
-    return state_->lines.file().id();
-}
-
 bool StepStream::next() {
     if (state_->place < state_->block.size()) {
         ++state_->place;
@@ -297,18 +286,14 @@ void StepStream::let_grow(bool may_grow) {
     state_->lines.let_grow(may_grow);
 }
 
-std::variant<StepStream, Source> StepStream::open(FirstLine first, std::size_t jobs) {
+std::variant<StepStream, Source> StepStream::open(FirstLine first) {
     if (first.layout == LineLayout::other)
         return std::move(first.source);
-    const bool reads_ahead = jobs_or_usual(jobs) > 1;
-    StepStream stream(std::move(first.file), first.layout, first.source.text, reads_ahead);
-    stream.state_->jobs = jobs;
-    return stream;
+    return StepStream(std::move(first.file), first.layout, first.source.text);
 }
 
-StepStream::StepStream(InputFile file, LineLayout layout, const std::string& first,
-                       bool reads_ahead)
-    : state_(std::make_unique<State>(std::move(file), layout, first, reads_ahead)) {
+StepStream::StepStream(InputFile file, LineLayout layout, const std::string& first)
+    : state_(std::make_unique<State>(std::move(file), layout, first)) {
     State* const state = state_.get();
     LineBlock none{.text = state->lines.header_line() + "\n"};
     state->header = state->trace_of(none);
@@ -317,14 +302,12 @@ StepStream::StepStream(InputFile file, LineLayout layout, const std::string& fir
 }
 
 std::variant<StepStream, Source> open_steps(const std::string& path, const InputLimits& limits) {
-    return StepStream::open(open_first_line(path, InputCheck::Kind::scene_or_trace, limits),
-                            limits.jobs);
+    return StepStream::open(open_first_line(path, InputCheck::Kind::scene_or_trace, limits));
 }
 
 std::variant<StepStream, Source> open_steps_or_claims(const std::string& path,
                                                       const InputLimits& limits) {
-    return StepStream::open(open_first_line(path, InputCheck::Kind::scene_trace_or_claims, limits),
-                            limits.jobs);
+    return StepStream::open(open_first_line(path, InputCheck::Kind::scene_trace_or_claims, limits));
 }
 
 } // namespace rastertrace

@@ -42,12 +42,6 @@ public:
     /// What stands in front of the steps: a trace without any.
     const Trace& header() const;
 
-    /// The same as a JSON object.
-    std::string header_json() const;
-
-    /// Which file it is, if it is a regular one.
-    const std::optional<FileId>& file() const;
-
     /// Goes to the next step; false behind the last. Throws a Problem.
     bool next();
 
@@ -93,10 +87,9 @@ private:
     void let_grow(bool may_grow);
     bool is_behind_end() const; ///< an end record, or the end of a file that does not grow
     struct State;
-    static std::variant<StepStream, Source> open(FirstLine first, std::size_t jobs);
+    static std::variant<StepStream, Source> open(FirstLine first);
     friend class GrowingTrace;
-    StepStream(InputFile file, LineLayout layout, const std::string& first,
-               bool reads_ahead = false);
+    StepStream(InputFile file, LineLayout layout, const std::string& first);
 
     std::unique_ptr<State> state_;
 };

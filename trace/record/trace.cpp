@@ -4,7 +4,6 @@
 #include "field_type.h"
 #include "frame.h"
 #include "step_places.h"
-#include "trace_index.h"
 #include "traced_steps.h"
 
 #include <rastertrace/trace/text/format_number.h>
@@ -91,27 +90,8 @@ std::size_t Trace::next_of(StepKindSet kinds, std::size_t n, std::size_t last) c
     return steps_->next_of(kinds, n, last, text());
 }
 
-StepReader::StepReader(const Trace& trace)
-    : trace_(trace), finder_(std::make_unique<StepFinder>(*trace.steps_)) {}
-StepReader::~StepReader() = default;
-StepReader::StepReader(StepReader&&) noexcept = default;
-
-StepView StepReader::step(std::size_t n) const {
-    return step_at(finder_->at(n, trace_.text()), trace_.text());
-}
-
-std::optional<StepKind> StepReader::kind_of(std::size_t n) const {
-    return finder_->kind(n, trace_.text());
-}
-
-bool StepReader::is_plain(std::size_t n) const {
-    return finder_->is_plain(n, trace_.text());
-}
-
-std::optional<ReplayState> Trace::state_ahead(std::size_t of, std::size_t n) const {
-    if (index_)
-        return index_->keyframe(n, of, canvas);
-    const auto last = n == size() && n > of ? std::move(end_state_) : nullptr;
+std::optional<ReplayState> Trace::end_state_ahead(std::size_t of) const {
+    const auto last = size() > of ? std::move(end_state_) : nullptr;
     return last ? std::optional(std::move(*last)) : std::nullopt;
 }
 

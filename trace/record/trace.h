@@ -33,13 +33,14 @@
 namespace rastertrace {
 
 class ReplayState;
-class StepFinder;
 class StepNumbers;
 class StepPlaces;
-class TraceIndex;
 struct Plan;
 struct Scene;
 struct StepPlace;
+
+/// No limit.
+inline constexpr std::size_t any_number = std::numeric_limits<std::size_t>::max();
 
 /// One step: a view of its JSON object, valid as long as its trace.
 class StepView {
@@ -166,7 +167,7 @@ public:
     ///
     ///     for (const std::size_t n : trace.steps_of({StepKind::primitive}))
     StepNumbers steps_of(StepKindSet kinds, std::size_t first = 1,
-                         std::size_t last = std::numeric_limits<std::size_t>::max()) const;
+                         std::size_t last = any_number) const;
 
     /// True if step n is a line as this program writes it: then nothing is wrong with it.
     bool is_plain(std::size_t n) const;
@@ -183,12 +184,9 @@ public:
     /// True for the text of a step that an excerpt need not copy.
     bool is_in_file(std::string_view json) const;
 
-    /// What a replay is at behind a step far ahead of another one, up to step n, if that is known: from the index; or, of
-    /// the last step, from reading, if nobody has asked for it.
-    std::optional<ReplayState> state_ahead(std::size_t of, std::size_t n) const;
-
-    /// The index that it was opened with; null: it has been read.
-    const TraceIndex* index() const { return index_.get(); }
+    /// What a replay is at behind the last step, which is known from reading, if it is ahead of another one and nobody has
+    /// asked for it.
+    std::optional<ReplayState> end_state_ahead(std::size_t of) const;
 
     /// Adds a step to an excerpt: step `number` of the whole trace.
     void add_to_excerpt(const StepView& step, std::optional<StepKind> kind, std::size_t number);
@@ -203,8 +201,6 @@ private:
     friend class TraceReader;
     friend class GrowingTrace;
     friend class DrawnSteps;
-    friend class IndexWriter;
-    friend class StepReader;
 
     std::string_view text() const {
         return text_of_file_.data() != nullptr ? text_of_file_ : std::string_view(source_.text);
@@ -216,7 +212,6 @@ private:
         text_of_file_; ///< of `source_`, if its file is mapped: as far as it has been read
     std::unique_ptr<StepPlaces> steps_;
     mutable std::unique_ptr<ReplayState> end_state_;
-    std::shared_ptr<const TraceIndex> index_;
     std::vector<std::size_t> numbers_; ///< of an excerpt: those of its steps in the whole trace
 };
 
@@ -260,40 +255,16 @@ inline StepNumbers Trace::steps_of(StepKindSet kinds, std::size_t first, std::si
     return {*this, kinds, first, last};
 }
 
-/// The steps of a trace, for one of several threads: each has its own. Not of a trace with an index.
-class StepReader {
-public:
-    explicit StepReader(const Trace& trace);
-    ~StepReader();
-    StepReader(StepReader&&) noexcept;
-
-    /// The same as of the trace.
-    StepView step(std::size_t n) const;
-    std::optional<StepKind> kind_of(std::size_t n) const;
-    bool is_plain(std::size_t n) const;
-
-private:
-    const Trace& trace_;
-    std::unique_ptr<StepFinder> finder_;
-};
-
-/// How a trace is read.
-struct TraceReading {
-    std::size_t most_steps = std::numeric_limits<std::size_t>::max();
-    std::size_t jobs = 0; ///< parts of the text that are read at once; 0: as many as run at once
-    std::shared_ptr<const TraceIndex> index = {}; ///< of the trace: its steps are not gone through
-};
-
 /// Reads a trace in either layout, found by its content. A problem comes back only if nothing can
 /// be shown: no header, a newer version, a line that is no step, or more steps than are wanted.
-Result<Trace> read_trace(Source source, const TraceReading& reading = {});
+Result<Trace> read_trace(Source source, std::size_t most_steps = any_number);
 
 /// The most steps of a trace, or of a block of one, that are told to be of no use before the reading ends.
 inline constexpr std::size_t most_useless_steps = 100;
 
 /// The same for who wants to know all that is wrong: a step that cannot be used is damage, has no kind, and the rest is
 /// read.
-Result<Trace> read_trace_to_tell(Source source, const TraceReading& reading = {});
+Result<Trace> read_trace_to_tell(Source source);
 
 /// Reads what write_trace has written to a string. It is not looked through for damage.
 Result<Trace> read_written_trace(Source source);

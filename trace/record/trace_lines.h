@@ -34,22 +34,16 @@ std::string truncation_after(std::size_t steps);
 /// That there are not as many as the end record says: `expected 62 steps as the end record says, found 61`.
 std::string disagreement(std::string_view told, std::string_view what, std::string_view found);
 
-/// So many bytes of lines are scanned at once after a line that is no plain step.
-inline constexpr std::size_t least_bytes_at_once = 1 << 10;
-
 /// What the blocks of a trace add up to, and what one tells the next.
 struct BlockSums {
     StepCounts counts = {};
     std::optional<ReplayState> state = {}; ///< that the steps lead to, if it is wanted
     bool has_stray_pixel = false;          ///< one that the canvas has not; the first is told
-
-    /// So many are scanned at once: more each time that all lines are plain.
-    std::size_t bytes_at_once = least_bytes_at_once;
 };
 
-/// Reads a part of a trace, in so many threads, with the header in front of it: who asks holds the whole against the end
-/// record. Takes the text of the source; if it fails, gives it back.
-Result<Trace> read_block(Source& source, bool to_tell, std::size_t jobs, BlockSums& sums);
+/// Reads a part of a trace, with the header in front of it: who asks holds the whole against the end record. Takes the
+/// text of the source; if it fails, gives it back.
+Result<Trace> read_block(Source& source, bool to_tell, BlockSums& sums);
 
 /// True if an end record says something about the picture.
 bool tells_picture(const EndRecord& end);

@@ -3,10 +3,8 @@
 
 #include "field_type.h"
 #include "header_check.h"
-#include "scanned_lines.h"
 #include "step_decoder.h"
 #include "step_places.h"
-#include "trace_index.h"
 #include "trace_keys.h"
 #include "write_trace.h"
 
@@ -14,7 +12,6 @@
 #include <rastertrace/trace/text/canvas_json.h>
 #include <rastertrace/trace/text/color_text.h>
 #include <rastertrace/trace/text/conventions.h>
-#include <rastertrace/trace/text/in_threads.h>
 #include <rastertrace/trace/text/input.h>
 #include <rastertrace/trace/text/json_document.h>
 #include <rastertrace/trace/text/json_scanner.h>
@@ -43,8 +40,8 @@ public:
     };
 
     /// Of a block, what it adds is added to `sums`.
-    TraceReader(Source source, Care care, const TraceReading& reading, BlockSums* sums)
-        : care_(care), reading_(reading), is_block_(sums != nullptr),
+    TraceReader(Source source, Care care, std::size_t most_steps, BlockSums* sums)
+        : care_(care), most_steps_(most_steps), is_block_(sums != nullptr),
           sums_(sums != nullptr ? *sums : own_sums_) {
         trace_.source_ = std::move(source);
         if (trace_.source_.mapped)
@@ -53,7 +50,7 @@ public:
     }
 
     /// Reads what may be a trace, or a part of one.
-    static Result<Trace> read_with(Source& source, Care care, const TraceReading& reading = {},
+    static Result<Trace> read_with(Source& source, Care care, std::size_t most_steps = any_number,
                                    BlockSums* sums = nullptr);
 
     Trace read() {
@@ -83,10 +80,6 @@ public:
     const Source& source() const { return trace_.source_; }
 
 private:
-    /// Bytes that are read at once, in parts of one size.
-    static constexpr std::size_t part_size = 1 << 20;
-    static constexpr std::size_t most_at_once = 8 * part_size;
-
     std::string_view text() const { return trace_.text(); }
 
     [[noreturn]] void fail(std::size_t offset, std::string message, std::string hint = {}) const {
@@ -129,8 +122,6 @@ private:
 
         const std::size_t last_byte = text().find_last_not_of(" \t\r\n");
         std::size_t offset = text().find('\n');
-        if (reading_.index)
-            offset = take_indexed_steps() - 1;
         bool is_free_of_zeros = false;
         while (offset < text().size()) {
             offset = take_plain_lines(offset + 1, end_mark != '\0');
@@ -364,61 +355,70 @@ private:
                (!fields.needs_full_check() || parse_json(source(), begin, size));
     }
 
-    /// Takes all steps from the index, and tells where the line behind them begins. They are what the end record says, or
-    /// there would be no index.
-    std::size_t take_indexed_steps() {
-        const TraceIndex& index = *reading_.index;
-        trace_.index_ = reading_.index;
-        trace_.steps_->add_indexed(index);
-        sums_.counts = index.counts();
-        sums_.state.reset();
-        check_count();
-        return index.end_of_steps();
-    }
-
-    /// Takes the lines from `offset` on that hold steps as this program writes them, several parts of the text at once;
-    /// tells where the first other line begins.
+    /// Takes the lines from `offset` on that hold steps as this program writes them; tells where the first other line
+    /// begins.
     std::size_t take_plain_lines(std::size_t offset, bool is_document) {
-        std::string_view rest = text().substr(offset);
-        if (!take_step(rest, step_))
-            return offset; // of a foreign trace, perhaps every line
-        const LineScan scan{.canvas = trace_.canvas,
-                            .is_document = is_document,
-                            .has_changes = sums_.state.has_value()};
-        const std::size_t jobs = jobs_or_usual(reading_.jobs);
         constexpr std::size_t most_remembered = 16U << 20U; // bytes
-        for (std::size_t remembered = offset; offset < text().size();) {
+        for (std::size_t remembered = offset; take_some_plain_lines(offset, is_document);) {
+            offset = lines_.end;
             if (source().mapped && offset - remembered > most_remembered) {
                 source().mapped->forget();
                 remembered = offset;
             }
-            for (const ScannedLines& part :
-                 scan_parts(text(), offset, offset + sums_.bytes_at_once, part_size, jobs, scan)) {
-                take(part);
-                offset = part.measured.end;
-                if (!part.is_whole) {
-                    // No newline is behind the end record of a block.
-                    if (text().find('\n', offset) != std::string_view::npos)
-                        sums_.bytes_at_once = least_bytes_at_once;
-                    return offset;
-                }
-            }
-            sums_.bytes_at_once = std::min(2 * sums_.bytes_at_once, most_at_once);
         }
         return offset;
     }
 
-    /// Takes lines of plain steps.
-    void take(const ScannedLines& lines) {
-        if (lines.measured.kinds.size() > reading_.most_steps - trace_.size())
-            throw too_many_steps(source().name, reading_.most_steps);
-        if (lines.stray && care_ != Care::none)
-            check_pixel(lines.stray->offset, lines.stray->x, lines.stray->y);
-        if (sums_.state)
-            lines.play(*sums_.state);
-        sums_.counts += lines.counts;
-        trace_.steps_->add_lines(lines.measured);
-        tell_bytes_done(lines.measured.end);
+    /// Takes the first of them; false if there is none.
+    bool take_some_plain_lines(std::size_t offset, bool is_document) {
+        constexpr std::size_t lines_at_once = 1 << 14;
+        lines_.begin = lines_.end = offset;
+        lines_.kinds.clear();
+        lines_.sizes.clear();
+        while (lines_.kinds.size() < lines_at_once) {
+            const std::size_t size = take_plain_line(lines_.end, is_document);
+            if (size == 0)
+                break;
+            if (lines_.kinds.size() >= most_steps_ - trace_.size())
+                throw too_many_steps(source().name, most_steps_);
+            if (const auto* const pixel = std::get_if<PixelStep>(&step_);
+                pixel != nullptr && care_ != Care::none)
+                check_pixel(lines_.end, pixel->x, pixel->y);
+            sums_.counts.add(static_cast<StepKind>(step_.index()));
+            if (sums_.state)
+                play_step();
+            lines_.kinds.push_back(static_cast<std::uint8_t>(step_.index()));
+            lines_.sizes.push_back(static_cast<std::uint16_t>(size));
+            lines_.end += size;
+        }
+        if (lines_.kinds.empty())
+            return false;
+        trace_.steps_->add_lines(lines_);
+        tell_bytes_done(lines_.end);
+        return true;
+    }
+
+    /// Takes the step in the line at `offset`. Returns how many bytes the line has with its newline; 0 if it is written
+    /// otherwise, or too long to be measured.
+    std::size_t take_plain_line(std::size_t offset, bool is_document) {
+        std::string_view rest = text().substr(offset);
+        if (!take_step(rest, step_))
+            return 0;
+        if (is_document && rest.starts_with(','))
+            rest.remove_prefix(1);
+        const std::size_t size = text().size() - rest.size() + 1 - offset;
+        return rest.starts_with('\n') && size <= longest_measured_line ? size : 0;
+    }
+
+    void play_step() {
+        std::visit(
+            [&state = *sums_.state](const auto& step) {
+                if constexpr (requires { state.take(step); })
+                    state.take(step);
+                else
+                    state.take(step.step_kind);
+            },
+            step_);
     }
 
     /// Throws a Problem that points at the first zero byte of a part of the text.
@@ -428,8 +428,8 @@ private:
     }
 
     void check_count() const {
-        if (trace_.size() >= reading_.most_steps)
-            throw too_many_steps(source().name, reading_.most_steps);
+        if (trace_.size() >= most_steps_)
+            throw too_many_steps(source().name, most_steps_);
     }
 
     void add_step(std::size_t begin, std::size_t size) {
@@ -566,7 +566,7 @@ private:
 
     Trace trace_;
     Care care_;
-    TraceReading reading_;
+    std::size_t most_steps_;
     bool is_block_;
     bool was_cut_short_ = false;
     std::size_t counted_ = 0; ///< of the bytes, see add_bytes_done
@@ -575,7 +575,8 @@ private:
     std::size_t end_offset_ = 0;
     std::size_t useless_steps_ = 0; ///< that are damage
     std::vector<WrongForm> wrong_forms_;
-    AnyStep step_; ///< that was looked at last
+    AnyStep step_;        ///< that was looked at last
+    MeasuredLines lines_; ///< that were taken last
 };
 
 Result<Trace> read_written_trace(Source source) {
@@ -586,12 +587,12 @@ Result<Trace> read_written_trace(Source source) {
     }
 }
 
-Result<Trace> TraceReader::read_with(Source& source, Care care, const TraceReading& reading,
+Result<Trace> TraceReader::read_with(Source& source, Care care, std::size_t most_steps,
                                      BlockSums* sums) {
     // The mark that some editors put in front of UTF-8 says nothing.
     const std::size_t mark = size_of_mark(source.text);
     source.text.replace(0, mark, mark, ' ');
-    TraceReader reader(std::move(source), care, reading, sums);
+    TraceReader reader(std::move(source), care, most_steps, sums);
     try {
         return reader.read();
     } catch (const Problem& problem) {
@@ -602,18 +603,18 @@ Result<Trace> TraceReader::read_with(Source& source, Care care, const TraceReadi
     }
 }
 
-Result<Trace> read_trace(Source source, const TraceReading& reading) {
-    return TraceReader::read_with(source, TraceReader::Care::to_use, reading);
+Result<Trace> read_trace(Source source, std::size_t most_steps) {
+    return TraceReader::read_with(source, TraceReader::Care::to_use, most_steps);
 }
 
-Result<Trace> read_block(Source& source, bool to_tell, std::size_t jobs, BlockSums& sums) {
+Result<Trace> read_block(Source& source, bool to_tell, BlockSums& sums) {
     return TraceReader::read_with(source,
                                   to_tell ? TraceReader::Care::to_tell : TraceReader::Care::to_use,
-                                  {.jobs = jobs}, &sums);
+                                  any_number, &sums);
 }
 
-Result<Trace> read_trace_to_tell(Source source, const TraceReading& reading) {
-    return TraceReader::read_with(source, TraceReader::Care::to_tell, reading);
+Result<Trace> read_trace_to_tell(Source source) {
+    return TraceReader::read_with(source, TraceReader::Care::to_tell);
 }
 
 } // namespace rastertrace

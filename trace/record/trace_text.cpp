@@ -208,7 +208,7 @@ std::variant<TraceText, Source> open_trace_text(const std::string& path,
     const std::size_t newline = source.text.find('\n');
     state->begin = newline + 1;
     state->read_header(std::string(without_blanks(source.text.substr(0, newline))));
-    if (source.file && path != "-" && !input.is_packed()) {
+    if (source.file && path != "-") {
         state->descriptor = input.descriptor();
         state->input = std::move(input);
         return TraceText(std::move(state));

@@ -17,8 +17,6 @@ bool is_number(std::string_view text) {
     return std::holds_alternative<Number>(parse_number(text, NumberSize::any));
 }
 
-} // namespace
-
 std::string csv_field(std::string_view text) {
     std::string field = printable(text);
     if (!field.empty() && std::string_view("=+-@").find(field.front()) != std::string_view::npos &&
@@ -34,6 +32,8 @@ std::string csv_field(std::string_view text) {
     }
     return quoted + '"';
 }
+
+} // namespace
 
 void put_csv_line(std::string& text, const std::vector<std::string>& fields) {
     std::string_view separator;

@@ -56,8 +56,8 @@ std::shared_ptr<const MappedFile> mapped_trace(const InputFile& file) {
     return mapped;
 }
 
-/// A trace from a pipe or a packed file, of which a text has been read: written to a file without a name, up to a line
-/// that is too long, and mapped.
+/// A trace from a pipe, of which a text has been read: written to a file without a name, up to a line that is too long,
+/// and mapped.
 std::shared_ptr<const MappedFile> kept_trace(InputFile& file, std::string text) {
     const NamelessFile kept = nameless_file(file.name());
     DescriptorOutput output(kept.to_write.number(), "a temporary file for " + file.name());
@@ -99,10 +99,6 @@ Result<Source> read_path(const std::string& path, InputFile::Kind kind, InputChe
     } catch (const Problem& problem) {
         return problem;
     }
-    // Of a trace each whole line is used; who reads it says where it ends.
-    if (file.value().is_cut_off() && layout_by_first_line(source.view()) == LineLayout::other)
-        return problem_of(source.name,
-                          "expected the end of what is packed, found the end of the file");
     return source;
 }
 

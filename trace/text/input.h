@@ -8,25 +8,15 @@
 #include "problem.h"
 
 #include <cstddef>
-#include <cstdint>
 #include <string>
 
 namespace rastertrace {
-
-/// What is done with the index beside a trace (record/trace_index.h).
-enum class IndexUse : std::uint8_t {
-    if_it_fits,
-    renewed, ///< made first, if there is none that fits
-    never,
-};
 
 /// What is read of the files that a user names, or that those name in turn.
 struct InputLimits {
     std::size_t bytes = 256'000'000; ///< of a scene or an OBJ file; a trace may have any size
     bool allow_outside = false;      ///< OBJ files may lie outside of the scene's folder
     std::size_t steps = 10'000'000;  ///< of a trace that has to be held
-    IndexUse index = IndexUse::if_it_fits;
-    std::size_t jobs = 0; ///< parts of a trace that are read at once; 0: as many as run at once
 };
 
 /// Why a trace is not held that has more steps than that.

@@ -25,6 +25,18 @@ std::string in_words(std::size_t bytes) {
                                               : fmt::format("{} bytes", bytes);
 }
 
+/// That a file begins as one packed by gzip (RFC 1952) or Zstandard (RFC 8878), if it does.
+std::optional<Problem> packed_problem(const std::string& name, std::string_view beginning) {
+    const bool is_gzip = beginning.starts_with("\x1f\x8b\x08");
+    if (!is_gzip && !beginning.starts_with("\x28\xb5\x2f\xfd"))
+        return std::nullopt;
+    return problem_of(name,
+                      fmt::format("expected a file that is not packed, found one packed by {}",
+                                  is_gzip ? "gzip" : "zstd"),
+                      fmt::format("`{} FILE | rastertrace show -` unpacks it on the way",
+                                  is_gzip ? "zcat" : "zstdcat"));
+}
+
 bool can_begin_json(std::string_view text) {
     const std::size_t first = text.find_first_not_of(blanks_and_mark);
     return first == std::string_view::npos ||
@@ -53,6 +65,9 @@ bool InputCheck::holds_trace(const Source& source) {
 
 std::optional<Problem> InputCheck::operator()(const Source& source, std::size_t block) {
     const std::string_view text = source.view();
+    if (kind_ != Kind::other)
+        if (auto problem = packed_problem(source.name, text))
+            return problem;
     const std::string_view added = text.substr(block);
     if (kind_ != Kind::bytes && added.find('\0') != std::string_view::npos) {
         // A file that another one names, and that is no text, is not quoted.

@@ -60,32 +60,6 @@ Result<InputFile> InputFile::open(const std::string& path, Kind kind) {
 }
 
 bool InputFile::read_into(std::string& text) {
-    if (!has_begun_) {
-        has_begun_ = true;
-        std::string beginning;
-        while (beginning.size() < longest_packing_mark && read_block_into(beginning)) {
-        }
-        if (const Packing packing = packing_of(beginning); packing != Packing::none) {
-            unpacker_.emplace(packing, name_);
-            unpacker_->take(std::move(beginning));
-        } else {
-            text += beginning;
-            return !beginning.empty();
-        }
-    }
-    if (!unpacker_)
-        return read_block_into(text);
-    if (unpacker_->unpack_into(text))
-        return true;
-    std::string block;
-    if (!read_block_into(block))
-        return false;
-    unpacker_->take(std::move(block));
-    unpacker_->unpack_into(text);
-    return true;
-}
-
-bool InputFile::read_block_into(std::string& text) {
     // Neither the size that the system tells nor the end of the file is trusted.
     std::array<char, 1 << 16> buffer;
     for (;;) {

@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// A file, a pipe or standard input, read block by block. What is packed (packed.h) is unpacked on the way.
+// A file, a pipe or standard input, read block by block.
 //
 //     auto file = InputFile::open("trace.jsonl");  // or "-"
 //     while (file.value().read_into(text)) ...
 
 #include "descriptor.h"
-#include "packed.h"
 #include "problem.h"
 
 #include <cstddef>
@@ -46,15 +45,7 @@ public:
     /// Adds the next block to a text; false at the end. Throws a Problem.
     bool read_into(std::string& text);
 
-    /// True once a block has shown that the file is packed: its bytes are not those that read_into gives.
-    bool is_packed() const { return unpacker_.has_value(); }
-
-    /// At the end: true of a packed file of which the last bytes are missing.
-    bool is_cut_off() const { return unpacker_ && !unpacker_->is_whole(); }
-
 private:
-    bool read_block_into(std::string& text);
-
     InputFile(std::string name, Descriptor file, int descriptor)
         : name_(std::move(name)), file_(std::move(file)), descriptor_(descriptor) {}
 
@@ -63,8 +54,6 @@ private:
     int descriptor_;
     std::optional<FileId> id_;
     std::size_t told_size_ = 0;
-    std::optional<Unpacker> unpacker_;
-    bool has_begun_ = false; ///< the beginning has been looked at
 };
 
 } // namespace rastertrace

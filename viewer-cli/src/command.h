@@ -131,7 +131,6 @@ std::unique_ptr<Command> validate_command();
 std::unique_ptr<Command> plan_command();
 std::unique_ptr<Command> fuzz_command();
 std::unique_ptr<Command> diagnose_command();
-std::unique_ptr<Command> convert_command();
 std::unique_ptr<Command> examples_command();
 std::unique_ptr<Command> stress_command();
 std::unique_ptr<Command> report_command();

@@ -43,8 +43,7 @@ struct TraceCommand {
     std::string scene;
     std::string output; ///< empty: standard output
     std::optional<TraceLayout> layout;
-    bool is_flat = false; ///< the rows of flat_steps.h
-    bool has_index = false;
+    bool is_flat = false; ///< see flat_steps.h
     StepFilter filter;
     MethodOverrides method;
     InputLimits input;

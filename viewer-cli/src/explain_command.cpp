@@ -86,15 +86,7 @@ ExitStatus tell(const ExplainCommand& command, const Trace& trace, const Trace* 
 
 } // namespace
 
-namespace {
-
-/// True if few of its steps have to be looked at.
-bool can_use_index(const ExplainCommand& command) {
-    const Topic about = command.question.about;
-    return about == Topic::step || (about == Topic::pixel && !command.json);
-}
-
-int answer(const ExplainCommand& command) {
+int run(const ExplainCommand& command) {
     const SceneOptions options{.method = command.method,
                                .limits = command.input,
                                .frames = command.frames,
@@ -104,9 +96,6 @@ int answer(const ExplainCommand& command) {
         const Trace against = trace_against(command, input);
         return tell(command, input.trace(input.first()), &against);
     }
-    if (const auto trace =
-            can_use_index(command) ? indexed_trace(command.trace, options) : std::nullopt)
-        return tell(command, *trace);
     // A pipe is read step by step, and only what the pixel needs is held.
     if (command.question.about != Topic::pixel || is_regular_file(command.trace))
         return tell(command, load_trace(command.trace, options));
@@ -115,12 +104,6 @@ int answer(const ExplainCommand& command) {
         return tell(command, steps_of_pixel(*steps, command));
     InputFrames input(command.trace, std::get<Source>(std::move(opened)), options);
     return tell(command, input.trace(input.first()));
-}
-
-} // namespace
-
-int run(const ExplainCommand& command) {
-    return with_index(command, answer);
 }
 
 namespace {
@@ -181,7 +164,6 @@ public:
         if (!command_.json)
             command_.question.most_why_not = most_why_not_told;
         drawing_.read_into(command_);
-        command_.question.jobs = command_.input.jobs;
     }
 
     int run() override { return rastertrace::run(command_); }

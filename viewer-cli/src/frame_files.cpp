@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "frame_files.h"
 
-#include <rastertrace/trace/text/packed.h>
 #include <rastertrace/trace/text/process_files.h>
 
 #include <fmt/core.h>
@@ -37,12 +36,10 @@ void allow_open_files(std::size_t frames) {
 } // namespace
 
 std::string path_of_frame(const std::string& path, std::size_t frame, std::size_t digits) {
-    const std::string_view unpacked = without_packing(path);
-    const std::filesystem::path whole(unpacked);
+    const std::filesystem::path whole(path);
     return (whole.parent_path() / fmt::format("{}-{:0{}}{}", whole.stem().string(), frame, digits,
                                               whole.extension().string()))
-               .string() +
-           path.substr(unpacked.size());
+        .string();
 }
 
 FrameFiles::FrameFiles(std::string path, std::size_t count)

@@ -4,11 +4,9 @@
 #include "progress.h"
 
 #include <rastertrace/trace/audit/redo.h>
-#include <rastertrace/trace/explain/pixel_units.h>
 #include <rastertrace/trace/picture/picture_trace.h>
 #include <rastertrace/trace/scene/scene_file.h>
 #include <rastertrace/trace/text/input_file.h>
-#include <rastertrace/trace/text/packed.h>
 #include <rastertrace/trace/text/process_files.h>
 #include <rastertrace/trace/text/trace_layout.h>
 
@@ -21,7 +19,6 @@
 #include <cerrno>
 #include <csignal>
 #include <filesystem>
-#include <limits>
 #include <utility>
 
 namespace rastertrace {
@@ -38,7 +35,6 @@ std::optional<Source> trace_of_picture(const std::string& path, const InputLimit
 
 /// Reads a file that is a scene or a trace.
 Source read_input(const std::string& path, const InputLimits& limits) {
-    renew_index(path, limits);
     if (auto trace = trace_of_picture(path, limits))
         return *std::move(trace);
     return value_or_throw(read_source(path, limits));
@@ -110,10 +106,8 @@ Trace InputFrames::trace(std::size_t frame) {
         const bool is_marked =
             options_.tells_steps && source_.view().size() <= largest_marked_trace;
         // What is mapped is not held.
-        const std::size_t most_steps =
-            source_.mapped ? std::numeric_limits<std::size_t>::max() : options_.limits.steps;
-        Trace trace = value_or_throw(read_trace(
-            std::move(source_), {.most_steps = most_steps, .jobs = options_.limits.jobs}));
+        const std::size_t most_steps = source_.mapped ? any_number : options_.limits.steps;
+        Trace trace = value_or_throw(read_trace(std::move(source_), most_steps));
         if (is_marked)
             mark_wrong_steps(trace);
         return titled(std::move(trace), path_);
@@ -144,7 +138,7 @@ void check_region(const Region& region, const Canvas& canvas) {
 
 namespace {
 
-/// The beginning of a file, unpacked, as far as it is whole.
+/// The beginning of a file.
 std::string front_of(const std::string& path) {
     constexpr std::size_t enough_to_tell = 1 << 16;
     InputFile file = value_or_throw(InputFile::open(path));
@@ -174,7 +168,6 @@ std::variant<StepStream, Source> open_input(const std::string& path, const Scene
         refuse_scene_options(*trace, options);
         return *std::move(trace);
     }
-    renew_index(path, options.limits);
     auto opened = open_steps(path, options.limits);
     if (std::holds_alternative<StepStream>(opened))
         refuse_scene_options({path == "-" ? "standard input" : path, {}, {}}, options);
@@ -184,7 +177,6 @@ std::variant<StepStream, Source> open_input(const std::string& path, const Scene
 OpenedTrace open_trace(const std::string& path, const InputLimits& limits) {
     if (auto trace = trace_of_picture(path, limits))
         return *std::move(trace);
-    renew_index(path, limits);
     return open_trace_text(path, limits);
 }
 
@@ -232,68 +224,6 @@ Trace load_trace(const std::string& path, const SceneOptions& options) {
     return input.trace(input.first());
 }
 
-namespace {
-
-bool is_regular(const std::string& path) {
-    std::error_code error;
-    return path != "-" && std::filesystem::is_regular_file(path, error);
-}
-
-} // namespace
-
-void renew_index(const std::string& path, const InputLimits& limits) {
-    if (limits.index != IndexUse::renewed || !is_regular(path))
-        return;
-    auto source = read_source_or_claims(path, limits);
-    if (!source || !is_trace(source.value()))
-        return; // who reads it says why
-    const std::string index = path_of_index(path);
-    try {
-        TraceIndex::open(index, source.value());
-        return;
-    } catch (const Problem& problem) {
-        if (is_regular(index))
-            print_error(problem);
-    }
-    const auto trace = read_trace(std::move(source.value()), {.jobs = limits.jobs});
-    try {
-        if (packing_named(path) != Packing::none)
-            throw problem_of(index, "expected a trace that is not packed, found a packed one");
-        if (trace)
-            write_index(trace.value(), contents_of(trace.value(), limits.jobs).known, index);
-    } catch (const Problem& problem) {
-        if (problem.cause == Problem::Cause::system)
-            throw;
-        print_error(problem);
-    }
-}
-
-std::optional<Trace> indexed_trace(const std::string& path, const SceneOptions& options) {
-    const std::string index = path_of_index(path);
-    if (options.limits.index == IndexUse::never || !is_regular(path) || !is_regular(index))
-        return std::nullopt;
-    auto source = value_or_throw(read_source_or_claims(path, options.limits));
-    std::shared_ptr<const TraceIndex> opened;
-    try {
-        opened = TraceIndex::open(index, source);
-    } catch (const Problem&) {
-        return std::nullopt;
-    }
-    refuse_scene_options(source, options);
-    const bool is_marked = options.tells_steps && source.view().size() <= largest_marked_trace;
-    Trace trace = value_or_throw(read_trace(std::move(source), {.index = std::move(opened)}));
-    if (is_marked)
-        mark_wrong_steps(trace);
-    return titled(std::move(trace), path);
-}
-
-void give_up_index(const std::string& path) {
-    print_error(problem_of(path_of_index(path),
-                           "expected the index of " + path + ", found that of another trace"));
-    std::error_code error;
-    std::filesystem::remove(path_of_index(path), error);
-}
-
 Source load_scene_trace_or_claims(const std::string& path, const InputLimits& limits) {
     const auto picture = picture_in_file(path, limits);
     if (!picture)
@@ -307,8 +237,7 @@ Source load_scene_trace_or_claims(const std::string& path, const InputLimits& li
 Truth truth_in(Source source, const SceneOptions& options) {
     if (is_trace(source)) {
         refuse_scene_options(source, options);
-        return Truth(value_or_throw(read_trace(
-            std::move(source), {.most_steps = options.limits.steps, .jobs = options.limits.jobs})));
+        return Truth(value_or_throw(read_trace(std::move(source), options.limits.steps)));
     }
     return Truth(std::move(source), options.method, options.limits, options.frames);
 }

@@ -11,7 +11,6 @@
 #include <rastertrace/trace/picture/picture.h>
 #include <rastertrace/trace/record/step_stream.h>
 #include <rastertrace/trace/record/trace.h>
-#include <rastertrace/trace/record/trace_index.h>
 #include <rastertrace/trace/record/trace_text.h>
 #include <rastertrace/trace/scene/scene_file.h>
 #include <rastertrace/trace/text/output.h>
@@ -137,31 +136,6 @@ std::string shown_title(const std::string& title, const std::string& path);
 
 /// The trace in a file, or that of the scene in it: of the frame that was chosen, or the first.
 Trace load_trace(const std::string& path, const SceneOptions& options = {});
-
-/// Makes the index of the trace in a file, if that was asked for and there is none that fits. What keeps it from being
-/// made goes to standard error; a scene has none.
-void renew_index(const std::string& path, const InputLimits& limits);
-
-/// The trace in a regular file, opened by its index, for commands that look at few of its steps; none if there is no
-/// index that fits. Throws a Problem.
-std::optional<Trace> indexed_trace(const std::string& path, const SceneOptions& options);
-
-/// Tells that a trace is another one than was indexed, and removes the index.
-void give_up_index(const std::string& path);
-
-/// Runs a command that uses an index, and once more without, if the trace turns out to be another one.
-template <typename Asked, typename Run> int with_index(Asked asked, const Run& run) {
-    renew_index(asked.trace, asked.input);
-    const IndexUse use = std::exchange(asked.input.index, IndexUse::if_it_fits);
-    try {
-        return run(asked);
-    } catch (const StaleIndex&) {
-        if (use == IndexUse::renewed)
-            give_up_index(asked.trace);
-        asked.input.index = IndexUse::never;
-        return run(asked);
-    }
-}
 
 /// Reads a file that is a scene, a trace, or claims. Throws a Problem.
 Source load_scene_trace_or_claims(const std::string& path, const InputLimits& limits);

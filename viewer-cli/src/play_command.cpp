@@ -55,8 +55,6 @@ PlayerInput input_from(std::shared_ptr<InputFrames> frames) {
 
 /// What the file holds; a trace has a title.
 std::variant<GrowingTrace, Source> opened(const PlayCommand& command) {
-    if (auto trace = indexed_trace(command.trace, scene_options(command)))
-        return GrowingTrace(*std::move(trace), command.trace);
     auto opened = GrowingTrace::open(command.trace, command.input);
     if (auto* const trace = std::get_if<GrowingTrace>(&opened))
         trace->name_untitled(shown_title("", command.trace));
@@ -176,7 +174,9 @@ void play(Player& player, const PlayCommand& command) {
     }
 }
 
-int play_all(const PlayCommand& command) {
+} // namespace
+
+int run(const PlayCommand& command) {
     if (!command.screen && !TerminalSession::is_possible())
         return show_instead(command);
     if (command.trace == "-" && !command.screen)
@@ -187,12 +187,6 @@ int play_all(const PlayCommand& command) {
     else
         play(player, command);
     return report_damage(player.playback().trace());
-}
-
-} // namespace
-
-int run(const PlayCommand& command) {
-    return with_index(command, play_all);
 }
 
 namespace {

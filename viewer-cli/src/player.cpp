@@ -64,7 +64,7 @@ void Player::open(std::size_t frame) {
     lost_.reset();
     frame_ = frame;
     if (!has_own_view_)
-        view_ = default_view(trace(), playback_->growing().steps_at_first());
+        view_ = default_view(trace());
     if (cursor_ && !trace().canvas.contains(cursor_->x, cursor_->y))
         cursor_.reset();
     set_cursor(cursor_);

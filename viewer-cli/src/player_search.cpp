@@ -141,7 +141,7 @@ void Player::find_primitive(Direction direction) {
 void Player::find_of_primitive(Direction direction) {
     if (step() == 0)
         return move_by(1, direction);
-    const std::size_t primitive = playback_->snapshots().primitive_of(step());
+    const std::size_t primitive = playback_->snapshots().farthest().primitive_of(step());
     const std::string own = name_in(trace().step(step())).text();
     const std::string name = !own.empty()     ? own
                              : primitive == 0 ? std::string()
@@ -154,7 +154,7 @@ void Player::find_of_primitive(Direction direction) {
     find(
         direction,
         [this, name](std::size_t n) {
-            const std::size_t of = playback_->snapshots().primitive_of(n);
+            const std::size_t of = playback_->snapshots().farthest().primitive_of(n);
             return (of != 0 && name_in(trace().step(of)) == name) ||
                    name_in(trace().step(n)) == name;
         },
@@ -191,7 +191,7 @@ void Player::find_match(Direction direction) {
     find(
         direction,
         [this, selector](std::size_t n) {
-            return matches(selector, trace(), n, playback_->snapshots().primitive_of(n));
+            return matches(selector, trace(), n, playback_->snapshots().farthest().primitive_of(n));
         },
         std::move(missing));
 }

@@ -135,16 +135,6 @@ void InputOptions::add_to(OptionList& options, Holds holds) {
     if (holds == Holds::no_steps)
         return;
     options
-        .option("--jobs", jobs_,
-                "Threads that read a trace in a file; one for each core if not given", "N")
-        .shared(of_input);
-    options
-        .flag(
-            "--index", is_indexed_,
-            "Make an index beside the trace, TRACE.index, if none there fits it: explain --pixel, "
-            "--step and play then open it at once")
-        .shared(of_input);
-    options
         .option("--max-steps", max_steps_,
                 "The most steps of a trace to hold; 10 million if not given. Pixels of a "
                 "row that follow one another in a trace that is drawn count as one",
@@ -158,9 +148,6 @@ InputLimits InputOptions::limits() const {
         limits.bytes = bytes_in(max_input_);
     if (!max_steps_.empty())
         limits.steps = steps_in(max_steps_);
-    if (is_indexed_)
-        limits.index = IndexUse::renewed;
-    limits.jobs = number_in_option<std::size_t>("--jobs", jobs_, 1, 1024).value_or(0);
     return limits;
 }
 

@@ -58,8 +58,6 @@ public:
 private:
     std::string max_input_;
     std::string max_steps_;
-    std::string jobs_;
-    bool is_indexed_ = false;
     InputLimits limits_;
 };
 

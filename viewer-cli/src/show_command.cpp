@@ -215,19 +215,11 @@ ExitStatus show(const Trace& trace, const ShowCommand& command, FaceGroups& face
 
 } // namespace
 
-namespace {
-
-int show_frames(ShowCommand command) {
+int run(ShowCommand command) {
     const SceneOptions options{.method = command.method,
                                .limits = command.input,
                                .frames = command.frames,
                                .tells_steps = true};
-    // Below other frames stands what all steps tell.
-    const bool needs_one_step = command.which == ShowCommand::Which::step && command.bare;
-    if (const auto trace = needs_one_step ? indexed_trace(command.trace, options) : std::nullopt) {
-        FaceGroups faces;
-        return show(*trace, command, faces);
-    }
     InputFrames input(command.trace, options);
     check_sequence(command, input);
     if (input.first() < input.last() && command.which == ShowCommand::Which::summary)
@@ -242,12 +234,6 @@ int show_frames(ShowCommand command) {
         status = show(input.trace(frame), command, faces);
     }
     return status;
-}
-
-} // namespace
-
-int run(ShowCommand command) {
-    return with_index(std::move(command), show_frames);
 }
 
 namespace {

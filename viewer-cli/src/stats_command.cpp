@@ -92,7 +92,7 @@ int run(const StatsCommand& command) {
     if (trace.is_partial && !command.fail_on.empty())
         throw problem_of(command.trace, "--fail-on: expected a trace with all its steps, found one "
                                         "that steps were left out of");
-    const Stats stats = stats_of(trace, command.input.jobs);
+    const Stats stats = stats_of(trace);
     print(command.json ? stats_json(trace, stats) : stats_text(trace, stats));
 
     std::vector<StatsFinding> found;

@@ -7,15 +7,20 @@
 #include "load.h"
 #include "option_values.h"
 #include "output_ending.h"
+#include "progress.h"
 #include "shared_options.h"
-#include "written_trace.h"
 
+#include <rastertrace/trace/record/excerpt.h>
 #include <rastertrace/trace/record/flat_steps.h>
+#include <rastertrace/trace/record/trace.h>
+#include <rastertrace/trace/record/trace_text.h>
 #include <rastertrace/trace/text/output.h>
-#include <rastertrace/trace/text/packed.h>
+#include <rastertrace/trace/text/process_files.h>
 #include <rastertrace/trace/text/text.h>
 
 #include <fmt/core.h>
+
+#include <unistd.h>
 
 #include <algorithm>
 #include <array>
@@ -35,17 +40,41 @@ constexpr std::array<Ending<TraceLayout>, 2> trace_endings{
 
 /// By the ending of the file's name, where there is one; else a JSON document. Flat steps are made of lines.
 TraceLayout layout_of(const TraceCommand& command) {
+    const std::string ending = ending_of(command.output);
+    if (ending == ".gz" || ending == ".zst") // nothing is packed
+        refuse_ending(command.output, endings_in<TraceLayout>(trace_endings));
     if (command.is_flat)
         return TraceLayout::jsonl;
     if (command.layout)
         return *command.layout;
-    return format_by_ending<TraceLayout>(std::string(without_packing(command.output)),
-                                         trace_endings)
-        .value_or(TraceLayout::json);
+    return format_by_ending<TraceLayout>(command.output, trace_endings).value_or(TraceLayout::json);
 }
 
-std::optional<FlatForm> flat_form_of(const TraceCommand& command) {
-    return command.is_flat ? std::optional(FlatForm::lines) : std::nullopt;
+/// True if that is no file.
+bool is_standard_output(const std::string& path) {
+    return path.empty() || path == "-";
+}
+
+/// Lets somebody write to standard output, or to a file that gets its name when all is there.
+template <typename Write> void write_whole(const std::string& path, const Write& write) {
+    if (is_standard_output(path)) {
+        DescriptorOutput output = standard_output();
+        write(output);
+        return;
+    }
+    FileOutput output(path, opened_files());
+    write(output);
+    output.commit();
+}
+
+/// Lets somebody write a trace, of which the flat steps go to the output if they were asked for.
+template <typename Write>
+void write_as_asked(const TraceCommand& command, Output& output, const Write& write) {
+    if (!command.is_flat)
+        return write(output);
+    FlatSteps flat(output);
+    write(flat);
+    flat.finish();
 }
 
 void check_primitive(const TraceCommand& command, const Scene& scene) {
@@ -65,8 +94,9 @@ void check_primitive(const TraceCommand& command, const Scene& scene) {
 void write_drawn(const TraceCommand& command, const PlannedScene& planned, Output& output) {
     check_primitive(command, planned.scene);
     const TraceOptions options{.layout = layout_of(command), .filter = command.filter};
-    write_flat(flat_form_of(command), output,
-               [&](Output& lines) { write_trace(planned.scene, planned.plan, options, lines); });
+    write_as_asked(command, output, [&](Output& lines) {
+        write_trace(planned.scene, planned.plan, options, lines);
+    });
 }
 
 /// Writes a file for each frame.
@@ -74,18 +104,12 @@ void write_frames(const TraceCommand& command, InputFrames& input) {
     FrameFiles files(command.output, input.last());
     for (std::size_t frame = input.first(); frame <= input.last(); ++frame) {
         const PlannedScene planned = input.scene(frame);
-        write_packed(command.output, files.open(frame),
-                     [&](Output& output) { write_drawn(command, planned, output); });
+        write_drawn(command, planned, files.open(frame));
     }
     files.commit();
 }
 
-void index_output(const TraceCommand& command) {
-    if (command.has_index)
-        renew_index(command.output, {.index = IndexUse::renewed});
-}
-
-/// Writes steps of a trace that is there already.
+/// Writes steps of a trace that is there already; tells what may be wrong with it.
 void write_part(const Source& given, const TraceCommand& command, Output& output) {
     if (command.filter.region || command.filter.primitive)
         throw problem_of(given.name,
@@ -95,8 +119,23 @@ void write_part(const Source& given, const TraceCommand& command, Output& output
     std::vector<std::string> kinds;
     for (const StepKind kind : command.filter.only.value_or(std::vector<StepKind>{}))
         kinds.emplace_back(name_of(kind));
-    write_flat(flat_form_of(command), output,
-               [&](Output& lines) { write_part_of(given, kinds, layout_of(command), lines); });
+    const TraceText text(given);
+    const Trace trace = value_or_throw(read_trace(given));
+    write_as_asked(command, output, [&](Output& lines) {
+        write_excerpt(trace, text.header_json(), kinds, layout_of(command), lines);
+    });
+    report_damage(trace);
+}
+
+/// The progress of the command; none beside rows on a terminal.
+std::optional<Progress> progress_to(const std::string& path) {
+    if (is_standard_output(path) && ::isatty(STDOUT_FILENO) != 0)
+        return std::nullopt;
+    return std::optional<Progress>(std::in_place,
+                                   LongWork{.doing = "trace",
+                                            .unit = "MB written",
+                                            .done = [] { return bytes_done().written; },
+                                            .one_unit = bytes_in_a_megabyte});
 }
 
 } // namespace
@@ -105,10 +144,9 @@ int run(const TraceCommand& command) {
     InputFrames input(
         command.scene,
         {.method = command.method, .limits = command.input, .frames = command.frames});
-    const TraceProgress progress("trace", command.output);
+    const std::optional<Progress> progress = progress_to(command.output);
     if (const Source* const given = input.given_trace()) {
         write_whole(command.output, [&](Output& output) { write_part(*given, command, output); });
-        index_output(command);
         return exit_fine;
     }
     if (input.is_sequence() && is_standard_output(command.output))
@@ -124,7 +162,6 @@ int run(const TraceCommand& command) {
 
     const PlannedScene planned = input.scene(input.first());
     write_whole(command.output, [&](Output& output) { write_drawn(command, planned, output); });
-    index_output(command);
     return exit_fine;
 }
 
@@ -143,19 +180,17 @@ public:
             .option("scene", command_.scene,
                     "A scene, or a trace to cut down; - for standard input", "SCENE")
             .required();
-        options.option(
-            "-o,--output", command_.output,
-            "Write to this file (.jsonl: JSON Lines; .gz, .zst: packed) instead of standard output",
-            "FILE");
+        options.option("-o,--output", command_.output,
+                       "Write to this file (.jsonl: JSON Lines) instead of standard output",
+                       "FILE");
         AddedOption format =
             options.option("--format", format_, "How to write it, whatever the file's name", "NAME")
                 .values({"json", "jsonl"});
         options
             .flag("--flat", command_.is_flat,
-                  "Write a row for each step, as convert --to flat does, in place of the trace")
+                  "Write only the steps, each behind its number and the name of its primitive, for "
+                  "databases")
             .excludes(format);
-        options.flag("--index", command_.has_index,
-                     "Write the index of the trace beside it, FILE.index");
         options.option("--only", only_, "Write only these kinds of step", "KIND,...")
             .values(step_kind_names());
         options.option("--region", region_, "Write only steps that touch these pixels",
@@ -175,8 +210,6 @@ public:
         if (!only_.empty())
             command_.filter.only =
                 values_of("--only", "kinds of step", only_, step_kind_names(), step_kind_named);
-        if (command_.has_index && (is_standard_output(command_.output) || command_.is_flat))
-            refuse_value("--index", "-o FILE beside it, and no --flat", command_.output);
         command_.filter.region = region_of(region_);
         drawing_.read_into(command_);
     }

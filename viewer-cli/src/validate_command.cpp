@@ -209,10 +209,9 @@ void validate_claims(Source source, const InputLimits& limits, ValidatedFile& fi
     }
     file.about += " about " + printable(claims.scene);
     Source scene = load_scene_of_claims(claims, limits);
-    const Truth truth =
-        is_trace(scene)
-            ? Truth(value_or_throw(read_trace(std::move(scene), {.most_steps = limits.steps})))
-            : Truth(std::move(scene), {}, limits);
+    const Truth truth = is_trace(scene)
+                            ? Truth(value_or_throw(read_trace(std::move(scene), limits.steps)))
+                            : Truth(std::move(scene), {}, limits);
     file.add(truth.decided().damage);
     for (const CheckedClaim& checked : check(truth, claims).claims) {
         const Claim& claim = claims.claims[checked.claim];

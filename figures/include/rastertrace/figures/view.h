@@ -20,7 +20,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
-#include <limits>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -37,9 +36,8 @@ std::optional<View> view_named(std::string_view name);
 
 /// The view in which the point of a trace can be seen: `shade` if colors are mixed or lit; `faces` if there
 /// is more than one triangle, `depth` if there is a buffer and too many of one color for letters; else
-/// `plotted`. As far as the first steps tell.
-View default_view(const Trace& trace,
-                  std::size_t most_steps = std::numeric_limits<std::size_t>::max());
+/// `plotted`.
+View default_view(const Trace& trace);
 
 /// True if a nearer depth is a larger one, as far as the tests of a trace tell.
 bool larger_is_nearer(const Trace& trace);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Lines that are scanned in parts lead where a replay of every step leads.
+// Lines as rastertrace writes them, which are read quickly, lead where a replay of every step leads.
 
 #include "random_choice.h"
 #include "random_scene.h"
@@ -7,8 +7,6 @@
 #include "traces.h"
 
 #include <rastertrace/trace/record/frame.h>
-#include <rastertrace/trace/record/scanned_lines.h>
-#include <rastertrace/trace/record/step_places.h>
 
 #include <gtest/gtest.h>
 
@@ -16,7 +14,6 @@
 #include <cstdint>
 #include <string>
 #include <string_view>
-#include <vector>
 
 namespace rastertrace {
 namespace {
@@ -36,22 +33,7 @@ std::string with_blanks(std::string_view text, Random& random, int one_of) {
     return changed;
 }
 
-/// Places where lines with steps begin, the first and some others; and where the last such line ends.
-std::vector<std::size_t> parts_of(std::string_view text, Random& random) {
-    std::vector<std::size_t> parts;
-    std::size_t end = 0;
-    for (std::size_t at = 0; at < text.size(); at = text.find('\n', at) + 1) {
-        if (!text.substr(at).starts_with(R"({"step")"))
-            continue;
-        if (parts.empty() || random.chance(9))
-            parts.push_back(at);
-        end = text.find('\n', at) + 1;
-    }
-    parts.push_back(end);
-    return parts;
-}
-
-TEST(ScannedLines, LeadWhereEveryStepLeads) {
+TEST(PlainLines, LeadWhereEveryStepLeads) {
     int traces = 0;
     for (std::uint64_t seed = 1; seed <= 300; ++seed) {
         const auto scene = read_scene({"scene.json", RandomScene(seed).text()});
@@ -62,9 +44,11 @@ TEST(ScannedLines, LeadWhereEveryStepLeads) {
         const std::string text = trace_text(
             scene.value(),
             {.layout = is_document ? TraceLayout::json : TraceLayout::jsonl, .filter = {}});
+        const Trace quick = readable_trace(text);
         const Trace thorough = readable_trace(with_blanks(text, random, 1));
         const Trace mixed = readable_trace(with_blanks(text, random, 20));
         ASSERT_EQ(mixed.size(), thorough.size());
+        ASSERT_EQ(quick.size(), thorough.size());
         if (thorough.size() == 0)
             continue;
         ++traces;
@@ -80,51 +64,45 @@ TEST(ScannedLines, LeadWhereEveryStepLeads) {
         expect_same(known, played);
         expect_same(mixed_end, played);
 
-        ReplayState scanned(thorough.canvas, all_parts);
-        StepPlaces places;
-        StepCounts counts;
-        const auto parts = parts_of(text, random);
-        for (std::size_t i = 0; i + 1 < parts.size(); ++i) {
-            const auto lines = scan_lines(text, parts[i], parts[i + 1],
-                                          {.canvas = thorough.canvas, .is_document = is_document});
-            ASSERT_EQ(lines.measured.end, parts[i + 1]) << text.substr(lines.measured.end, 200);
-            lines.play(scanned);
-            places.add_lines(lines.measured);
-            counts += lines.counts;
+        Replay quick_end(quick, all_parts);
+        quick_end.go_to(quick.size());
+        expect_same(quick_end, played);
+        for (std::size_t n = 1; n <= quick.size(); ++n) {
+            ASSERT_TRUE(quick.is_plain(n));
+            for (const Trace* const one : {&quick, &mixed}) {
+                ASSERT_EQ(one->step(n).json(), thorough.step(n).json());
+                ASSERT_EQ(one->kind_of(n), thorough.kind_of(n));
+            }
         }
-        expect_same(scanned, played);
-        ASSERT_EQ(places.size(), thorough.size());
-        for (std::size_t n = 1; n <= places.size(); ++n) {
-            const StepPlace place = places.at(n, text);
-            ASSERT_EQ(text.substr(place.offset, place.length), thorough.step(n).json());
-            ASSERT_EQ(places.kind(n, text), thorough.kind_of(n));
-            ASSERT_EQ(mixed.step(n).json(), thorough.step(n).json());
-            ASSERT_EQ(mixed.kind_of(n), thorough.kind_of(n));
-        }
-        for (const auto& [name, count] : thorough.end->count)
-            EXPECT_EQ(counts.of(name), count) << name;
         if (HasFailure())
             FAIL() << "seed " << seed;
     }
     EXPECT_GT(traces, 200);
 }
 
-// What is scanned ends in front of the first line that is written otherwise.
-TEST(ScannedLines, EndInFrontOfAnyOtherLine) {
+// Whatever stands between them: a line that is written otherwise is a step, or is refused, as it is by itself.
+TEST(PlainLines, EndInFrontOfAnyOtherLine) {
+    const std::string header = R"({"rastertrace":1,"canvas":{"width":8,"height":8}})"
+                               "\n";
     const std::string step = R"({"step":"pixel","x":1,"y":2})"
                              "\n";
-    for (const std::string& other :
-         {std::string("\n"), " " + step, std::string("{\"step\":\"pixel\",\"x\":1}\n"),
-          std::string("{\"step\":\"none\"}\n"), std::string("],\n"), std::string("\0\n", 2)}) {
-        const std::string text = step + step + other + step;
-        const auto lines = scan_lines(text, 0, text.size(), {.canvas = Canvas{8, 8}});
-        EXPECT_EQ(lines.measured.kinds.size(), 2U) << other;
-        EXPECT_EQ(lines.measured.end, 2 * step.size());
+    const auto read_with = [&](const std::string& other) {
+        return read_trace({"t.jsonl", header + step + step + other + step + "{\"end\":{}}\n"});
+    };
+    EXPECT_EQ(read_with("\n").value().size(), 3U);
+    for (const std::string& other : {" " + step, std::string("{\"step\":\"none\"}\n")}) {
+        const Trace trace = read_with(other).value();
+        ASSERT_EQ(trace.size(), 4U);
+        for (std::size_t n = 1; n <= 4; ++n)
+            EXPECT_EQ(trace.is_plain(n), n != 3) << other;
     }
+    for (const std::string& other :
+         {std::string("{\"step\":\"pixel\",\"x\":1}\n"), std::string("],\n")})
+        EXPECT_EQ(read_with(other).problem().line, 4U) << other;
 }
 
 // A zero byte is told first, wherever it is, as long as what stands before it is a trace.
-TEST(ScannedLines, HaveNoZeroByte) {
+TEST(PlainLines, HaveNoZeroByte) {
     const std::string text =
         trace_text(scene_in(R"({"vertices":{"A":[1,2]},"points":["A"]})"), in_lines);
     for (std::size_t at = 0; at < text.size(); ++at) {
