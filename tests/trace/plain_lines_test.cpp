@@ -91,7 +91,8 @@ TEST(PlainLines, EndInFrontOfAnyOtherLine) {
     };
     EXPECT_EQ(read_with("\n").value().size(), 3U);
     for (const std::string& other : {" " + step, std::string("{\"step\":\"none\"}\n")}) {
-        const Trace trace = read_with(other).value();
+        const auto read = read_with(other);
+        const Trace& trace = read.value();
         ASSERT_EQ(trace.size(), 4U);
         for (std::size_t n = 1; n <= 4; ++n)
             EXPECT_EQ(trace.is_plain(n), n != 3) << other;

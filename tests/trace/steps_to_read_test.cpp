@@ -109,8 +109,8 @@ TEST(StepsToRead, TellOfTheExamplesAsAllStepsDo) {
     std::size_t counted = 0;
     for (const fs::path& example : examples) {
         std::ifstream file(example, std::ios::binary);
-        const auto scene = read_scene(
-            {example.string(), std::string(std::istreambuf_iterator<char>(file), {})});
+        const auto scene =
+            read_scene({example.string(), std::string(std::istreambuf_iterator<char>(file), {})});
         constexpr std::size_t largest = 100'000;
         if (!scene)
             continue;

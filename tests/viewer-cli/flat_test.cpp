@@ -111,9 +111,10 @@ TEST_F(FlatTest, ADamagedTraceIsRefusedAndNoFileIsLeft) {
           "head -n 20 whole.jsonl >cut.jsonl; "
           "sed '9s/\"y\":[0-9]*/\"y\":\"?\"/' whole.jsonl >damaged.jsonl; "
           "sed 's/\"steps\":62/\"steps\":63/' whole.jsonl >miscounted.jsonl");
-    for (const std::string name : {"none.jsonl", "cut.jsonl", "damaged.jsonl", "miscounted.jsonl"}) {
-        const Outcome refused = shell("$rastertrace trace " + name +
-                                      " --flat -o out; s=$?; test ! -e out && exit $s");
+    for (const std::string name :
+         {"none.jsonl", "cut.jsonl", "damaged.jsonl", "miscounted.jsonl"}) {
+        const Outcome refused =
+            shell("$rastertrace trace " + name + " --flat -o out; s=$?; test ! -e out && exit $s");
         EXPECT_EQ(refused.status, 2) << name;
         EXPECT_EQ(refused.err, shell("$rastertrace stats " + name).err);
     }

@@ -92,7 +92,8 @@ double one_rounding_of(const Trace& trace) {
 }
 
 /// Judges all triangles with area by samples that are so far from the integer points.
-void judge_by_samples(double offset, const Trace& trace, std::vector<Cornered>& fills, Stats& stats) {
+void judge_by_samples(double offset, const Trace& trace, std::vector<Cornered>& fills,
+                      Stats& stats) {
     const CanvasSamples grid{trace.canvas, offset, one_rounding_of(trace)};
     for (Cornered& fill : fills) {
         const Coverage& coverage =

@@ -64,7 +64,7 @@ struct Subject {
     std::size_t decided_step = 0;                 ///< of `decided`
     std::string absence = {};                     ///< why there is no such step
     bool is_left_out = false; ///< it may be one of those that the trace leaves out
-    bool culls = true; ///< of a face: the scene tests faces by itself
+    bool culls = true;        ///< of a face: the scene tests faces by itself
 };
 
 /// Finds it. Throws a Problem that points at a name which the scene does not have, or at a claim that several

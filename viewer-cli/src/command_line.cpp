@@ -115,8 +115,7 @@ const std::array<MakersOfGroup, 5> command_groups{
      {"Work by hand", {check_command, sheet_command}},
      {"Test a renderer", {diff_command, diagnose_command, fuzz_command}},
      {"Error and time", {stress_command, report_command}},
-     {"Files and pages",
-      {validate_command, plan_command, examples_command, renew_command}}}};
+     {"Files and pages", {validate_command, plan_command, examples_command, renew_command}}}};
 
 bool has_word(std::span<const char* const> words, std::string_view word) {
     return std::ranges::find(words, word) != words.end();

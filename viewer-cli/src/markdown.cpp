@@ -12,11 +12,4 @@ std::string in_markdown(const std::string& text) {
     return escaped;
 }
 
-std::string fenced(const std::string& lines) {
-    std::string fence = "```";
-    while (lines.find(fence) != std::string::npos)
-        fence += '`';
-    return fence + "\n" + lines + fence + "\n";
-}
-
 } // namespace rastertrace

@@ -10,7 +10,4 @@ namespace rastertrace {
 /// The text of a cell: printable, on one line; a bar would end the cell.
 std::string in_markdown(const std::string& text);
 
-/// Lines between fences that are longer than any run of backticks in them.
-std::string fenced(const std::string& lines);
-
 } // namespace rastertrace
