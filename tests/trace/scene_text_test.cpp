@@ -34,15 +34,19 @@ std::string fault_of(const std::string& text) {
 
 TEST(TrianglesText, IsTheSceneThatItSays) {
     const std::string text = "\xEF\xBB\xBF# a comment\r\ncanvas 20 14\r\n\ttri A 1 1 0 18 2.5 0 9 "
-                             "12 0 # the first\r\n\r\nline L 0 0 0 7 3 0\nclip C -1 -1 0 1 1.6 -1 "
-                             "0.4 2 0 1/2 0 1";
+                             "12 0 # the first\r\n\r\nline L 0 0 0 7 3 0";
     const std::string scene =
         R"({"canvas":{"width":20,"height":14,"origin":"top-left"},"vertices":{"A":[1,1,0],)"
-        R"("B":[18,2.5,0],"C":[9,12,0],"D":[0,0,0],"E":[7,3,0],"F":[-1,-1,0,1],"G":[1.6,-1,0.4,2],)"
-        R"("H":[0,"1/2",0,1]},"triangles":["ABC","FGH"],"lines":["DE"]})";
+        R"("B":[18,2.5,0],"C":[9,12,0],"D":[0,0,0],"E":[7,3,0]},"triangles":["ABC"],"lines":["DE"]})";
     EXPECT_TRUE(is_foreign_scene({"t", text}));
     EXPECT_FALSE(is_foreign_scene({"t", scene}));
     EXPECT_TRUE(colors_of(text) == colors_of(scene));
+
+    const std::string in_clip_space = "canvas 20 14\nclip C -1 -1 0 1 1.6 -1 0.4 2 0 1/2 0 1";
+    const std::string clip_scene =
+        R"({"canvas":{"width":20,"height":14,"origin":"top-left"},"vertices":{"A":[-1,-1,0,1],)"
+        R"("B":[1.6,-1,0.4,2],"C":[0,"1/2",0,1]},"triangles":["ABC"]})";
+    EXPECT_TRUE(colors_of(in_clip_space) == colors_of(clip_scene));
 }
 
 TEST(TrianglesText, IsRefusedAtThePlaceOfItsFault) {

@@ -4,6 +4,7 @@
 
 #include "effort.h"
 #include "program.h"
+#include "random_choice.h"
 
 #include <gmock/gmock.h>
 
@@ -43,7 +44,9 @@ protected:
         for (const std::string_view question : questions) {
             const std::size_t name = question.find(" t") + 1;
             std::string piped(question);
-            piped[name] = '-';
+            // explain holds only the steps about its pixel of a pipe, so it cannot compare the picture's hash.
+            if (!question.starts_with("explain"))
+                piped[name] = '-';
             const std::string end = " 2>&1; echo \"status $?\"; ";
             of_file += "$rastertrace " + std::string(question) + end;
             of_pipe += "cat t | $rastertrace " + piped + end;
