@@ -211,7 +211,7 @@ function problems_in(output, matchers) {
 const bad_files = [ // kind, name, text, line, column, words of the command
   ["a scene", "bad.json", '{"vertices": {"A": [2, 5]},\n "lines": ["AB"]}', 2, 14, ["validate"]],
   ["a scene that is no JSON", "cut.json", '{"vertices": {"A": [2, 5]', 1, 26, ["show"]],
-  ["an OBJ file", "bad.obj", "v 0 0 0\nf 1 2 3\n", 2, 5, ["scene"]],
+  ["an OBJ file", "bad.obj", "v 0 0 0\nf 1 2 3\n", 2, 5, ["show"]],
   ["a mesh of a scene", "bad.obj", "", 2, 5, ["validate", "mesh.json"]],
   ["a lost mesh", "mesh2.json", '{"meshes": [{"obj": "none.obj"}]}', 1, 21, ["validate"]],
   ["a trace", "bad.jsonl", '{"rastertrace":1,"canvas":{"width":9,"height":9}}\n{"step":5}\n{"end":{"steps":1}}\n', 2, 1, ["validate"]],

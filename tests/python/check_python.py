@@ -178,9 +178,9 @@ class Answers(InFolder):
         self.assertEqual(answer.data["first"]["fields"], [{"field": "from", "a": -1, "b": 0, "distance": 1}])
         self.assertEqual(answer.data["picture"]["only_a"], 49 - 45)
 
-    def test_options_of_diff_name_files_of_the_current_folder(self):
-        pathlib.Path("rules.json").write_text('{"ignore": ["scanline.from", "pixel", "header"]}', encoding="utf-8")
-        self.assertTrue(Trace(FIRST).diff(Trace(FIRST, rounding="truncate"), rules="rules.json"))
+    def test_options_of_diff_are_those_of_the_command(self):
+        truncated = Trace(FIRST, rounding="truncate")
+        self.assertTrue(Trace(FIRST).diff(truncated, ignore="scanline.from,pixel,header"))
 
 
 class Figures(InFolder):
