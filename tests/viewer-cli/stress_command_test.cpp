@@ -50,7 +50,6 @@ TEST_F(ProgramTest, StressWritesTheEntriesOfTheDocumentation) {
         "### L2: many ties\n"
         "\n"
         "(0,0)-(60,10).\n"
-        "The gcd is 10: ten pixels lie halfway between two rows.\n"
         "\n"
         "61 pixels. Naive with half away from zero and Bresenham differ at the 10 "
         "ties, "
@@ -64,9 +63,6 @@ TEST_F(ProgramTest, StressWritesTheEntriesOfTheDocumentation) {
         "### L6: control: long, but not stiff\n"
         "\n"
         "(0,0)-(4095,4094).\n"
-        "A pixel in 1/8190 of a tie, and sums that may lose 2 px in float; but the roundings "
-        "of a "
-        "slope this near to 1 do not add up.\n"
         "\n"
         "Every pixel right, with every method.\n"
 
@@ -78,7 +74,6 @@ TEST_F(ProgramTest, StressWritesTheEntriesOfTheDocumentation) {
         "### P7: no normal, no view\n"
         "\n"
         "B = C; the eye on a vertex; the eye in the plane.\n"
-        "A vector of length 0 has no cosine: 0/0.\n"
         "\n"
         "Not drawn, and nothing is normalized to decide it. A textbook's N.E/|N.E| is "
         "0/0.\n");
@@ -95,9 +90,7 @@ TEST_F(ProgramTest, StressWritesEntriesThatMarkdownReadsAsTheyAre) {
     EXPECT_THAT(entry("P9"), HasSubstr("eye = look\\_at"));
     // What is code already stays, and what is a number's name.
     EXPECT_THAT(entry("L11"), HasSubstr("a loop `while (x < x1)` draws none"));
-    EXPECT_THAT(entry("L11"), HasSubstr("\ndx = 0, and dx &lt; 0.\n"));
     EXPECT_THAT(entry("P6"), HasSubstr("\nnormal . view = -1: a back face. "));
-    EXPECT_THAT(entry("X9"), HasSubstr("\nThe pictures are the same; are the steps?\n"));
     EXPECT_THAT(entry("Z14"),
                 HasSubstr("\n- scanline, rounded ends: 17 pixels wrong (float, double, "
                           "adaptive, exact); 16 pixels wrong (fixed)\n"));

@@ -70,7 +70,7 @@ std::string as_sentence(std::string_view text) {
     std::string sentence(text);
     if (begins_with_word(text))
         sentence.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(text[0])));
-    if (!sentence.ends_with('.') && !sentence.ends_with(".)") && !sentence.ends_with('?'))
+    if (!sentence.ends_with('.') && !sentence.ends_with(".)"))
         sentence += '.';
     return in_item(sentence);
 }
@@ -131,9 +131,9 @@ std::string failing_items(const RunCase& one) {
 
 std::string as_markdown(const RunCase& one) {
     const StressCase& about = *one.about;
-    return fmt::format("\n### {}\n\n{}{}\n{}\n\n{}\n{}", in_page(heading_of(about)),
+    return fmt::format("\n### {}\n\n{}{}\n\n{}\n{}", in_page(heading_of(about)),
                        as_sentence(about.input), about.scenes().empty() ? " No scene." : "",
-                       as_sentence(about.why), as_sentence(about.holds), failing_items(one));
+                       as_sentence(about.holds), failing_items(one));
 }
 
 } // namespace
