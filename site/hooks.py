@@ -61,12 +61,12 @@ def navigation(sections, pages):
 
 
 def sections_of(contents, folder):
-    """The sections of the list of contents: each heading, and the pages of the table below it."""
+    """The sections of the list of contents: each heading, and the pages of the list below it."""
     sections = []
     for line in contents.splitlines():
         if heading := re.fullmatch("## (.*)", line):
             sections.append((heading[1], []))
-        elif page := re.match(r"\| \[(.*?)\]\((.*?)\)", line):
+        elif page := re.match(r"- \[(.*?)\]\((.*?)\)", line):
             sections[-1][1].append((os.path.normpath(os.path.join(folder, page[2])), None))
     return sections
 
