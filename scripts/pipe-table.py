@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""Prints the table of docs/performance.md, "Traces": the processor time of whole processes that read a trace
+"""Prints what docs/performance.md tells in "Traces": the processor time of whole processes that read a trace
 from a pipe, the exponent of its growth from the first number of steps that takes 50 ms or more to the last, and their
 peak resident memory.
 

@@ -1,5 +1,5 @@
 #!/bin/sh
-# Prints the tables "what leaving stages out saves" of docs/performance.md: time, memory and trace of
+# Prints what leaving stages out saves (docs/performance.md has results): time, memory and trace of
 # planned and full drawing, and what each stage adds where it is kept. Needs jq, and the benchmarks:
 #
 #     cmake --preset bench && cmake --build build/bench && scripts/stage-table.sh

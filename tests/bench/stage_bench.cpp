@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // What each stage costs where the scene does not need it: planning and drawing with no sink, by the
-// plan, with one stage kept, and with all. scripts/stage-table.sh makes the tables of
-// docs/performance.md from it.
+// plan, with one stage kept, and with all. scripts/stage-table.sh makes tables from it, and
+// docs/performance.md has results.
 
 #include <rastertrace/core/draw/draw.h>
 #include <rastertrace/trace/record/step_writer.h>
