@@ -114,7 +114,8 @@ async function main() {
   checks_of.totals(await rows_of(queries.get("totals")), examples);
   for (const [name, stats] of Object.entries(examples)) {
     await run(all.replace("*.jsonl", `all/${name}.jsonl`)); // faster
-    for (const query of ["overdraw", "fights"])
+    // A table has the columns of its steps alone.
+    for (const [query, kind] of [["overdraw", "pixel"], ["fights", "depth"]]) if (stats.count[kind])
       checks_of[query](await rows_of(queries.get(query).replace("'cubes'", `'${name}'`)), stats, name);
   }
 
