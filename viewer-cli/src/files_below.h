@@ -3,7 +3,7 @@
 
 // The files of a folder that a command is given whole.
 //
-//     for (const std::string& name : files_below("class", "sheets"))
+//     for (const std::string& name : files_below("goldens", "traces"))
 
 #include <string>
 #include <string_view>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Many jobs, several at once: sheets of a class, scenes of a folder, runs of a program. What comes of them must not
+// Many jobs, several at once: runs of a program on random scenes. What comes of them must not
 // depend on their order.
 //
 //     JobRunner runner({.doing = "check", .unit = "sheets", .count = names.size(), .at_once = 2});
