@@ -25,8 +25,8 @@ double nearest_double(const mpq_class& value) {
     return std::bit_cast<std::uint64_t>(inner) % 2 == 0 ? inner : outer;
 }
 
-double nearest_quotient(Int128 above, Int128 below) {
-    return nearest_double(exact(Fraction128{above, below}));
+double nearest_quotient(std::int64_t above, std::int64_t below) {
+    return nearest_double(exact(Fraction64{above, below}));
 }
 
 float nearest_float(const mpq_class& value) {

@@ -293,11 +293,8 @@ private:
         add_scalar<double>("double", direct_walk<double>());
         switch (const Fit fit = fit_of_edges(); fit) {
         case Fit::in_64:
-            return add(exact_setting("exact"), fraction_inputs<std::int64_t>(),
-                       direct_walk<Fraction64>());
+            return add(exact_setting("exact"), fraction_inputs(), direct_walk<Fraction64>());
         case Fit::in_128:
-            return add(exact_setting("exact"), fraction_inputs<Int128>(),
-                       direct_walk<Fraction128>());
         case Fit::beyond:
             return add(exact_setting("exact"), inputs_of<Rational>(), direct_walk<Rational>());
         }
@@ -425,11 +422,10 @@ private:
                 whole(edge.end.y), whole(Rational(1))};
     }
 
-    template <typename Integer>
-    std::shared_ptr<std::vector<EdgeInput<ScalarEnds<Fraction<Integer>>>>> fraction_inputs() const {
-        auto inputs = std::make_shared<std::vector<EdgeInput<ScalarEnds<Fraction<Integer>>>>>();
+    std::shared_ptr<std::vector<EdgeInput<ScalarEnds<Fraction64>>>> fraction_inputs() const {
+        auto inputs = std::make_shared<std::vector<EdgeInput<ScalarEnds<Fraction64>>>>();
         for (const ExactEdge& edge : edges_) {
-            const auto [x1, y1, x2, y2, unit] = whole_edge<Integer>(edge);
+            const auto [x1, y1, x2, y2, unit] = whole_edge<std::int64_t>(edge);
             inputs->push_back({{{{{x1, unit}, {y1, unit}}}, {{{x2, unit}, {y2, unit}}}},
                                edge.first_y,
                                edge.rows});

@@ -518,7 +518,7 @@ constexpr auto edge_functions_catalogue = std::to_array<StressCase>({
      .input = "a triangle n pixels wide, s subpixel bits, products in int32 or int64",
      .why = "an edge value is the difference of two products of extents",
      .holds = "int32 is safe up to n = 32767, 2047, 127, 7, 0 for s = 0, 4, 8, 12, 16; int64 up "
-              "to 8,388,607 for s = 8. Beyond that, `fixed` takes 128 bits.",
+              "to 8,388,607 for s = 8. Beyond that, `fixed` takes fractions of any size.",
      .scenes = [] { return only(wide_triangle(8'388'608)); },
      .run = c9_overflowing_products},
     {.id = "C10",

@@ -51,7 +51,7 @@ TwoPictures pictures_of(const std::array<std::int64_t, 6>& at,
 }
 
 template <typename Scalar> class HalfSpace : public testing::Test {};
-using EveryScalar = testing::Types<float, double, Fraction64, Fraction128, Rational, Adaptive>;
+using EveryScalar = testing::Types<float, double, Fraction64, Rational, Adaptive>;
 TYPED_TEST_SUITE(HalfSpace, EveryScalar);
 
 TYPED_TEST(HalfSpace, HasThePixelsThatTheTopLeftFillFindsRowByRow) {
@@ -82,7 +82,7 @@ TYPED_TEST(HalfSpace, HasThePixelsThatTheTopLeftFillFindsRowByRow) {
 }
 
 template <typename Scalar> class PlaneOfDepths : public testing::Test {};
-using ScalarsWithRoundedDepths = testing::Types<float, double, Fraction64, Fraction128>;
+using ScalarsWithRoundedDepths = testing::Types<float, double, Fraction64>;
 TYPED_TEST_SUITE(PlaneOfDepths, ScalarsWithRoundedDepths);
 
 TYPED_TEST(PlaneOfDepths, IsPaintedByPlanePainterAsByRowPainter) {

@@ -421,7 +421,6 @@ RC_GTEST_PROP(ScanlineFill, DrawsTheSameWithEveryExactType, ()) {
     const Plan plan = plan_for(scene);
     RC_ASSERT(plan.number == NumberType::fraction64);
     const std::string picture = picture_of(draw(scene, plan));
-    RC_ASSERT(picture_of(draw_with(NumberType::fraction128, scene)) == picture);
     RC_ASSERT(picture_of(draw_with(NumberType::rational, scene)) == picture);
 }
 

@@ -55,7 +55,6 @@ RC_GTEST_PROP(FloorAndCeil, AreTheSameForEveryScalar, ()) {
     as_rational.canonicalize();
     RC_ASSERT(floor_index(as_double) == below);
     RC_ASSERT(floor_index(Fraction64{eighths, 8}) == below);
-    RC_ASSERT(floor_index(Fraction128{eighths, 8}) == below);
     RC_ASSERT(floor_index(as_rational) == below);
     RC_ASSERT(ceil_index(as_double) == above);
     RC_ASSERT(ceil_index(Fraction64{eighths, 8}) == above);
@@ -68,7 +67,7 @@ TEST(FloorAndCeil, StayWithinTheFarthestIndex) {
     EXPECT_EQ(ceil_index(-1e300), -farthest_index);
     EXPECT_EQ(floor_index(Rational("100000000000000000000000000")), farthest_index);
     EXPECT_EQ(floor_index(Rational("-100000000000000000000000000/3")), -farthest_index);
-    EXPECT_EQ(floor_index(Fraction128{Int128{1} << 100}), farthest_index);
+    EXPECT_EQ(floor_index(Fraction64{std::int64_t{1} << 60}), farthest_index);
     EXPECT_EQ(floor_index(-0.0), 0);
     EXPECT_EQ(floor_index(-5e-324), -1);
 }

@@ -74,14 +74,13 @@ RC_GTEST_PROP(FormatNumber, WritesFractionsInLowestTerms, (std::int32_t above)) 
     value.canonicalize();
     const std::string expected = "\"" + value.get_str() + "\"";
     RC_ASSERT(text_of(Fraction64{above, below}) == expected);
-    RC_ASSERT(text_of(Fraction128{above, below}) == expected);
     RC_ASSERT(text_of(value) == expected);
 }
 
 TEST(FormatNumber, WritesTheLargestFractions) {
-    const Int128 largest = (Int128{1} << 126) - 1 + (Int128{1} << 126);
-    EXPECT_EQ(text_of(Fraction128{-largest, 2}), "\"-170141183460469231731687303715884105727/2\"");
-    EXPECT_EQ(text_of(Fraction128{1, largest}), "\"1/170141183460469231731687303715884105727\"");
+    const std::int64_t largest = std::numeric_limits<std::int64_t>::max();
+    EXPECT_EQ(text_of(Fraction64{-largest, 2}), "\"-9223372036854775807/2\"");
+    EXPECT_EQ(text_of(Fraction64{1, largest}), "\"1/9223372036854775807\"");
     EXPECT_EQ(text_of(Fraction64{-25, 8}), "\"-25/8\"");
     EXPECT_EQ(text_of(Fraction64{24, 8}), "\"3\"");
     EXPECT_EQ(text_of(Fraction64{0, 8}), "\"0\"");

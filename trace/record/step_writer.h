@@ -331,7 +331,7 @@ private:
         return room_for(number);
     }
     std::size_t size_of(const Quantity& number) const {
-        constexpr std::size_t fits_all_but_rationals = room_for(Fraction128{});
+        constexpr std::size_t fits_all_but_rationals = room_for(Fraction64{});
         const Rational* const rational = number.rational();
         return rational ? size_of(*rational) : fits_all_but_rationals;
     }

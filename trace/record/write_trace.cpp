@@ -30,8 +30,6 @@ std::string_view numbers_in_words(const Scene& scene, const Plan& plan) {
     switch (plan.number) {
     case NumberType::fraction64:
         return "fractions of 64 bits";
-    case NumberType::fraction128:
-        return "fractions of 128 bits";
     case NumberType::rational:
         return "fractions of any size";
     case NumberType::adaptive:

@@ -63,9 +63,6 @@ constexpr std::size_t room_for(double) {
 constexpr std::size_t room_for(const Fraction64&) {
     return 2 * 20 + 3;
 }
-constexpr std::size_t room_for(const Fraction128&) {
-    return 2 * 40 + 3;
-}
 inline std::size_t room_for(const Rational& value) {
     return mpz_sizeinbase(value.get_num_mpz_t(), 10) + mpz_sizeinbase(value.get_den_mpz_t(), 10) +
            6;
@@ -157,40 +154,14 @@ inline char* format_number(char* out, float value) {
     return std::to_chars(out, out + 32, value == 0 ? 0 : value).ptr;
 }
 
-/// A whole number of any size, without quotes.
-inline char* format_whole(char* out, Int128 value) {
-    UInt128 rest = value < 0 ? -static_cast<UInt128>(value) : static_cast<UInt128>(value);
-    if (value < 0)
-        *out++ = '-';
-    std::array<char, 40> digits;
-    std::size_t first = digits.size();
-    do {
-        digits[--first] = static_cast<char>('0' + static_cast<int>(rest % 10));
-        rest /= 10;
-    } while (rest != 0);
-    std::memcpy(out, digits.data() + first, digits.size() - first);
-    return out + (digits.size() - first);
-}
-
-inline char* format_whole(char* out, std::int64_t value) {
-    return format_number(out, value);
-}
-
 /// An exact number in lowest terms: "25/8", or "3" if it is whole.
-template <typename Integer> char* format_number(char* out, const Fraction<Integer>& value) {
-    // Euclid's algorithm; std::gcd takes no 128-bit integers everywhere.
-    Integer divisor = value.denominator;
-    for (Integer rest = value.numerator < 0 ? -value.numerator : value.numerator; rest != 0;) {
-        const Integer next = divisor % rest;
-        divisor = rest;
-        rest = next;
-    }
-
+inline char* format_number(char* out, const Fraction64& value) {
+    const std::int64_t divisor = std::gcd(value.numerator, value.denominator);
     *out++ = '"';
-    out = format_whole(out, static_cast<Integer>(value.numerator / divisor));
+    out = format_number(out, value.numerator / divisor);
     if (value.denominator != divisor) {
         *out++ = '/';
-        out = format_whole(out, static_cast<Integer>(value.denominator / divisor));
+        out = format_number(out, value.denominator / divisor);
     }
     *out++ = '"';
     return out;

@@ -87,8 +87,7 @@ bool all_coordinates(const Scene&, const ScreenList<Coordinate>& list, IsFine&& 
                        });
 }
 
-/// A plan with the narrowest type of fractions over `denominator` in which no step of drawing can
-/// overflow.
+/// A plan with fractions over `denominator`: on 64 bits, if no step of drawing can overflow.
 template <typename AList>
 Plan plan_in_fractions(const Scene& scene, const AList& list, std::int64_t denominator) {
     std::uint64_t largest = 0;
@@ -103,10 +102,9 @@ Plan plan_in_fractions(const Scene& scene, const AList& list, std::int64_t denom
     const int bits = bits_of_drawing(
         scene, static_cast<int>(std::bit_width(largest)),
         static_cast<int>(std::bit_width(static_cast<std::uint64_t>(denominator - 1))));
-    if (!all_fit || bits >= 128)
+    if (!all_fit || bits >= 64)
         return {.number = NumberType::rational};
-    return {.number = bits < 64 ? NumberType::fraction64 : NumberType::fraction128,
-            .denominator = denominator};
+    return {.number = NumberType::fraction64, .denominator = denominator};
 }
 
 /// The least common multiple of two denominators, if both are known and it fits.
@@ -129,7 +127,7 @@ std::int64_t denominator_of_samples(const Scene& scene) {
 }
 
 /// A plan with the narrowest exact type in which no step of the fill can overflow, for all of the
-/// scene. Depths, and colors in a perspective, are quotients of quotients: for them, any size.
+/// scene: fractions on 64 bits, or of any size. Depths, and colors in a perspective, are quotients of quotients: for them, any size.
 template <typename AList> Plan plan_in_exact_numbers(const Scene& scene, const AList& list) {
     if (scene.has_depth_buffer() || scene.mixes_in_perspective())
         return {.number = NumberType::rational};
@@ -156,7 +154,6 @@ std::size_t depth_size_of(NumberType number) {
         return sizeof(double) + sizeof(std::uint32_t);
     case NumberType::binary64:
     case NumberType::fraction64:
-    case NumberType::fraction128:
         return sizeof(double);
     }
     not_an_enumerator();

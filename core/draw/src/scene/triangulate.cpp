@@ -125,7 +125,7 @@ void measure_plane(std::span<const std::array<Whole, 3>> corners,
 }
 
 Rational fraction(Int128 number) {
-    return exact(Fraction128(number));
+    return exact(Fraction<Int128>(number));
 }
 Rational fraction(const mpz_class& number) {
     return number;

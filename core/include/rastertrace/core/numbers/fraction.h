@@ -67,10 +67,9 @@ template <typename Scalar> inline constexpr bool is_fraction = false;
 template <typename Integer> inline constexpr bool is_fraction<Fraction<Integer>> = true;
 
 using Fraction64 = Fraction<std::int64_t>;
-using Fraction128 = Fraction<Int128>;
 
 /// The double nearest to above/below, for a positive divisor.
-double nearest_quotient(Int128 above, Int128 below);
+double nearest_quotient(std::int64_t above, std::int64_t below);
 
 /// The double nearest to a fraction.
 template <typename Integer> double to_double(const Fraction<Integer>& number) {

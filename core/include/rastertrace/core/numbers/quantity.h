@@ -18,9 +18,8 @@ public:
     Quantity() = default;
     Quantity(float value) : held_(value) {}              // NOLINT: a number is a quantity
     Quantity(double value) : held_(value) {}             // NOLINT
-    Quantity(const Fraction64& value) : held_(value) {}  // NOLINT
-    Quantity(const Fraction128& value) : held_(value) {} // NOLINT
-    Quantity(const Rational& value) : held_(&value) {}   // NOLINT
+    Quantity(const Fraction64& value) : held_(value) {} // NOLINT
+    Quantity(const Rational& value) : held_(&value) {}  // NOLINT
     Quantity(Rational&&) = delete;                       // the reference would dangle
 
     /// The nearest double.
@@ -57,7 +56,7 @@ public:
     friend bool operator==(const Quantity& a, const Quantity& b) { return a.exact() == b.exact(); }
 
 private:
-    std::variant<double, float, Fraction64, Fraction128, const Rational*> held_;
+    std::variant<double, float, Fraction64, const Rational*> held_;
 };
 
 inline double to_double(const Quantity& quantity) {

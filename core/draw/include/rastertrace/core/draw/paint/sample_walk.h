@@ -114,14 +114,9 @@ public:
     /// D, a pixel's side.
     const Divisor<Length>& pixel() const { return pixel_; }
 
-    /// A row or column as an index. 64 bits need no clamping: plan.h takes them only for
+    /// A row or column as an index. It needs no clamping: plan.h takes fractions only for
     /// coordinates of less than 32 bits.
-    static Index index_from(Length whole) {
-        if constexpr (sizeof(Length) <= sizeof(Index))
-            return static_cast<Index>(whole);
-        else
-            return static_cast<Index>(std::clamp<Length>(whole, -farthest_index, farthest_index));
-    }
+    static Index index_from(Length whole) { return static_cast<Index>(whole); }
 
 private:
     Divisor<Integer> pixel_;

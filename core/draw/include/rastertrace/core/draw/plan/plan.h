@@ -25,7 +25,7 @@ namespace rastertrace {
 inline constexpr std::int64_t fixed_grid = 256;
 
 /// The C++ type that stands for the scene's kind of scalar.
-enum class NumberType { binary32, binary64, adaptive, fraction64, fraction128, rational };
+enum class NumberType { binary32, binary64, adaptive, fraction64, rational };
 
 /// Moves the primitives of a scene to the screen, in the numbers that its kind of scalar asks for.
 AnyScreenList screen_list_for(const Scene& scene);
@@ -56,8 +56,6 @@ template <typename DrawWith> decltype(auto) with_scalar(const Plan& plan, DrawWi
         return draw_with.template operator()<Adaptive>();
     case NumberType::fraction64:
         return draw_with.template operator()<Fraction64>();
-    case NumberType::fraction128:
-        return draw_with.template operator()<Fraction128>();
     case NumberType::rational:
         return draw_with.template operator()<Rational>();
     case NumberType::binary64:

@@ -1,9 +1,0 @@
-// SPDX-License-Identifier: MIT
-#include "draw_in.h"
-#include "draw_scalar.h"
-
-namespace rastertrace {
-
-template Image draw_in<Fraction128>(const Scene&, const Plan&, const Listener&, Fallbacks*);
-
-} // namespace rastertrace
