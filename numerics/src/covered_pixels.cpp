@@ -69,7 +69,7 @@ Number number_of(double x) {
 CountedPixels counted_pixels(const Scene& scene, const Plan& plan) {
     CountedPixels counted;
     with_scalar(plan, [&]<typename Scalar>() {
-        if constexpr (!std::same_as<Scalar, Adaptive>)
+        if constexpr (!std::same_as<Scalar, Interval>)
             counted.pixels = count<Scalar>(scene, plan, counted.work);
     });
     return counted;
@@ -85,7 +85,7 @@ PixelSets pixels_when_snapped(const Scene& scene, const Plan& plan) {
     snapped.method.snap = Snap::none;
     std::vector<std::size_t> numbers;
     with_scalar(plan, [&]<typename Scalar>() {
-        if constexpr (!std::same_as<Scalar, Adaptive>)
+        if constexpr (!std::same_as<Scalar, Interval>)
             for (const auto& triangle : triangles_to_fill<Scalar>(scene, plan)) {
                 const std::size_t first = snapped.vertices.size();
                 for (const auto& position : triangle.positions)

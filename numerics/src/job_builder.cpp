@@ -3,7 +3,6 @@
 
 #include "placed_triangles.h"
 
-#include <rastertrace/core/draw/filtered/filtered.h> // edges of Adaptive
 #include <rastertrace/core/draw/paint/fill.h>
 #include <rastertrace/trace/scene/refusal.h>
 #include <rastertrace/trace/text/method_names.h>

@@ -2,14 +2,14 @@
 #pragma once
 
 // The scalar `adaptive` in the report. It is timed like the other scalars, on triangles that are placed
-// already: those in filtered doubles, and the same in rationals for what doubles leave open. Bounds on
-// errors, and exact numbers where they are needed, are part of what is timed.
+// already. Each is tried in intervals, then done in doubles; or in rationals, if the intervals leave
+// something open. All of that is timed.
 //
 //     AdaptiveTriangles triangles(scene, plan);
 //     for (const AdaptiveTriangles::Placed& one : triangles.placed)
-//         fill(Triangle<Adaptive>{one.filtered->positions}, ...);
+//         if (one.is_decided([&](const Piece<Interval>& piece) { fill(...); }))
+//             fill(Triangle<double>{one.doubles.positions}, ...);
 
-#include <rastertrace/core/draw/filtered/exactly.h>
 #include <rastertrace/core/draw/list/pieces.h>
 #include <rastertrace/core/draw/plan/plan.h>
 #include <rastertrace/core/draw/scene/scene.h>
@@ -27,13 +27,24 @@ namespace rastertrace {
 /// filled, tested and colored again and again.
 struct AdaptiveTriangles {
     struct Placed {
-        PieceIndex index;
-        std::optional<Piece<Adaptive>>
-            filtered; ///< none if doubles leave its face or clipping open
+        std::optional<Piece<Interval>> intervals; ///< none if they leave its face or clipping open
+        Piece<double> doubles;                    ///< the middles of these
         Piece<Rational> exact;
+
+        /// True if `try_out(intervals)` decides everything.
+        template <typename TryOut> bool is_decided(TryOut&& try_out) const {
+            if (!intervals)
+                return false;
+            try {
+                try_out(*intervals);
+                return true;
+            } catch (const Undecided&) {
+                return false;
+            }
+        }
     };
 
-    /// Of a plan that draws with filtered doubles.
+    /// Of a plan that draws in intervals.
     AdaptiveTriangles(const Scene& scene, const Plan& plan);
     AdaptiveTriangles(const AdaptiveTriangles&) = delete;
     AdaptiveTriangles& operator=(const AdaptiveTriangles&) = delete;
@@ -41,14 +52,8 @@ struct AdaptiveTriangles {
     /// Which triangles of the scene they are, in order.
     std::vector<std::size_t> primitives() const;
 
-    /// Before everything is done once more: no piece has been drawn.
-    void begin();
-    /// What follows is about the next piece.
-    void begin(const Placed& piece) { exactness.drawn.push_back(piece.index); }
-
     const Scene scene;
     const Plan plan;
-    Exactness exactness;
     std::vector<Placed> placed;
 };
 

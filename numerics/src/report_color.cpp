@@ -6,7 +6,6 @@
 #include "placed_triangles.h"
 #include "report_adaptive.h"
 
-#include <rastertrace/core/draw/filtered/exactly.h>
 #include <rastertrace/core/draw/paint/fill.h>
 #include <rastertrace/core/raster/mixed_colors.h>
 #include <rastertrace/numerics/knobs.h>
@@ -109,7 +108,7 @@ private:
         exact.method.color_rounding = rounding;
         const Plan plan = plan_for(exact);
         with_scalar(plan, [&]<typename Scalar>() {
-            if constexpr (!std::same_as<Scalar, Adaptive>) {
+            if constexpr (!std::same_as<Scalar, Interval>) {
                 const auto input = input_of<Scalar>(exact, plan);
                 exact_[rounding] = in_perspective ? mixed<true>(*input, *pieces_, rounding)
                                                   : mixed<false>(*input, *pieces_, rounding);
@@ -227,7 +226,7 @@ private:
             return builder_.add_failure(setting.name, setting.label, refusal);
         const Plan plan = plan_for(scene);
         with_scalar(plan, [&]<typename Scalar>() {
-            if constexpr (std::same_as<Scalar, Adaptive>) {
+            if constexpr (std::same_as<Scalar, Interval>) {
                 add_adaptive(scene, plan, std::move(setting), stage);
             } else {
                 const auto input = input_of<Scalar>(scene, plan);
@@ -245,33 +244,36 @@ private:
         });
     }
 
-    /// The colors of all pixels as `adaptive` mixes them: a bound for each triangle, and rationals
-    /// for a pixel whose level it leaves open.
-    static std::vector<Color> mixed_adaptively(AdaptiveTriangles& input,
+    /// The colors of all pixels as `adaptive` mixes them. Adds the triangles that take rationals to
+    /// `left_open`.
+    static std::vector<Color> mixed_adaptively(const AdaptiveTriangles& input,
                                                const std::vector<SpansOfPiece>& pieces,
-                                               ColorStage stage, ColorRounding rounding) {
+                                               ColorStage stage, ColorRounding rounding,
+                                               std::uint64_t& left_open) {
         std::vector<Color> colors;
-        input.begin();
         for (std::size_t i = 0; i < input.placed.size(); ++i) {
             const AdaptiveTriangles::Placed& one = input.placed[i];
-            input.begin(one);
-            const auto mix = [&]<typename Scalar>(const Piece<Scalar>& piece) {
-                std::optional<MixedColors<Adaptive>> paint;
+            const auto mix = [&]<typename Scalar>(const Piece<Scalar>& piece, auto&& take) {
                 const Barycentric<Scalar> barycentric(Triangle<Scalar>{piece.positions});
-                if (barycentric.area2() != scalar_from<Scalar>(0))
-                    paint = mixed_colors(piece, stage, rounding, input.exactness);
+                const bool has_area = barycentric.area2() != scalar_from<Scalar>(0);
+                const MixedColors<Scalar> paint{
+                    piece.colors, barycentric,
+                    sample_offset<Scalar>(input.scene, sample_of(input.scene.method), 1),
+                    piece.inverse_w, rounding};
                 for (const PieceSpan& span : pieces[i].spans)
                     for (int x = span.from; x <= span.to; ++x)
-                        colors.push_back(!paint ? piece.colors[0]
-                                         : stage == ColorStage::perspective
-                                             ? paint->at<true>({x, span.y})
-                                             : paint->at<false>({x, span.y}));
+                        take(!has_area ? piece.colors[0]
+                             : stage == ColorStage::perspective
+                                 ? paint.template at<true>({x, span.y})
+                                 : paint.template at<false>({x, span.y}));
             };
-            // Nothing is mixed before it is certain that the triangle has area.
-            if (one.filtered && !left_open_by([&] { mix(*one.filtered); }))
-                continue;
-            ++input.exactness.fallbacks.primitives;
-            mix(one.exact);
+            const auto add = [&colors](Color color) { colors.push_back(color); };
+            if (one.is_decided([&](const auto& piece) { mix(piece, [](Color) {}); })) {
+                mix(one.doubles, add);
+            } else {
+                ++left_open;
+                mix(one.exact, add);
+            }
         }
         return colors;
     }
@@ -283,17 +285,19 @@ private:
                 setting.name, setting.label,
                 "clipping has left other triangles than in exact arithmetic");
         const ColorRounding rounding = scene.method.color_rounding;
-        const auto colors = mixed_adaptively(*input, *pieces_, stage, rounding);
-        const Fallbacks& fallbacks = input->exactness.fallbacks;
-        Setting adaptive = adaptive_setting(
-            fragments_, fallbacks.primitives + fallbacks.colors,
-            "a bound for each triangle; a color whose levels it leaves open is mixed in rationals");
+        std::uint64_t left_open = 0;
+        const auto colors = mixed_adaptively(*input, *pieces_, stage, rounding, left_open);
+        Setting adaptive = adaptive_setting(fragments_, left_open,
+                                            "tries each triangle in intervals, then mixes in "
+                                            "doubles; one with a level left open in "
+                                            "rationals");
         adaptive.never_errs = setting.never_errs;
         adaptive.errors = errors_of(colors, rounding);
         builder_.add(
             std::move(adaptive),
             [input, pieces = pieces_, stage, rounding] {
-                keep(mixed_adaptively(*input, *pieces, stage, rounding));
+                std::uint64_t ignored = 0;
+                keep(mixed_adaptively(*input, *pieces, stage, rounding, ignored));
             },
             fragments_);
     }

@@ -6,7 +6,6 @@
 #include "placed_triangles.h"
 #include "report_adaptive.h"
 
-#include <rastertrace/core/draw/filtered/filtered.h>
 #include <rastertrace/core/draw/paint/fill.h>
 #include <rastertrace/core/raster/flat_painter.h>
 #include <rastertrace/trace/text/method_names.h>
@@ -107,7 +106,7 @@ private:
         const Plan plan =
             scalar.bits ? plan_for(scene, std::int64_t{1} << *scalar.bits) : plan_for(scene);
         with_scalar(plan, [&]<typename Scalar>() {
-            if constexpr (std::same_as<Scalar, Adaptive>) {
+            if constexpr (std::same_as<Scalar, Interval>) {
                 add_adaptive(scene, plan, setting.never_errs, exact);
             } else {
                 const auto placed = std::make_shared<PlacedTriangles<Scalar>>(scene, plan);
@@ -135,30 +134,32 @@ private:
     struct AdaptiveFill {
         AdaptiveTriangles triangles;
         Image image;
-        SampleGrid<Adaptive> grid;
+        SampleGrid<Interval> trial_grid;
+        SampleGrid<double> grid;
         SampleGrid<Rational> exact_grid;
-        CertainRows rows = {};
 
         AdaptiveFill(const Scene& scene, const Plan& plan)
-            : triangles(scene, plan), image(scene.canvas), grid(sample_grid<Adaptive>(scene, plan)),
+            : triangles(scene, plan), image(scene.canvas),
+              trial_grid(sample_grid<Interval>(scene, plan)),
+              grid(sample_grid<double>(scene, plan)),
               exact_grid(sample_grid<Rational>(scene, plan)) {}
 
-        /// Fills a triangle once all about it is certain, and with rationals if doubles leave
-        /// something open. True if it took these.
+        /// Fills a triangle once intervals decide all about it, or with rationals. True if it took
+        /// these.
         template <typename Sink> bool fill_one(const AdaptiveTriangles::Placed& one, Sink& sink) {
-            const Method& method = triangles.scene.method;
-            const auto fill_filtered = [&](auto& into) {
-                fill(Triangle<Adaptive>{one.filtered->positions}, one.filtered->colors, method,
-                     grid, image.canvas(), into);
+            const auto fill_in = [&]<typename Scalar>(const Piece<Scalar>& piece,
+                                                      const SampleGrid<Scalar>& on, auto& into) {
+                fill(Triangle<Scalar>{piece.positions}, piece.colors, triangles.scene.method, on,
+                     image.canvas(), into);
             };
-            rows.clear();
-            const bool is_certain = one.filtered && !left_open_by([&] { fill_filtered(rows); });
-            if (is_certain)
-                rows.paint_with(sink, fill_filtered);
+            const NullSink none;
+            const bool is_decided = one.is_decided(
+                [&](const Piece<Interval>& piece) { fill_in(piece, trial_grid, none); });
+            if (is_decided)
+                fill_in(one.doubles, grid, sink);
             else
-                fill(Triangle<Rational>{one.exact.positions}, one.exact.colors, method, exact_grid,
-                     image.canvas(), sink);
-            return !is_certain;
+                fill_in(one.exact, exact_grid, sink);
+            return !is_decided;
         }
     };
 
@@ -171,19 +172,19 @@ private:
         for (const auto& one : filling->triangles.placed) {
             if (one.exact.is_skipped)
                 continue;
-            auto& of_triangle = pixels[one.index.primitive];
+            auto& of_triangle = pixels[one.exact.primitive];
             const std::size_t before = of_triangle.size();
             PixelSink sink{scene.canvas, of_triangle};
             fallbacks += filling->fill_one(one, sink) ? 1 : 0;
             tested += pixels_tested(scene, sink, of_triangle.size() - before);
         }
         sort_sets(pixels);
-        Setting setting = adaptive_setting(
-            tested, fallbacks,
-            fmt::format(
-                "certifies all rows of a triangle before it paints one; {} of {} left open, and "
-                "filled in rationals",
-                fallbacks, filling->triangles.placed.size()));
+        Setting setting =
+            adaptive_setting(tested, fallbacks,
+                             fmt::format("tries each triangle in intervals, then fills it in "
+                                         "doubles; {} of {} left open, and "
+                                         "filled in rationals",
+                                         fallbacks, filling->triangles.placed.size()));
         setting.never_errs = never_errs;
         setting.errors = {wrong_pixels(pixels, exact)};
         builder_.add(

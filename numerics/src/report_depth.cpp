@@ -6,9 +6,9 @@
 #include "placed_triangles.h"
 #include "report_adaptive.h"
 
-#include <rastertrace/core/draw/filtered/exactly.h>
 #include <rastertrace/core/draw/list/drawing_order.h>
 #include <rastertrace/core/draw/paint/fill.h>
+#include <rastertrace/core/draw/paint/numbered_depths.h>
 #include <rastertrace/numerics/knobs.h>
 #include <rastertrace/trace/text/method_names.h>
 
@@ -348,7 +348,7 @@ private:
             return builder_.add_failure(setting.name, setting.label, refusal);
         const Plan plan = plan_for(scene);
         with_scalar(plan, [&]<typename Scalar>() {
-            if constexpr (std::same_as<Scalar, Adaptive>)
+            if constexpr (std::same_as<Scalar, Interval>)
                 add_adaptive(scene, plan, std::move(setting));
             else if (const auto input = input_of<Scalar>(scene, plan))
                 use(std::move(setting), input);
@@ -376,59 +376,69 @@ private:
         }
     }
 
-    /// Calls `visit(row, span, piece)` with the depths of each row of each piece, in doubles with one
-    /// bound for the row. They come from a plane in filtered doubles, or in rationals where doubles
-    /// leave it open whether a triangle has area.
-    template <typename Visit>
-    static void for_each_adaptive_row(AdaptiveTriangles& input, const DepthScene& shared,
-                                      DepthTests<Adaptive>& buffer, Visit&& visit) {
-        input.begin();
-        for (std::size_t i = 0; i < input.placed.size(); ++i) {
-            const AdaptiveTriangles::Placed& one = input.placed[i];
-            input.begin(one);
-            buffer.begin(static_cast<std::uint32_t>(i));
-            const auto visit_rows = [&](const auto& plane) {
-                for (const PieceSpan& span : shared.pieces[i].spans)
-                    visit(buffer.tested(plane.on_row(span.y), {span.from, span.to}), span, i);
-            };
-            const auto plane_of = [&]<typename Scalar>(const Piece<Scalar>& piece) {
-                using D = DepthOf<Scalar>;
-                return TriangleDepth<D>(depth_positions(Triangle<Scalar>{piece.positions}),
-                                        piece.depths, buffer.larger_passes())
-                    .plane({D(0.5), D(0.5)});
-            };
-            std::optional<DepthPlane<Adaptive>> plane;
-            if (one.filtered)
-                left_open_by([&] { plane.emplace(plane_of(*one.filtered)); });
-            if (plane) {
-                visit_rows(*plane);
-            } else {
-                ++input.exactness.fallbacks.primitives;
-                visit_rows(plane_of(one.exact));
-            }
-        }
+    /// The depth buffer of `adaptive`.
+    static NumberedDepths buffer_of(const AdaptiveTriangles& input, const DepthScene& shared) {
+        return {whole(shared.canvas), depth_rule<Rational>(input.scene),
+                [&input](std::uint32_t piece, std::size_t side, int x, int row) {
+                    return exact_depth(input.scene, input.placed[piece].exact, side,
+                                       {x, input.scene.canvas.y_of(row)});
+                }};
     }
 
-    /// The whole work of the depth buffer of `adaptive`.
-    static Winners run_adaptive(AdaptiveTriangles& input, const DepthScene& shared) {
-        DepthTests<Adaptive> buffer(whole(shared.canvas), depth_rule<Adaptive>(input.scene));
-        buffer.ask(
-            [&input](auto... asked) {
-                return is_nearer(input.scene, input.plan, input.exactness, asked...);
-            },
-            {});
+    /// Calls `visit(row, span, piece)` with the depths of each row of each piece. They come from a
+    /// plane in doubles, after intervals have found how far these may be off; or in rationals, where
+    /// intervals leave it open whether a triangle has area. Returns how often.
+    template <typename Visit>
+    static std::uint64_t for_each_adaptive_row(const AdaptiveTriangles& input,
+                                               const DepthScene& shared, NumberedDepths& buffer,
+                                               Visit&& visit) {
+        std::uint64_t left_open = 0;
+        for (std::size_t i = 0; i < input.placed.size(); ++i) {
+            const AdaptiveTriangles::Placed& one = input.placed[i];
+            const auto visit_rows = [&]<typename Scalar>(const Piece<Scalar>& piece, auto&& take) {
+                using D = DepthOf<Scalar>;
+                const auto plane =
+                    TriangleDepth<D>(depth_positions(Triangle<Scalar>{piece.positions}),
+                                     piece.depths, buffer.larger_passes())
+                        .plane({D(0.5), D(0.5)});
+                for (const PieceSpan& span : shared.pieces[i].spans)
+                    take(plane.on_row(span.y), span, i);
+            };
+            buffer.begin(static_cast<std::uint32_t>(i));
+            buffer.try_out(false);
+            const bool is_decided = one.is_decided([&](const Piece<Interval>& piece) {
+                visit_rows(piece, [&](const auto& row, const PieceSpan& span, std::size_t) {
+                    const int line = static_cast<int>(shared.canvas.row_of(span.y));
+                    keep_nearer(buffer, line, {span.from, span.to}, row, [](int) {});
+                });
+            });
+            buffer.draw();
+            if (is_decided) {
+                visit_rows(one.doubles, visit);
+            } else {
+                ++left_open;
+                buffer.begin(static_cast<std::uint32_t>(i));
+                visit_rows(one.exact, visit);
+            }
+        }
+        return left_open;
+    }
+
+    /// The whole work of the depth buffer of `adaptive`. Adds what took rationals to `fallbacks`.
+    static Winners run_adaptive(const AdaptiveTriangles& input, const DepthScene& shared,
+                                std::uint64_t& fallbacks) {
+        NumberedDepths buffer = buffer_of(input, shared);
         Winners winners(static_cast<std::size_t>(shared.canvas.width) *
                         static_cast<std::size_t>(shared.canvas.height));
-        for_each_adaptive_row(
-            input, shared, buffer,
-            [&](const DepthRow<Adaptive>& row, const PieceSpan& span, std::size_t piece) {
+        fallbacks += for_each_adaptive_row(
+            input, shared, buffer, [&](const auto& row, const PieceSpan& span, std::size_t piece) {
                 const int line = static_cast<int>(shared.canvas.row_of(span.y));
                 std::uint32_t* const seen = row_of(winners, shared.canvas, line);
                 const auto number = static_cast<std::uint32_t>(piece + 1);
-                buffer.keep_nearer(line, span.from, span.to, row,
-                                   [seen, number](int x) { seen[x] = number; });
+                keep_nearer(buffer, line, {span.from, span.to}, row,
+                            [seen, number](int x) { seen[x] = number; });
             });
-        input.exactness.fallbacks.depths = buffer.exact_tests();
+        fallbacks += buffer.exact_tests();
         return winners;
     }
 
@@ -439,33 +449,36 @@ private:
             return builder_.add_failure(
                 setting.name, setting.label,
                 "clipping has left other triangles than in exact arithmetic");
-        const Winners winners = run_adaptive(*input, *shared_);
-        const Fallbacks fallbacks = input->exactness.fallbacks;
-        Setting adaptive = adaptive_setting(
-            shared_->fragments, fallbacks.primitives + fallbacks.depths,
-            "a bound for each triangle; a test that it leaves open is decided in rationals");
+        std::uint64_t fallbacks = 0;
+        const Winners winners = run_adaptive(*input, *shared_, fallbacks);
+        Setting adaptive = adaptive_setting(shared_->fragments, fallbacks,
+                                            "finds in intervals how far doubles may be off; where "
+                                            "two depths meet, rationals decide");
         adaptive.never_errs = setting.never_errs;
         adaptive.errors = {wrong_winners(winners), largest_error(scene.depth(), *input)};
         builder_.add(
-            std::move(adaptive), [input, shared = shared_] { keep(run_adaptive(*input, *shared)); },
+            std::move(adaptive),
+            [input, shared = shared_] {
+                std::uint64_t ignored = 0;
+                keep(run_adaptive(*input, *shared, ignored));
+            },
             shared_->fragments);
     }
 
     /// The largest error of the doubles that `adaptive` tests.
-    ErrorValue largest_error(Depth kind, AdaptiveTriangles& input) const {
-        DepthTests<Adaptive> buffer(whole(shared_->canvas), depth_rule<Adaptive>(input.scene));
+    ErrorValue largest_error(Depth kind, const AdaptiveTriangles& input) const {
+        NumberedDepths buffer = buffer_of(input, *shared_);
         std::optional<double> largest;
         std::size_t fragment = 0;
-        for_each_adaptive_row(
-            input, *shared_, buffer,
-            [&](const DepthRow<Adaptive>& row, const PieceSpan& span, std::size_t) {
-                for (int x = span.from; x <= span.to; ++x) {
-                    const double depth = buffer.turned(row.at(x)).value();
-                    const auto error = inverse_z_error(kind, fragment++, depth);
-                    if (error && !(largest && *error <= *largest))
-                        largest = error;
-                }
-            });
+        for_each_adaptive_row(input, *shared_, buffer,
+                              [&](const auto& row, const PieceSpan& span, std::size_t) {
+                                  for (int x = span.from; x <= span.to; ++x) {
+                                      const double depth = to_double(buffer.turned(row.at(x)));
+                                      const auto error = inverse_z_error(kind, fragment++, depth);
+                                      if (error && !(largest && *error <= *largest))
+                                          largest = error;
+                                  }
+                              });
         return {largest};
     }
 

@@ -4,7 +4,6 @@
 
 #include "stress_rows.h"
 
-#include <rastertrace/core/draw/filtered/depths.h>
 #include <rastertrace/core/raster/depth_interpolation.h>
 #include <rastertrace/trace/record/traced_steps.h>
 #include <rastertrace/trace/text/text.h>

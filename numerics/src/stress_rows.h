@@ -8,8 +8,8 @@
 #include <rastertrace/core/draw/list/screen_list.h>
 #include <rastertrace/core/draw/plan/plan.h>
 #include <rastertrace/core/draw/scene/scene.h>
-#include <rastertrace/core/numbers/adaptive.h>
 #include <rastertrace/core/numbers/conversion.h>
+#include <rastertrace/core/numbers/interval.h>
 #include <rastertrace/core/raster/image.h>
 #include <rastertrace/numerics/stress.h>
 #include <rastertrace/trace/record/trace.h>
@@ -83,9 +83,9 @@ std::uint64_t count_of(const Trace& trace, StepKind kind);
 /// Calls `use.template operator()<Scalar>()`. What `adaptive` leaves open is done again with exact
 /// numbers, as in draw.h.
 template <typename Scalar, typename Use> auto decided_with(Use&& use) {
-    if constexpr (std::same_as<Scalar, Adaptive>) {
+    if constexpr (std::same_as<Scalar, Interval>) {
         try {
-            return use.template operator()<Adaptive>();
+            return use.template operator()<Interval>();
         } catch (const Undecided&) {
             return use.template operator()<Rational>();
         }
@@ -121,7 +121,7 @@ Vec<Scalar, 2> place_of(const Scene& scene, std::size_t vertex, const Plan& plan
             scalar_from<Scalar>(scene.vertices[vertex].y, plan.denominator)};
 }
 
-/// A number as it is, without rounding; of a filtered double, its value.
+/// A number as it is, without rounding; of an interval, its middle.
 template <std::floating_point Real> Rational exact_value(Real value) {
     return Rational(value);
 }
@@ -131,18 +131,18 @@ inline Rational exact_value(const Rational& value) {
 template <typename Integer> Rational exact_value(const Fraction<Integer>& value) {
     return exact(value);
 }
-inline Rational exact_value(const Adaptive& value) {
-    return Rational(value.value());
+inline Rational exact_value(const Interval& value) {
+    return Rational(value.middle());
 }
 
-/// How far a number lies from the exact one, rounded to a double. A filtered double is as good
-/// as exact within it.
+/// How far a number lies from the exact one, rounded to a double. An interval that holds it is as
+/// good as exact.
 template <typename Scalar> double distance_from(const Rational& exact, const Scalar& value) {
     return nearest_double(abs(exact_value(value) - exact));
 }
-inline double distance_from(const Rational& exact, const Adaptive& value) {
-    const Rational distance = abs(exact_value(value) - exact);
-    return distance <= Rational(value.error()) ? 0 : nearest_double(distance);
+inline double distance_from(const Rational& exact, const Interval& value) {
+    const bool is_held = Rational(value.low()) <= exact && exact <= Rational(value.high());
+    return is_held ? 0 : nearest_double(abs(exact_value(value) - exact));
 }
 
 /// The same over the exact one.

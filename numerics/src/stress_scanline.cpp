@@ -4,7 +4,6 @@
 
 #include "stress_rows.h"
 
-#include <rastertrace/core/draw/filtered/filtered.h>
 #include <rastertrace/core/raster/edge.h>
 #include <rastertrace/numerics/knobs.h>
 #include <rastertrace/trace/record/traced_steps.h>

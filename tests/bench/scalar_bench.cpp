@@ -103,7 +103,6 @@ void picture(benchmark::State& state, Scene scene, ScalarKind scalar) {
         state.counters["fallback_%"] = 100 * static_cast<double>(fallbacks.primitives) /
                                        static_cast<double>(scene.primitives.size());
         state.counters["exact_depths"] = static_cast<double>(fallbacks.depths);
-        state.counters["exact_colors"] = static_cast<double>(fallbacks.colors);
     }
 }
 

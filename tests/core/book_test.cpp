@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: MIT
 // What is fast draws what the book's page draws.
 
-#include <rastertrace/core/draw/filtered/filtered.h>
 #include <rastertrace/core/draw/paint/fill_top_left.h>
 #include <rastertrace/core/draw/paint/row_painter.h>
-#include <rastertrace/core/numbers/adaptive.h>
+#include <rastertrace/core/numbers/interval.h>
 #include <rastertrace/core/numbers/rational.h>
 #include <rastertrace/core/raster/fill_half_space.h>
 #include <rastertrace/core/raster/flat_painter.h>
@@ -51,7 +50,7 @@ TwoPictures pictures_of(const std::array<std::int64_t, 6>& at,
 }
 
 template <typename Scalar> class HalfSpace : public testing::Test {};
-using EveryScalar = testing::Types<float, double, Fraction64, Rational, Adaptive>;
+using EveryScalar = testing::Types<float, double, Fraction64, Rational, Interval>;
 TYPED_TEST_SUITE(HalfSpace, EveryScalar);
 
 TYPED_TEST(HalfSpace, HasThePixelsThatTheTopLeftFillFindsRowByRow) {
@@ -63,7 +62,7 @@ TYPED_TEST(HalfSpace, HasThePixelsThatTheTopLeftFillFindsRowByRow) {
             .origin = *rc::gen::element(Origin::center, Origin::bottom_left, Origin::top_left)};
         const auto place = rc::gen::element<std::int64_t>(-8, 0, 1, 4, 7, 8);
         const std::array<std::int64_t, 2> offset{*place, *place};
-        // A filtered double leaves open whether a sample lies on an edge: three triangles, so that enough
+        // An interval leaves open whether a sample lies on an edge: three triangles, so that enough
         // of them are decided.
         for (int triangle = 0; triangle < 3; ++triangle) {
             std::array<std::int64_t, 6> at{};

@@ -329,13 +329,13 @@ rc::Gen<Method> exact_method() {
         });
 }
 
-struct Interval {
+struct Meeting {
     mpq_class left, right;
 };
 
 /// Where a row meets a triangle, found without sorting, joining or walking: the smallest and the
 /// largest x of all points that the row has in common with the three sides.
-std::optional<Interval> meeting(const Scene& scene, int y) {
+std::optional<Meeting> meeting(const Scene& scene, int y) {
     std::vector<mpq_class> points;
     for (std::size_t i = 0; i < 3; ++i) {
         const SceneVertex& a = scene.vertices[i];
@@ -352,8 +352,8 @@ std::optional<Interval> meeting(const Scene& scene, int y) {
     }
     if (points.empty())
         return std::nullopt;
-    return Interval{*std::min_element(points.begin(), points.end()),
-                    *std::max_element(points.begin(), points.end())};
+    return Meeting{*std::min_element(points.begin(), points.end()),
+                   *std::max_element(points.begin(), points.end())};
 }
 
 /// The rounding rules once more, in the words of rounding.h.

@@ -38,8 +38,8 @@ TEST(Fit, TheCubeIsSeenFromInFrontOfIt) {
     const ViewVolume volume =
         view_volume({.type = ProjectionType::frustum, .fov_y = 90, .near = Number::decimal(1, -1)},
                     {.type = ViewportType::pixels}, {20, 10});
-    EXPECT_EQ(volume.y, (Interval{-1, 1}));
-    EXPECT_EQ(volume.x, (Interval{-2, 2}));
+    EXPECT_EQ(volume.y, (Extent{-1, 1}));
+    EXPECT_EQ(volume.x, (Extent{-2, 2}));
     const auto fitted =
         std::get<FittedCamera>(fitted_camera({0, 0, 0}, 3, volume, ViewAxis::minus_z));
     // 1.75 sqrt(2) = 2.4748...
@@ -91,7 +91,7 @@ TEST(Fit, TheSphereTouchesASideAndNoneCutsIt) {
 
         // How far inside of each of the four sides the center lies, in squares of the radius.
         Rational nearest_side = 1000;
-        const auto check = [&](const Interval& side, const Rational& at) {
+        const auto check = [&](const Extent& side, const Rational& at) {
             const Rational from_low = at - side.low * seen.z;
             const Rational from_high = side.high * seen.z - at;
             ASSERT_TRUE(from_low > 0 && from_high > 0) << i;

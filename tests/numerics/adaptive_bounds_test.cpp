@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: MIT
-// The bounds that adaptive works out once for a row, an edge or a triangle, attacked: what they are
-// told may be off is off, as far as it may be, and the result is held against exact arithmetic.
+// The intervals that adaptive works out for depths and colors, attacked: what they are told may be off
+// is off, as far as it may be, and the result is held against exact arithmetic.
 
 #include "hill_climb.h"
 
-#include <rastertrace/core/draw/filtered/colors.h>
-#include <rastertrace/core/draw/filtered/depths.h>
+#include <rastertrace/core/numbers/interval.h>
 #include <rastertrace/core/raster/barycentric.h>
 #include <rastertrace/core/raster/depth_interpolation.h>
 #include <rastertrace/core/raster/mixed_colors.h>
@@ -25,21 +24,21 @@ constexpr double side = 64; ///< of the square that triangles lie in
 
 /// A number with its error, and the number that it stands for.
 struct Known {
-    Adaptive about;
+    Interval about;
     Rational exact;
 };
 
 /// A number that is off by its whole error, upward or downward as the sign of `way` says; or not at all.
 Known known(double value, double error, double way) {
     const double off = way < 0 ? -error : error;
-    return {Adaptive(value, error), Rational(value) + Rational(off)};
+    return {Interval(value - error, value + error), Rational(value) + Rational(off)};
 }
 
 /// A triangle with a number at each vertex: six places and three numbers from 1 on, and nine ways.
 struct KnownTriangle {
-    std::array<Vec<Adaptive, 2>, 3> about;
+    std::array<Vec<Interval, 2>, 3> about;
     std::array<Vec<Rational, 2>, 3> exact;
-    std::array<Adaptive, 3> numbers_about;
+    std::array<Interval, 3> numbers_about;
     std::array<Rational, 3> numbers;
 };
 using Inputs = std::array<double, 20>;
@@ -64,9 +63,9 @@ std::optional<Pixel> pixel_in(const KnownTriangle& triangle, const Inputs& in) {
     const double s = std::abs(in[18]) / side;
     const double t = (1 - s) * std::abs(in[19]) / side;
     const auto& [a, b, c] = triangle.about;
-    const auto at = [s, t](Adaptive from, Adaptive to, Adaptive other) {
-        return static_cast<int>(std::floor(from.value() + s * (to.value() - from.value()) +
-                                           t * (other.value() - from.value())));
+    const auto at = [s, t](Interval from, Interval to, Interval other) {
+        return static_cast<int>(std::floor(from.middle() + s * (to.middle() - from.middle()) +
+                                           t * (other.middle() - from.middle())));
     };
     const Pixel pixel{at(a.x, b.x, c.x), at(a.y, b.y, c.y)};
     const Barycentric<Rational> barycentric({triangle.exact});
@@ -79,14 +78,15 @@ std::optional<Pixel> pixel_in(const KnownTriangle& triangle, const Inputs& in) {
     return pixel;
 }
 
-/// The error over the bound. Where the bound is not finite, it says nothing, and is right.
-std::optional<double> part_of_bound(const Adaptive& about, const Rational& exact) {
-    if (!std::isfinite(about.error()))
+/// How far the exact number lies from the middle, over half the width. An interval without numbers
+/// says nothing, and is right.
+std::optional<double> part_of_bound(const Interval& about, const Rational& exact) {
+    if (!about.is_number())
         return std::nullopt;
-    const Rational off = abs(Rational(about.value()) - exact);
-    if (about.error() == 0)
-        return off == 0 ? std::nullopt : std::optional(2.0);
-    return nearest_double(off / Rational(about.error()));
+    if (about.is_exact())
+        return exact == Rational(about.low()) ? std::nullopt : std::optional(2.0);
+    const Rational off = abs(Rational(about.low()) + Rational(about.high()) - 2 * exact);
+    return nearest_double(off / (Rational(about.high()) - Rational(about.low())));
 }
 
 /// With numbers that are exact, and with numbers that are off by more than rounding does.
@@ -101,8 +101,8 @@ TEST_P(BoundsOfAdaptive, DepthsOfATriangle) {
             if (!pixel)
                 return std::nullopt;
             try {
-                const DepthPlane<Adaptive> about(triangle.about, triangle.numbers_about,
-                                                 {Adaptive(0.5), Adaptive(0.5)});
+                const DepthPlane<Interval> about(triangle.about, triangle.numbers_about,
+                                                 {Interval(0.5), Interval(0.5)});
                 const DepthPlane<Rational> exact(triangle.exact, triangle.numbers,
                                                  {exact_half, exact_half});
                 return part_of_bound(about.on_row(pixel->y).at(pixel->x),
@@ -125,10 +125,10 @@ TEST_P(BoundsOfAdaptive, DepthsOfAnEdge) {
             if (a.y == b.y || y < std::min(a.y, b.y) || y > std::max(a.y, b.y))
                 return std::nullopt;
             try {
-                const DepthEdge<Adaptive> about(edge.about[0].y, edge.numbers_about[0],
+                const DepthEdge<Interval> about(edge.about[0].y, edge.numbers_about[0],
                                                 edge.about[1].y, edge.numbers_about[1]);
                 const DepthEdge<Rational> exact(a.y, edge.numbers[0], b.y, edge.numbers[1]);
-                return part_of_bound(about.at(scalar_from<Adaptive>(y)), exact.at(Rational(y)));
+                return part_of_bound(about.at(scalar_from<Interval>(y)), exact.at(Rational(y)));
             } catch (const Undecided&) {
                 return std::nullopt; // it may be horizontal
             }
@@ -180,30 +180,27 @@ template <bool in_perspective> double worst_level(double error) {
                 });
                 return level;
             };
-            const ErrorOfLevels bound = error_of_levels({triangle.about}, triangle.numbers_about);
-            Triangle<double> values;
-            std::array<double, 3> inverse_w{};
-            for (std::size_t i = 0; i < 3; ++i) {
-                values.vertices[i] = {triangle.about[i].x.value(), triangle.about[i].y.value()};
-                inverse_w[i] = triangle.numbers_about[i].value();
+            try {
+                const Interval half(0.5);
+                const MixedColors<Interval> about{corners,
+                                                  Barycentric<Interval>({triangle.about}),
+                                                  {half, half},
+                                                  triangle.numbers_about};
+                const MixedColors<Rational> exact{corners,
+                                                  Barycentric<Rational>({triangle.exact}),
+                                                  {exact_half, exact_half},
+                                                  triangle.numbers};
+                auto weights = about.on_screen(*pixel);
+                auto exact_weights = exact.on_screen(*pixel);
+                if constexpr (in_perspective) {
+                    weights = about.in_space(weights);
+                    exact_weights = exact.in_space(exact_weights);
+                }
+                return part_of_bound(level_of(about, weights, Interval(0)),
+                                     level_of(exact, exact_weights, Rational()));
+            } catch (const Undecided&) {
+                return std::nullopt; // it may have no area, or its pixel no weights in space
             }
-            const MixedColors<double> about{
-                corners, Barycentric<double>(values), {0.5, 0.5}, inverse_w};
-            const MixedColors<Rational> exact{corners,
-                                              Barycentric<Rational>({triangle.exact}),
-                                              {exact_half, exact_half},
-                                              triangle.numbers};
-            auto weights = about.on_screen(*pixel);
-            auto exact_weights = exact.on_screen(*pixel);
-            if constexpr (in_perspective) {
-                if (!(about.shares_of(weights).sum > bound.smallest_sum))
-                    return std::nullopt;
-                weights = about.in_space(weights);
-                exact_weights = exact.in_space(exact_weights);
-            }
-            return part_of_bound(Adaptive(level_of(about, weights, 0.0),
-                                          in_perspective ? bound.perspective : bound.affine),
-                                 level_of(exact, exact_weights, Rational()));
         },
         side);
 }

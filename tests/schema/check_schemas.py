@@ -411,7 +411,7 @@ def check_steps(met, folder):
 
 
 # Fields of steps that only numbers beyond double, or hidden lines next to faces, bring about.
-RARE_FIELDS = {("step-primitive", "within"), ("step-depth", "beside"), ("step-undecided", "difference"), ("step-undecided", "error")}
+RARE_FIELDS = {("step-depth", "beside"), ("step-undecided", "difference"), ("step-undecided", "error")}
 
 
 def check_headers(folder):

@@ -27,18 +27,17 @@ TEST(WriteTrace, AdaptiveTellsWhereDoublesLeaveADecisionOpen) {
                                        {.width = 3, .height = 3, .origin = Origin::bottom_left},
                                        {.scalar = ScalarKind::adaptive});
     const std::string trace = trace_text(scene);
-    EXPECT_THAT(trace,
-                testing::HasSubstr(
-                    R"("numbers":"doubles with an error bound, and fractions of any size")"));
-    EXPECT_THAT(trace, testing::HasSubstr(R"({"step":"undecided","difference":)"));
+    EXPECT_THAT(trace, testing::HasSubstr(
+                           R"("numbers":"doubles within intervals, and fractions of any size")"));
+    EXPECT_THAT(trace, testing::HasSubstr(R"({"step":"undecided","name":"ABC","difference":)"));
     EXPECT_THAT(trace, testing::HasSubstr(R"("undecided":1)"));
-    // The same scene in numbers that fit: fractions, written as the same kind of number.
+    // The same scene in numbers that fit: fractions alone.
     const Scene fits = triangle_scene({"0.5", "0", "2", "0", "0", "2"},
                                       {.width = 3, .height = 3, .origin = Origin::bottom_left},
                                       {.scalar = ScalarKind::adaptive});
     const std::string fraction_trace = trace_text(fits);
     EXPECT_THAT(fraction_trace, testing::HasSubstr(R"("numbers":"fractions of 64 bits")"));
-    EXPECT_THAT(fraction_trace, testing::HasSubstr(R"("at":[[0.5,0],[2,0],[0,2]])"));
+    EXPECT_THAT(fraction_trace, testing::HasSubstr(R"("at":[["1/2","0"],["2","0"],["0","2"]])"));
     EXPECT_THAT(fraction_trace, testing::Not(testing::HasSubstr("undecided")));
 }
 

@@ -29,7 +29,7 @@ TEST_F(ProgramTest, StatsJudgeAdaptiveByTheCornersThatItDraws) {
 "vertices":{"A":[0,0],"B":["10/3",10],"C":[-8,"5000000000000000000001/1000000000000000000000"],"D":[10,0]},
 "triangles":["ABC","ABD"],"method":{"fill":"top-left","sample":"integer"}})");
     EXPECT_THAT(shell("$rastertrace trace long.json --scalar adaptive").out,
-                HasSubstr(R"("numbers":"doubles with an error bound)"));
+                HasSubstr(R"("numbers":"doubles within intervals)"));
     const auto without_steps = [](const std::string& text) {
         return text.substr(text.find("ABC"));
     };

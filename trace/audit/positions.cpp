@@ -63,8 +63,6 @@ bool has_floats(const Trace& header) {
 
 std::optional<std::array<ScreenPoint, 3>> positions_in(const PrimitiveStep& step,
                                                        const Trace& header) {
-    if (step.within)
-        return std::nullopt;
     const bool is_float = has_floats(header);
     if (const auto plain = plain_positions_in(step.at.json(), is_float))
         return plain;

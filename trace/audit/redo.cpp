@@ -18,6 +18,17 @@ RulesTold::RulesTold(const Trace& header)
     : ToldMethod(told_method(header.method)), samples(told_samples(header)),
       has_view_plane(header.projection == "view-plane") {}
 
+/// What was redone in two parts.
+Redone both(Redone a, Redone b) {
+    for (const auto& [what, count] : b.count)
+        a.count[what] += count;
+    if (a.wrong == 0 || (b.wrong > 0 && b.first.step < a.first.step))
+        a.first = b.first;
+    a.wrong += b.wrong;
+    a.wrong_steps.merge(b.wrong_steps);
+    return a;
+}
+
 Redone redo(const Trace& trace) {
     const RulesTold rules(trace);
     if (!rules.says("scalar"))
@@ -33,9 +44,10 @@ Redone redo(const Trace& trace) {
     case ScalarKind::exact:
         return redo_in_rationals(trace, true);
     case ScalarKind::adaptive:
-        break;
+        return both(redo_steps::Redo<double, double, true>(trace, StepsToRedo::in_doubles).run(),
+                    redo_in_rationals(trace, true, StepsToRedo::in_fractions));
     }
-    return redo_in_rationals(trace, false);
+    not_an_enumerator();
 }
 
 std::string WrongDecision::value() const {

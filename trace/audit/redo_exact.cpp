@@ -5,9 +5,9 @@
 
 namespace rastertrace {
 
-Redone redo_in_rationals(const Trace& trace, bool knows_all_numbers) {
-    return knows_all_numbers ? redo_steps::Redo<Rational, Rational, true>(trace).run()
-                             : redo_steps::Redo<Rational, Rational, false>(trace).run();
+Redone redo_in_rationals(const Trace& trace, bool knows_all_numbers, StepsToRedo steps) {
+    return knows_all_numbers ? redo_steps::Redo<Rational, Rational, true>(trace, steps).run()
+                             : redo_steps::Redo<Rational, Rational, false>(trace, steps).run();
 }
 
 Redone redo_with_double_depths(const Trace& trace) {

@@ -6,6 +6,7 @@
 // shared with what draws: what both of them get wrong would not be found.
 
 #include "redo.h"
+#include "redo_exact.h"
 #include "redo_numbers.h"
 
 #include <rastertrace/core/draw/scene/method.h>
@@ -52,23 +53,46 @@ struct RulesTold : ToldMethod {
 namespace redo_steps {
 
 /// Reads a trace step by step and decides again. Real is the scene's scalar, Depth that of its depths.
-/// `knows_all` is false for `adaptive`: there numbers on which nothing hangs are rounded.
+/// `knows_all` is false where the trace does not tell the scalar: its numbers may be rounded.
 template <typename Real, typename Depth, bool knows_all> class Redo {
 public:
-    explicit Redo(const Trace& trace)
-        : rules_(trace), method_(rules_.triangles), trace_(trace), canvas_(trace.canvas) {}
+    explicit Redo(const Trace& trace, StepsToRedo steps = StepsToRedo::all)
+        : steps_(steps), rules_(trace), method_(rules_.triangles), trace_(trace),
+          canvas_(trace.canvas) {}
 
     Redone run() {
         for (number_ = 1; number_ <= trace_.size(); ++number_)
             try {
-                if (const auto kind = trace_.kind_of(number_))
+                if (const auto kind = trace_.kind_of(number_)) {
+                    is_asked_ = steps_ == StepsToRedo::all || is_asked(trace_.step(number_), *kind);
                     redo(trace_.step(number_), *kind);
+                }
             } catch (const NotTold&) {
             }
         return std::move(redone_);
     }
 
 private:
+    /// True if a step is one of those to redo, where primitives are told in doubles or in fractions.
+    bool is_asked(const StepView& step, StepKind kind) {
+        switch (kind) {
+        case StepKind::triangulate:
+        case StepKind::matrix:
+        case StepKind::vertex:
+        case StepKind::order:
+        case StepKind::face:
+        case StepKind::light:
+            return steps_ == StepsToRedo::in_fractions;
+        case StepKind::primitive:
+            is_in_fractions_ =
+                step.as<PrimitiveStep>().at.json().find('"') != std::string_view::npos;
+            break;
+        default:
+            break;
+        }
+        return is_in_fractions_ == (steps_ == StepsToRedo::in_fractions);
+    }
+
     template <typename Value>
     static const Value& told_at(const std::vector<Value>& list, std::size_t i) {
         return i < list.size() ? list[i] : throw NotTold();
@@ -83,6 +107,8 @@ private:
     /// What was told against what comes of the numbers. `what` names the field; `of`, which of several values.
     template <typename A, typename B>
     void expect(const A& redone, const B& told, const char* what, std::string_view of = {}) {
+        if (!is_asked_)
+            return;
         ++redone_.count[what];
         if (redone == told)
             return;
@@ -217,7 +243,7 @@ private:
         const bool is_circle = kind_ == "circle";
         const bool steps_at_0 = is_circle || line_rules(rules_.others).ties == Ties::step;
         expect(in_words(steps_at_0 ? d < 0 : d <= 0), in_words(is_straight), "decide: move");
-        if (!is_circle || has_long_numbers_ || !radius_)
+        if (!is_circle || !radius_)
             return;
         const At& center = told_at(at_, 0);
         const Rational x = step.x - nearest_of(exactly(offset_.in_columns(center[0])), Ties::up);
@@ -265,7 +291,7 @@ private:
         };
         if (step.dot.json().starts_with('"'))
             again(Rational());
-        else if (knows_all)
+        else if (knows_all && steps_ == StepsToRedo::all)
             again(Depth());
     }
 
@@ -297,7 +323,6 @@ private:
         kind_ = step.kind.text();
         const SampleOffset<Rational>& offset = rules_.samples.of(step.kind);
         offset_ = {in_real(offset.x()), in_real(offset.y())};
-        has_long_numbers_ = static_cast<bool>(step.within);
         names_ = step.vertices.texts();
         if (const auto ear = corners_of_ears_.find(step.name.text()); ear != corners_of_ears_.end())
             expect(ear->second, names_, "triangulate: corners");
@@ -554,8 +579,7 @@ private:
         const Function& left = function_of(left_edge);
         const Function& right = function_of(right_edge);
         const Real y = whole<Real>(row.y) + offset_.y();
-        for (int column = canvas_.left(); column <= canvas_.right() && !has_long_numbers_;
-             ++column) {
+        for (int column = canvas_.left(); column <= canvas_.right(); ++column) {
             const Real x = Real(column) + offset_.x();
             expect(left.admits(x, y), row.from <= column, "scanline: left admits",
                    fmt::format(" x = {}", column));
@@ -683,9 +707,11 @@ private:
             expect(is_thinner ? !is_nearer(step.stored, step.depth)
                               : is_nearer(step.depth, step.stored),
                    passes, "depth: pass");
-            if (knows_all && (has_thin || has_face))
-                expect(is_by_thin ? thin->second.depth : face->second, step.stored,
-                       "depth: stored");
+            if (knows_all && (has_thin || has_face)) {
+                const TracedNumber& stored = is_by_thin ? thin->second.depth : face->second;
+                if (is_fraction(stored) == is_fraction(step.stored))
+                    expect(stored, step.stored, "depth: stored");
+            }
         }
         if (is_face && (passes || (has_face && is_nearer(step.depth, face->second))))
             face_depths_[{x, y}] = step.depth;
@@ -784,8 +810,6 @@ private:
             expect(redone, value, "along: value");
         }
         along_before_ = {at, value};
-        if (has_long_numbers_ && from[across] == to[across])
-            return; // whether it rises or falls is in digits that are not told
         if (!rules_.says("rounding"))
             return;
         SpanRounding rule = line_rounding(rules_.others);
@@ -811,7 +835,7 @@ private:
                 Real(from[across] + m * (whole<Real>(at) +
                                          (is_x_major ? offset_.x() : offset_.y()) - from[along])),
                 value, "along: value");
-        if (!rules_.says("line") || (has_long_numbers_ && run == Real(0)))
+        if (!rules_.says("line"))
             return;
         const bool turns = is_x_major && canvas_.down() > 0;
         const bool rises = is_x_major && (turns ? m < Real(0) : Real(0) < m);
@@ -865,7 +889,7 @@ private:
 
     void redo_zero_area() {
         const bool is_told = rules_.says("scalar") && rules_.says("fill");
-        if (at_.size() != 3 || has_long_numbers_ || tests_faces_ || !is_told) // faces have a normal
+        if (at_.size() != 3 || tests_faces_ || !is_told) // faces have a normal
             return;
         if (method_.fill == Fill::barycentric)
             expect(area2(), Real(0), "skip: why");
@@ -895,8 +919,6 @@ private:
         const Color told = step.color.color().value_or(color_);
         if (!colors_.empty() && colors_.size() != 3)
             throw NotTold();
-        if (has_long_numbers_)
-            return;
         // Colors are mixed in the sample; of a fill that has rows, the header does not tell where that is.
         if (colors_.empty() || !rules_.says("scalar") || !rules_.says("sample"))
             return;
@@ -958,6 +980,11 @@ private:
                 std::max<std::uint8_t>(mix(&Color::alpha), 1)};
     }
 
+    static bool is_fraction(const TracedNumber& told) { return told.json().starts_with('"'); }
+
+    StepsToRedo steps_;
+    bool is_asked_ = true;         ///< the step is one of those
+    bool is_in_fractions_ = false; ///< the primitive is told in fractions
     RulesTold rules_;
     const Method& method_; ///< what holds for triangles
     const Trace& trace_;
@@ -968,7 +995,6 @@ private:
     bool tests_faces_ = false;
     std::map<std::string, std::vector<std::string>> corners_of_ears_; ///< by their names
     std::string kind_;
-    bool has_long_numbers_ = false; ///< corners are rounded
     std::vector<std::string> names_;
     std::map<std::string, Way> ways_; ///< once one was asked for
     std::vector<At> at_;

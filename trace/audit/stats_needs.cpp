@@ -26,9 +26,6 @@ void StatsNeeds::begin(const PrimitiveStep& step, std::size_t number) {
     if (step.kind != PrimitiveKind::triangle)
         primitive_.lacks =
             "expected a triangle, polygon, outline, line, circle or point, found " + called();
-    else if (step.within)
-        primitive_.lacks =
-            R"(expected an exact "at" of )" + called() + R"(, found one with "within")";
     else if (!primitive_.corners)
         primitive_.lacks =
             fmt::format(R"(expected "at", three pairs of numbers, of {}, found {})", called(),

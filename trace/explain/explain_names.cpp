@@ -41,6 +41,11 @@ void for_each_step(const Trace& trace, const std::function<void(const StepOf&)>&
             primitive = begun.name.text();
             whole = name_of_whole(begun);
         }
+        if (kind == StepKind::undecided) { // it stands before its primitive
+            const std::string next = step.as<UndecidedStep>().name.text();
+            take({n, *kind, step, next, next});
+            continue;
+        }
         take({n, *kind, step, primitive, whole});
     }
 }

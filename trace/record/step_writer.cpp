@@ -19,15 +19,10 @@ constexpr std::size_t buffer_size = 256 * 1024;
 
 } // namespace
 
-NumberStyle number_style_of(const Method& method) {
-    return method.scalar == ScalarKind::adaptive ? NumberStyle::doubles : NumberStyle::exact;
-}
-
-StepWriter::StepWriter(Output& output, TraceLayout layout, const StepFilter& filter,
-                       NumberStyle numbers)
+StepWriter::StepWriter(Output& output, TraceLayout layout, const StepFilter& filter)
     : output_(output), buffer_(buffer_size),
-      next_separator_(layout == TraceLayout::json ? ",\n" : "\n"), numbers_(numbers),
-      region_(filter.region), primitive_(filter.primitive), is_in_primitive_(!filter.primitive) {
+      next_separator_(layout == TraceLayout::json ? ",\n" : "\n"), region_(filter.region),
+      primitive_(filter.primitive), is_in_primitive_(!filter.primitive) {
     wanted_.fill(!filter.only);
     if (filter.only)
         for (const StepKind kind : *filter.only)
@@ -75,13 +70,6 @@ constexpr auto itself = [](const auto& value) -> const auto& {
     return value;
 };
 
-/// True for two different fractions with one nearest double.
-bool round_alike(const Quantity& a, const Quantity& b) {
-    const Rational* const x = a.rational();
-    const Rational* const y = b.rational();
-    return x && y && to_double(a) == to_double(b) && *x != *y;
-}
-
 /// The value of a field that the step has only if `is_there`.
 template <typename Value> const Value* only_if(bool is_there, const Value& value) {
     return is_there ? &value : nullptr;
@@ -95,10 +83,7 @@ template <typename Value> const Value* only_if(const std::optional<Value>& value
 void StepWriter::operator()(const FaceTriangulated<Quantity>& step) {
     if (!wants(StepKind::triangulate))
         return;
-    // Who cuts the ears again has to know just where the corners are.
-    const auto place = [](const Vec<Quantity, 3>& at) {
-        return tuple(Exactly{at.x, true}, Exactly{at.y, true}, Exactly{at.z, true});
-    };
+    const auto place = [](const Vec<Quantity, 3>& at) { return tuple(at.x, at.y, at.z); };
     put_step<TriangulateStep>(Quoted{step.name}, List{step.vertices, quoted}, List{step.at, place},
                               place(step.normal), Word{{&step.dropped, 1}},
                               List{step.ears, quoted});
@@ -126,34 +111,15 @@ void StepWriter::operator()(const MatrixSetUp<Quantity>& step) {
 void StepWriter::operator()(const VertexPlaced<Quantity>& step) {
     if (!wants(StepKind::vertex))
         return;
-    const Quoted name{step.name};
-    const Word space{word_of(step.space)};
-    if (step.snapped.empty())
-        put_step<VertexStep>(name, space, List{step.at, itself}, Absent());
-    else
-        put_step<VertexStep>(name, space, tuple(Deciding{step.at[0]}, Deciding{step.at[1]}),
-                             List{step.snapped, itself});
+    put_step<VertexStep>(Quoted{step.name}, Word{word_of(step.space)}, List{step.at, itself},
+                         ListIfAny{step.snapped, itself});
 }
 
 void StepWriter::operator()(const PrimitivesOrdered<Quantity>& step) {
     if (!wants(StepKind::order))
         return;
-    // Different ones that round to one double are told as they are: their order hangs on it.
-    const auto& distances = step.distances;
-    std::vector<bool> hangs_on_digits(distances.size());
-    for (std::size_t i = 0, end = 0; i < distances.size(); i = end) {
-        const double near = to_double(distances[i]);
-        bool differ = false;
-        for (end = i + 1; end < distances.size() && to_double(distances[end]) == near; ++end)
-            differ = differ || round_alike(distances[end - 1], distances[end]);
-        std::fill(hangs_on_digits.begin() + static_cast<std::ptrdiff_t>(i),
-                  hangs_on_digits.begin() + static_cast<std::ptrdiff_t>(end), differ);
-    }
-    const auto distance = [&](const Quantity& one) {
-        return Distance{one, hangs_on_digits[static_cast<std::size_t>(&one - distances.data())]};
-    };
     put_step<OrderStep>(
-        List{step.names, quoted}, List{distances, distance},
+        List{step.names, quoted}, List{step.distances, itself},
         List{step.indices, [](std::size_t index) { return static_cast<std::int64_t>(index + 1); }});
 }
 
@@ -166,23 +132,16 @@ void StepWriter::operator()(const PrimitiveBegan<Quantity>& step) {
     is_circle_ = step.kind == PrimitiveKind::circle;
     if (!wants(StepKind::primitive))
         return;
-    // Who looks for pixels that are wrong has to know just where the corners are.
-    double within = 0;
-    for (const auto& position : step.positions)
-        within = std::max({within, rounded_off(position.x), rounded_off(position.y)});
-    const auto position = [](const Vec<Quantity, 2>& at) {
-        return tuple(Exactly{at.x}, Exactly{at.y});
-    };
+    const auto position = [](const Vec<Quantity, 2>& at) { return tuple(at.x, at.y); };
     const bool is_part = true;
     const bool is_painted = false;
-    put_step<PrimitiveStep>(
-        Word{word_of(step.kind)}, Quoted{step.name}, List{step.vertices, quoted},
-        ListIfAny{step.positions, position}, only_if(within > 0, within),
-        ListIfAny{step.depths, [](const Quantity& depth) { return Exactly{depth}; }},
-        ColorText(step.color), ListIfAny{step.colors, [](Color color) { return ColorText(color); }},
-        only_if(step.octant != 0, step.octant), only_if(step.is_part, is_part),
-        only_if(!step.is_painted, is_painted), only_if(is_circle_, step.radius),
-        only_if(!step.face.empty(), Quoted{step.face}));
+    put_step<PrimitiveStep>(Word{word_of(step.kind)}, Quoted{step.name},
+                            List{step.vertices, quoted}, ListIfAny{step.positions, position},
+                            ListIfAny{step.depths, itself}, ColorText(step.color),
+                            ListIfAny{step.colors, [](Color color) { return ColorText(color); }},
+                            only_if(step.octant != 0, step.octant), only_if(step.is_part, is_part),
+                            only_if(!step.is_painted, is_painted), only_if(is_circle_, step.radius),
+                            only_if(!step.face.empty(), Quoted{step.face}));
 }
 
 void StepWriter::operator()(const FaceTested<Quantity>& step) {
@@ -190,7 +149,7 @@ void StepWriter::operator()(const FaceTested<Quantity>& step) {
         return;
     const Word light{"light"};
     put_step<FaceStep>(Quoted{name_}, tuple(step.normal.x, step.normal.y, step.normal.z),
-                       tuple(step.view.x, step.view.y, step.view.z), Deciding{step.dot},
+                       tuple(step.view.x, step.view.y, step.view.z), step.dot,
                        OrNull{only_if(step.cosine)}, only_if(step.is_by_light, light),
                        step.is_culled, step.is_culled_opposite);
 }
@@ -199,8 +158,8 @@ void StepWriter::operator()(const FaceLit<Quantity>& step) {
     if (!wants(StepKind::light))
         return;
     put_step<LightStep>(Quoted{name_}, tuple(step.normal.x, step.normal.y, step.normal.z),
-                        tuple(step.light.x, step.light.y, step.light.z), Deciding{step.dot},
-                        step.intensity, ColorText(step.color));
+                        tuple(step.light.x, step.light.y, step.light.z), step.dot, step.intensity,
+                        ColorText(step.color));
 }
 
 void StepWriter::operator()(const PrimitiveClipped& step) {
@@ -217,8 +176,7 @@ void StepWriter::operator()(const EdgeSetUp<Quantity>& step) {
 
 void StepWriter::operator()(const EdgeFunctionSetUp<Quantity>& step) {
     if (wants(StepKind::edge))
-        put_step<EdgeStep>(label(step.edge), Absent(), Exactly{step.a}, Exactly{step.b},
-                           step.is_top_left, Absent());
+        put_step<EdgeStep>(label(step.edge), Absent(), step.a, step.b, step.is_top_left, Absent());
 }
 
 void StepWriter::operator()(const SideBegan& step) {
@@ -240,15 +198,15 @@ void StepWriter::operator()(const RowCrossed<Quantity>& step) {
     if (!wants(StepKind::crossings) || (region_ && !region_->has_row(step.y)))
         return;
     put_step<CrossingsStep>(step.y, List{step.edges, [this](EdgeName edge) { return label(edge); }},
-                            List{step.x, [](const Quantity& x) { return Deciding{x}; }},
+                            List{step.x, itself},
                             List{step.winding, [](int number) { return std::int64_t{number}; }});
 }
 
 void StepWriter::operator()(const ScanlineSpanned<Quantity>& step) {
     if (!wants(StepKind::scanline) || !is_in_region(step.y, step.from, step.to))
         return;
-    put_step<ScanlineStep>(step.y, Deciding{step.left}, Deciding{step.right}, step.from, step.to,
-                           label(step.left_edge), label(step.right_edge), only_if(step.left_depth),
+    put_step<ScanlineStep>(step.y, step.left, step.right, step.from, step.to, label(step.left_edge),
+                           label(step.right_edge), only_if(step.left_depth),
                            only_if(step.right_depth));
 }
 
@@ -256,7 +214,7 @@ void StepWriter::operator()(const LineSampled<Quantity>& step) {
     if (!wants(StepKind::along) || !is_in_region(step))
         return;
     put_step<AlongStep>(only_if(step.is_x_major, step.at), only_if(!step.is_x_major, step.at),
-                        Deciding{step.value}, step.pixel);
+                        step.value, step.pixel);
 }
 
 void StepWriter::operator()(const LineDecided& step) {
@@ -268,22 +226,16 @@ void StepWriter::operator()(const SampleTested<Quantity>& step) {
     if (!wants(StepKind::sample) || !is_in_region(step.pixel))
         return;
     const auto& [first, second, third] = step.weights;
-    put_step<SampleStep>(step.pixel.x, step.pixel.y,
-                         tuple(Deciding{first}, Deciding{second}, Deciding{third}), step.is_inside);
+    put_step<SampleStep>(step.pixel.x, step.pixel.y, tuple(first, second, third), step.is_inside);
 }
 
 void StepWriter::operator()(const DepthTested<Quantity>& step) {
     if (!wants(StepKind::depth) || !is_in_region(step.pixel))
         return;
-    const bool hangs_on_digits =
-        numbers_ == NumberStyle::doubles && step.stored && round_alike(step.depth, *step.stored);
-    const Exactly depth{step.depth, hangs_on_digits};
-    const Exactly stored{step.stored ? *step.stored : step.depth, hangs_on_digits};
     const Quoted other{step.other};
     const auto other_if = [&](DepthReason reason) { return only_if(step.reason == reason, other); };
-    put_step<DepthStep>(step.pixel.x, step.pixel.y, depth,
-                        OrNull{only_if(step.stored.has_value(), stored)}, step.passes,
-                        other_if(DepthReason::side_of), other_if(DepthReason::beside),
+    put_step<DepthStep>(step.pixel.x, step.pixel.y, step.depth, OrNull{only_if(step.stored)},
+                        step.passes, other_if(DepthReason::side_of), other_if(DepthReason::beside),
                         other_if(DepthReason::behind));
 }
 
@@ -317,8 +269,10 @@ void StepWriter::operator()(const PrimitiveSkipped& step) {
 void StepWriter::operator()(const BoundExceeded& step) {
     // What has left the doubles has no difference to tell.
     const bool is_told = std::isfinite(step.difference) && std::isfinite(step.error);
+    is_in_primitive_ = !primitive_ || is_part_of(step.name, *primitive_);
     if (wants(StepKind::undecided))
-        put_step<UndecidedStep>(only_if(is_told, step.difference), only_if(is_told, step.error));
+        put_step<UndecidedStep>(Quoted{step.name}, only_if(is_told, step.difference),
+                                only_if(is_told, step.error));
 }
 
 } // namespace rastertrace

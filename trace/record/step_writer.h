@@ -42,34 +42,9 @@
 
 namespace rastertrace {
 
-/// How numbers are written that are known exactly.
-enum class NumberStyle {
-    exact,   ///< as fractions: "25/8"
-    doubles, ///< as the nearest doubles, like all other numbers: 3.125
-};
-
-/// A method that draws some of its numbers exactly and others not writes all of them alike.
-NumberStyle number_style_of(const Method& method);
-
-/// A number that is written as it is: in the style of doubles as a string where no double is that
-/// number.
-template <typename Number> struct Exactly {
-    const Number& number;
-    bool however_long = false; ///< else a number with too many digits is rounded
-};
-template <typename Number> Exactly(const Number&) -> Exactly<Number>;
-template <typename Number> Exactly(const Number&, bool) -> Exactly<Number>;
-
-/// A number that is rounded to a pixel, or whose sign decides. In the style of doubles it is written as a
-/// fraction where the nearest double is a whole number or a half, and not the number: there the double
-/// could be rounded to another pixel.
-template <typename Number> struct Deciding { const Number& number; };
-template <typename Number> Deciding(const Number&) -> Deciding<Number>;
-
 class StepWriter {
 public:
-    StepWriter(Output& output, TraceLayout layout, const StepFilter& filter,
-               NumberStyle numbers = NumberStyle::exact);
+    StepWriter(Output& output, TraceLayout layout, const StepFilter& filter);
     StepWriter(const StepWriter&) = delete;
     StepWriter& operator=(const StepWriter&) = delete;
 
@@ -80,9 +55,6 @@ public:
         else
             return true;
     }
-
-    /// Of a primitive that is not written, only the names count.
-    bool reads_corners() const { return wanted_[static_cast<std::size_t>(StepKind::primitive)]; }
 
     void operator()(const PixelPlotted& step) {
         if (!wants(StepKind::pixel) || !is_in_region(step.pixel))
@@ -187,12 +159,6 @@ private:
     static constexpr Word off_canvas{"off-canvas"};
     struct ColorText : std::string {
         explicit ColorText(Color color) : std::string(to_text(color)) {}
-    };
-
-    /// A painter's distance, as it is or rounded.
-    struct Distance {
-        const Quantity& number;
-        bool hangs_on_digits;
     };
 
     /// A value, or null.
@@ -306,7 +272,6 @@ private:
     static std::size_t size_of(bool /*value*/) { return longest_flag; }
     static std::size_t size_of(Word word) { return word.text.size() + 2; }
     static std::size_t size_of(const ColorText& color) { return color.size() + 2; }
-    std::size_t size_of(const Distance& told) const { return size_of(told.number); }
     static std::size_t size_of(Quoted name) { return room_for_quoted(name.text); }
     template <typename Value> std::size_t size_of(const OrNull<Value>& told) const {
         return told.value ? size_of(*told.value) : null.size();
@@ -335,12 +300,6 @@ private:
         const Rational* const rational = number.rational();
         return rational ? size_of(*rational) : fits_all_but_rationals;
     }
-    template <typename Number> std::size_t size_of(const Exactly<Number>& told) const {
-        return size_of(told.number);
-    }
-    template <typename Number> std::size_t size_of(const Deciding<Number>& told) const {
-        return size_of(told.number);
-    }
     std::size_t size_of(const Rational& number) const { return room_for(number) + room_for(0.0); }
 
     template <std::size_t size> static char* append(char* out, const char (&literal)[size]) {
@@ -362,10 +321,6 @@ private:
     }
     static char* append(char* out, const ColorText& color) {
         return append(out, Word{static_cast<const std::string&>(color)});
-    }
-    char* append(char* out, const Distance& told) const {
-        return told.hangs_on_digits ? append(out, Exactly{told.number, true})
-                                    : append(out, told.number);
     }
     static char* append(char* out, Quoted name) { return write_quoted(out, name.text); }
     template <typename Value> char* append(char* out, const OrNull<Value>& told) const {
@@ -394,66 +349,8 @@ private:
         return format_number(out, number);
     }
     char* append(char* out, double number) const { return texts_.append(out, number); }
-    template <typename Integer> char* append(char* out, const Fraction<Integer>& number) const {
-        return numbers_ == NumberStyle::doubles ? format_number(out, to_double(number))
-                                                : format_number(out, number);
-    }
-    char* append(char* out, const Rational& number) const {
-        return numbers_ == NumberStyle::doubles ? format_as_double(out, number)
-                                                : format_number(out, number);
-    }
-
     char* append(char* out, const Quantity& number) const {
         return number.visit([&](const auto& value) { return append(out, value); });
-    }
-    template <typename Number> char* append(char* out, const Exactly<Number>& told) const {
-        return append(out, told.number);
-    }
-    char* append(char* out, const Exactly<Quantity>& told) const {
-        return told.number.visit([&](const auto& value) {
-            return append(out, Exactly{value, told.however_long});
-        });
-    }
-    template <typename Integer>
-    char* append(char* out, const Exactly<Fraction<Integer>>& told) const {
-        return numbers_ == NumberStyle::doubles ? format_exactly(out, exact(told.number))
-                                                : format_number(out, told.number);
-    }
-    char* append(char* out, const Exactly<Rational>& told) const {
-        return numbers_ == NumberStyle::doubles
-                   ? format_exactly(out, told.number, told.however_long)
-                   : format_number(out, told.number);
-    }
-
-    char* append(char* out, const Deciding<Quantity>& told) const {
-        return told.number.visit([&](const auto& value) { return append(out, Deciding{value}); });
-    }
-    template <typename Number> char* append(char* out, const Deciding<Number>& told) const {
-        return append(out, told.number);
-    }
-    template <typename Integer>
-    char* append(char* out, const Deciding<Fraction<Integer>>& told) const {
-        return numbers_ == NumberStyle::doubles ? format_deciding(out, told.number)
-                                                : format_number(out, told.number);
-    }
-    char* append(char* out, const Deciding<Rational>& told) const {
-        return numbers_ == NumberStyle::doubles ? format_deciding(out, told.number)
-                                                : format_number(out, told.number);
-    }
-
-    /// How far what is written by Exactly lies from the number at most.
-    double rounded_off(const Quantity& number) const {
-        const Rational* const rational = number.rational();
-        return rational ? rounded_off(*rational) : 0;
-    }
-    double rounded_off(const Rational& number) const {
-        if (numbers_ == NumberStyle::exact || is_short(number))
-            return 0;
-        const double near = nearest_double(number);
-        return std::isfinite(near) && Rational(near) != number
-                   ? std::max(std::abs(near) * std::numeric_limits<double>::epsilon(),
-                              std::numeric_limits<double>::denorm_min())
-                   : 0;
     }
 
     static constexpr std::string_view null = "null";
@@ -464,7 +361,6 @@ private:
     std::size_t used_ = 0;
     std::string_view separator_ = "\n"; ///< before the next line
     std::string_view next_separator_;
-    NumberStyle numbers_;
     std::array<bool, step_kinds> wanted_{};
     std::optional<Region> region_;
     std::optional<std::string> primitive_;

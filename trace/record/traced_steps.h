@@ -283,7 +283,6 @@ struct PrimitiveStep {
     TracedText name;
     TracedList<TracedText> vertices;
     TracedList<TracedList<TracedNumber>> at;
-    TracedNumber within;
     TracedList<TracedNumber> depths;
     TracedColor color;
     TracedList<TracedColor> colors;
@@ -297,7 +296,6 @@ struct PrimitiveStep {
         field::Told<"kind", &PrimitiveStep::kind, field::required>,
         field::Key<"name", &PrimitiveStep::name, field::required>,
         field::Told<"vertices", &PrimitiveStep::vertices>, field::Reason<"at", &PrimitiveStep::at>,
-        field::Told<"within", &PrimitiveStep::within>,
         field::Reason<"depths", &PrimitiveStep::depths>,
         field::Told<"color", &PrimitiveStep::color>,
         field::Reason<"colors", &PrimitiveStep::colors>,
@@ -549,14 +547,16 @@ struct SkipStep {
                               field::Decision<"why", &SkipStep::why, field::required>>;
 };
 
-/// With `adaptive`: doubles leave a decision about the primitive open.
+/// With `adaptive`: intervals of doubles leave a decision about a primitive open. It begins next.
 struct UndecidedStep {
     static constexpr StepKind step_kind = StepKind::undecided;
 
+    TracedText name;
     TracedNumber difference;
     TracedNumber error;
 
-    using Fields = FieldTable<field::Reason<"difference", &UndecidedStep::difference>,
+    using Fields = FieldTable<field::Key<"name", &UndecidedStep::name>,
+                              field::Reason<"difference", &UndecidedStep::difference>,
                               field::Reason<"error", &UndecidedStep::error>>;
 };
 

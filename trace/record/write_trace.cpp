@@ -32,8 +32,8 @@ std::string_view numbers_in_words(const Scene& scene, const Plan& plan) {
         return "fractions of 64 bits";
     case NumberType::rational:
         return "fractions of any size";
-    case NumberType::adaptive:
-        return "doubles with an error bound, and fractions of any size";
+    case NumberType::interval:
+        return "doubles within intervals, and fractions of any size";
     case NumberType::binary32:
     case NumberType::binary64:
         break;
@@ -148,7 +148,7 @@ std::uint64_t write_trace(const Scene& scene, const TraceOptions& options, Outpu
 std::uint64_t write_trace(const Scene& scene, const Plan& plan, const TraceOptions& options,
                           Output& output) {
     const bool is_document = options.layout == TraceLayout::json;
-    StepWriter writer(output, options.layout, options.filter, number_style_of(scene.method));
+    StepWriter writer(output, options.layout, options.filter);
 
     writer.put_text(fmt::format("{{{}{}", header_members(scene, plan, options.filter),
                                 is_document ? R"(,"steps":[)" : "}"));

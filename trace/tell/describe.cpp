@@ -700,11 +700,14 @@ constexpr Part parts[] = {
     {"what_is_open",
      [](const Context& context) {
          const auto open = context.as<UndecidedStep>();
+         const std::string name = printable(open.name.text());
          return open.error
-                    ? said({"doubles leave it open: a difference of {}, off by up to {}",
-                            "os doubles não decidem: uma diferença de {}, com erro de até {}"},
-                           open.difference.text(), open.error.text())
-                    : said({"a number has left the doubles", "um número saiu dos doubles"});
+                    ? said({"doubles leave {} open: a difference of {}, off by up to {}",
+                            "os doubles não decidem {}: uma diferença de {}, com erro de até {}"},
+                           name, open.difference.text(), open.error.text())
+                    : said({"a number of {} has left the doubles",
+                            "um número de {} saiu dos doubles"},
+                           name);
      }},
 };
 

@@ -7,7 +7,6 @@
 //     char buffer[32];
 //     char* const end = format_number(buffer, 0.25);   // 0.25
 
-#include <rastertrace/core/numbers/adaptive.h>
 #include <rastertrace/core/numbers/conversion.h>
 
 #include <array>
@@ -66,9 +65,6 @@ constexpr std::size_t room_for(const Fraction64&) {
 inline std::size_t room_for(const Rational& value) {
     return mpz_sizeinbase(value.get_num_mpz_t(), 10) + mpz_sizeinbase(value.get_den_mpz_t(), 10) +
            6;
-}
-inline std::size_t room_for(const Adaptive& value) {
-    return room_for(value.value());
 }
 
 /// Writes a value to `out`, which must have room for it; returns the place behind it.
@@ -165,68 +161,6 @@ inline char* format_number(char* out, const Fraction64& value) {
     }
     *out++ = '"';
     return out;
-}
-
-inline char* format_number(char* out, const Rational& value);
-
-/// The double nearest to a fraction; the fraction itself where that is beyond all doubles.
-inline char* format_as_double(char* out, const Rational& value) {
-    const double near = nearest_double(value);
-    return std::isfinite(near) ? format_number(out, near) : format_number(out, value);
-}
-
-/// The longest fraction that is written where its nearest double would do for most readers, in digits
-/// of numerator and denominator together.
-inline constexpr std::size_t most_digits_told = 200;
-
-/// True if a fraction has no more digits than that.
-inline bool is_short(const Rational& value) {
-    return mpz_sizeinbase(value.get_num_mpz_t(), 10) + mpz_sizeinbase(value.get_den_mpz_t(), 10) <=
-           most_digits_told;
-}
-
-/// True if a positive whole number is a power of two.
-inline bool is_power_of_two(const mpz_class& whole) {
-    return (mpz_class(1) << (mpz_sizeinbase(whole.get_mpz_t(), 2) - 1)) == whole;
-}
-
-/// A double where that is the number itself, else the fraction, unless that is too long.
-inline char* format_exactly(char* out, const Rational& value, bool however_long = false) {
-    const bool is_told = however_long || is_short(value);
-    // Only a denominator that is a power of two can make a double.
-    if (is_told && !is_power_of_two(value.get_den()))
-        return format_number(out, value);
-    const double near = nearest_double(value);
-    if (std::isfinite(near) && (!is_told || Rational(near) == value))
-        return format_number(out, near);
-    return format_number(out, value);
-}
-
-/// A fraction between a number and the whole number or half that its nearest double is: what is rounded,
-/// or asked for its sign, is decided alike. It is no longer than the number, but for a few digits.
-Rational bound_beside(const Rational& value, double near);
-
-/// The nearest double, unless that is a whole number or a half and not the number itself: then the number,
-/// or, of one with too many digits, a bound that decides the same.
-inline char* format_deciding(char* out, const Rational& value) {
-    const double near = nearest_double(value);
-    if (!std::isfinite(near))
-        return format_number(out, value);
-    if (std::abs(near) > static_cast<double>(farthest_index) || std::floor(2 * near) != 2 * near ||
-        Rational(near) == value)
-        return format_number(out, near);
-    return format_number(out, is_short(value) ? value : bound_beside(value, near));
-}
-template <typename Integer> char* format_deciding(char* out, const Fraction<Integer>& value) {
-    const double near = to_double(value);
-    if (std::floor(2 * near) != 2 * near)
-        return format_number(out, near);
-    return format_deciding(out, exact(value));
-}
-
-/// A filtered double; its bound is not written.
-inline char* format_number(char* out, const Adaptive& value) {
-    return format_number(out, value.value());
 }
 
 inline char* format_number(char* out, const Rational& value) {

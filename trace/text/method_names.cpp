@@ -70,7 +70,7 @@ constexpr std::array scalars{
     Word{ScalarKind::double_precision, "double", "IEEE 754 binary64"},
     Word{ScalarKind::fixed, "fixed", "vertices are snapped to 1/256 pixel, then all is exact"},
     Word{ScalarKind::adaptive, "adaptive",
-         "doubles with an error bound, exact numbers where it leaves a decision open"},
+         "doubles where intervals of them decide everything about a primitive, else exact numbers"},
     Word{ScalarKind::exact, "exact", "fractions: nothing is rounded but to a pixel"}};
 constexpr std::array starts{
     Word{LineStart::first, "first", "the end that the scene names first"},

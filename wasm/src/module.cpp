@@ -134,7 +134,6 @@ struct LastFrame {
                  -1),
           depths(owners.size()) {}
 
-    static bool reads_corners() { return false; }
     void operator()(const PrimitiveBegan<Quantity>& step) { names.emplace_back(step.name); }
     void operator()(const PixelPlotted& step) {
         owners[canvas.offset_of(step.pixel)] = static_cast<int>(names.size()) - 1;

@@ -10,8 +10,6 @@
 
 #include <rastertrace/core/draw/draw.h>
 
-#include <rastertrace/core/draw/filtered/depths.h>
-#include <rastertrace/core/draw/filtered/exactly.h>
 #include <rastertrace/core/draw/list/pieces.h>
 #include <rastertrace/core/draw/paint/fill.h>
 #include <rastertrace/core/draw/paint/piece_in.h>
@@ -46,8 +44,8 @@
 
 namespace rastertrace {
 
-/// What the drawing of all primitives of a scene shares.
-template <typename Scalar, typename OfPixels = Scalar> struct SceneDrawing {
+/// What the drawing of all primitives of a scene shares. Depths are tested by `Tests`.
+template <typename Scalar, typename Tests = DepthTests<DepthOf<Scalar>>> struct SceneDrawing {
     const Scene& scene;
     const Plan& plan;
     Image& image;
@@ -56,22 +54,13 @@ template <typename Scalar, typename OfPixels = Scalar> struct SceneDrawing {
         sample_offset<Scalar>(sample_of_lines(scene.method), plan.denominator);
     SampleOffset<Scalar> offset = ///< of polygons, circles and points
         sample_offset<Scalar>(sample_of_others(scene.method), plan.denominator);
-    DepthTests<DepthOf<OfPixels>>* depth = nullptr; ///< if depths are tested
-    Exactness* exactness = nullptr;                 ///< of filtered doubles
-    Owners<DepthOf<OfPixels>> owners = {};          ///< if lines are tested
+    Tests* depth = nullptr;              ///< if depths are tested
+    Owners<DepthOf<Scalar>> owners = {}; ///< if lines are tested
 
     const PixelStages& stages_of(std::size_t primitive) const {
         return plan.stages.pixels[primitive];
     }
 };
-
-/// A sink of this type for a listener.
-template <typename Sink> Sink sink_to(const Listener& listener) {
-    if constexpr (keeps_steps<Sink>)
-        return ListenerSink(listener);
-    else
-        return {};
-}
 
 /// The line between two vertices of a primitive, in the direction in which it is drawn: its true
 /// ends, and the pixels nearest to them.
@@ -87,7 +76,6 @@ DirectedLine<Scalar> directed_line(const Piece<Scalar>& primitive, EdgeName side
                                    const SampleOffset<Scalar>& offset, const Method& method) {
     const Vec<Scalar, 2>& from = primitive.positions[side.from];
     const Vec<Scalar, 2>& to = primitive.positions[side.to];
-    // `to` first: if filtered doubles leave both ends open, its bound is told.
     const GridPoint to_pixel = nearest_pixel(to, offset);
     const GridPoint from_pixel = nearest_pixel(from, offset);
     const DirectedLine<Scalar> forward{
@@ -135,9 +123,9 @@ bool draw_line(const Piece<Scalar>& primitive, EdgeName side, const SampleOffset
 
 /// What is computed once per triangle before it is filled: the stages of its pixels, their colors,
 /// and their depths. It makes the painter of the triangle.
-template <typename Scalar, typename OfPixels> class TrianglePaint {
+template <typename Scalar, typename Tests> class TrianglePaint {
 public:
-    TrianglePaint(const Piece<Scalar>& primitive, const SceneDrawing<Scalar, OfPixels>& drawing)
+    TrianglePaint(const Piece<Scalar>& primitive, const SceneDrawing<Scalar, Tests>& drawing)
         : stages_(drawing.stages_of(primitive.primitive)), flat_(primitive.color) {
         const Method& method = drawing.scene.method;
         // A triangle has one color if it has no area, or if its vertices have one color.
@@ -149,9 +137,6 @@ public:
             const Barycentric<Scalar> barycentric(triangle);
             if (barycentric.area2() == scalar_from<Scalar>(0))
                 stages_.colors = ColorStage::flat;
-            else if constexpr (is_filtered<OfPixels>)
-                mixed_ = mixed_colors(primitive, stages_.colors, method.color_rounding,
-                                      *drawing.exactness);
             else
                 mixed_ = {primitive.colors, barycentric, drawing.grid.offset(), primitive.inverse_w,
                           method.color_rounding};
@@ -159,19 +144,15 @@ public:
         if (!stages_.tests_depth)
             return;
         depth_.emplace(depth_positions(triangle), primitive.depths, drawing.depth->larger_passes());
-        const DepthForm form = traits_of(method.fill).depths;
-        if (form == DepthForm::plane)
+        if (traits_of(method.fill).depths == DepthForm::plane)
             plane_ = depth_->plane(depth_offset(drawing));
-        if constexpr (is_filtered<Scalar>)
-            if (form == DepthForm::along_edges)
-                require_finite_differences(primitive.depths);
     }
 
     /// True if FlatPainter paints it: one color, no depths.
     bool is_flat() const { return stages_.colors == ColorStage::flat && !stages_.tests_depth; }
 
     /// True if PlanePainter paints it: one color, depths in a plane, and no lines are tested.
-    bool is_flat_in_plane(const SceneDrawing<Scalar, OfPixels>& drawing) const {
+    bool is_flat_in_plane(const SceneDrawing<Scalar, Tests>& drawing) const {
         return stages_.colors == ColorStage::flat && stages_.is_painted && plane_ &&
                !drawing.depth->has_owners();
     }
@@ -185,14 +166,14 @@ public:
     }
 
     template <typename Sink>
-    PlanePainter<Scalar, Sink> plane_painter(const SceneDrawing<Scalar, OfPixels>& drawing,
+    PlanePainter<Scalar, Sink> plane_painter(const SceneDrawing<Scalar, Tests>& drawing,
                                              const Sink& sink) const {
         return {drawing.image, flat_, *plane_, *drawing.depth, stages_.tests_canvas, sink};
     }
 
     template <typename Sink>
-    RowPainter<Scalar, OfPixels, Sink> row_painter(const SceneDrawing<Scalar, OfPixels>& drawing,
-                                                   const Sink& sink) {
+    RowPainter<Scalar, Tests, Sink> row_painter(const SceneDrawing<Scalar, Tests>& drawing,
+                                                const Sink& sink) {
         return {.image = drawing.image,
                 .stages = stages_,
                 .flat = flat_,
@@ -207,23 +188,22 @@ public:
     }
 
 private:
-    static SampleOffset<DepthOf<Scalar>>
-    depth_offset(const SceneDrawing<Scalar, OfPixels>& drawing) {
+    static SampleOffset<DepthOf<Scalar>> depth_offset(const SceneDrawing<Scalar, Tests>& drawing) {
         const SampleOffset<Scalar>& offset = drawing.grid.offset();
         return {depth_scalar(offset.x()), depth_scalar(offset.y())};
     }
 
     PixelStages stages_;
     Color flat_;
-    std::optional<MixedColors<OfPixels>> mixed_;
+    std::optional<MixedColors<Scalar>> mixed_;
     std::optional<TriangleDepth<DepthOf<Scalar>>> depth_;
     std::optional<DepthPlane<DepthOf<Scalar>>> plane_;
 };
 
 /// Draws a point, a line, a circle, or the three lines of an outline. `painter_of(side)` makes the
 /// painter of each. The side of a point, or of a circle, leads from its corner to itself.
-template <typename Scalar, typename OfPixels, typename PainterOf>
-void draw_lines(const Piece<Scalar>& primitive, const SceneDrawing<Scalar, OfPixels>& drawing,
+template <typename Scalar, typename Tests, typename PainterOf>
+void draw_lines(const Piece<Scalar>& primitive, const SceneDrawing<Scalar, Tests>& drawing,
                 PainterOf&& painter_of) {
     const Method& method = drawing.scene.method;
     const Canvas& canvas = drawing.scene.canvas;
@@ -276,41 +256,38 @@ void fill_polygon(const Piece<Scalar>& polygon, const SampleOffset<Scalar>& offs
                             canvas, sink);
 }
 
-/// Emits PrimitiveBegan. `told` has the corners in the numbers that are emitted.
-template <typename Scalar, typename OfPixels, typename Told, typename Sink>
-void tell_beginning(const Piece<Scalar>& piece, const PieceNames& names, const Piece<Told>& told,
-                    bool has_depths, const SceneDrawing<Scalar, OfPixels>& drawing, Sink&& sink) {
+/// Emits PrimitiveBegan.
+template <typename Scalar, typename Tests, typename Sink>
+void tell_beginning(const Piece<Scalar>& piece, const PieceNames& names,
+                    const SceneDrawing<Scalar, Tests>& drawing, Sink&& sink) {
     const Plan& plan = drawing.plan;
-    sink(PrimitiveBegan<Told>{
+    sink(PrimitiveBegan<Scalar>{
         .kind = piece.kind,
         .name = names.piece,
         .vertices = names.corners,
-        .positions = told.corners(),
+        .positions = piece.corners(),
         .color = piece.color,
         .colors = std::span(piece.colors).first(plan.mixes_colors ? piece.count : 0),
         .octant = piece.kind == PrimitiveKind::line
                       ? octant_of(piece, {0, 1}, drawing.line_offset, drawing.scene.method)
                       : 0,
         .is_part = piece.is_part,
-        .depths = std::span(told.depths).first(has_depths ? piece.count : 0),
+        .depths = std::span(piece.depths).first(drawing.depth ? piece.count : 0),
         .is_painted = plan.stages.pixels[piece.primitive].is_painted,
         .radius = piece.radius,
         .face = drawing.scene.face_of(drawing.scene.primitives[piece.primitive])});
 }
 
 /// Draws a point, a line or an outline, with or without depth tests.
-template <typename Scalar, typename OfPixels, typename Sink>
-void draw_thin(const Piece<Scalar>& piece, SceneDrawing<Scalar, OfPixels>& drawing,
-               const Sink& sink) {
+template <typename Scalar, typename Tests, typename Sink>
+void draw_thin(const Piece<Scalar>& piece, SceneDrawing<Scalar, Tests>& drawing, const Sink& sink) {
     const Scene& scene = drawing.scene;
     if (!drawing.stages_of(piece.primitive).tests_depth)
         return draw_lines(piece, drawing,
                           [&](EdgeName) { return FlatPainter(drawing.image, piece.color, sink); });
     draw_lines(piece, drawing, [&](EdgeName side) {
-        if (drawing.owners.begin_side)
-            drawing.owners.begin_side(side);
-        return LinePainter<Scalar, OfPixels, Sink>(piece, side, scene, drawing.image,
-                                                   *drawing.depth, drawing.owners, sink);
+        return LinePainter<Scalar, Tests, Sink>(piece, side, scene, drawing.image, *drawing.depth,
+                                                drawing.owners, sink);
     });
 }
 
@@ -323,8 +300,8 @@ inline bool hears_skips(const SkipSink& sink) {
 }
 
 /// Draws a piece.
-template <typename Scalar, typename OfPixels, typename Sink>
-void draw_piece(const Piece<Scalar>& piece, SceneDrawing<Scalar, OfPixels>& drawing,
+template <typename Scalar, typename Tests, typename Sink>
+void draw_piece(const Piece<Scalar>& piece, SceneDrawing<Scalar, Tests>& drawing,
                 const Sink& sink) {
     const Scene& scene = drawing.scene;
     if (piece.kind == PrimitiveKind::polygon)
@@ -334,14 +311,15 @@ void draw_piece(const Piece<Scalar>& piece, SceneDrawing<Scalar, OfPixels>& draw
     if (piece.kind != PrimitiveKind::triangle)
         return draw_thin(piece, drawing, sink);
     const Triangle<Scalar> triangle{piece.positions};
-    TrianglePaint<Scalar, OfPixels> paint(piece, drawing);
+    TrianglePaint<Scalar, Tests> paint(piece, drawing);
     if constexpr (!keeps_steps<Sink>) {
         if (!paint.has_work() && !hears_skips(sink))
             return;
         if (paint.has_work() && paint.is_flat())
             return fill(triangle, piece.colors, scene.method, drawing.grid, scene.canvas,
                         paint.flat_painter(drawing.image, sink));
-        if constexpr (std::floating_point<DepthOf<OfPixels>>)
+        if constexpr (std::same_as<Tests, DepthTests<DepthOf<Scalar>>> &&
+                      std::floating_point<DepthOf<Scalar>>)
             if (scene.method.fill == Fill::top_left && paint.is_flat_in_plane(drawing))
                 return fill_top_left(triangle, drawing.grid,
                                      canvas_of_samples(scene.method, scene.canvas),
@@ -351,34 +329,16 @@ void draw_piece(const Piece<Scalar>& piece, SceneDrawing<Scalar, OfPixels>& draw
          paint.row_painter(drawing, sink));
 }
 
-/// Emits what is known of a piece before it is drawn. Filtered doubles emit the exact corners: all
-/// decisions are about these.
-template <typename AFace, typename Scalar, typename OfPixels, typename Sink>
-void tell_piece(const PieceNames& names, const AFace& face, const Piece<Scalar>& piece,
-                const SceneDrawing<Scalar, OfPixels>& drawing, const Sink& sink) {
-    const auto begin = [&](const auto& told) {
-        tell_beginning(piece, names, told, drawing.depth != nullptr, drawing, sink);
-    };
-    bool is_told = false;
-    if constexpr (is_filtered<Scalar>)
-        if (sink.reads_corners()) {
-            begin(drawing.exactness->pieces.piece(drawing.exactness->drawn.back()));
-            is_told = true;
-        }
-    if (!is_told)
-        begin(piece);
-    tell_face(face, sink);
-}
-
 /// Emits what is known of a piece, and draws it. `of_pixels` is the sink of its drawing.
-template <typename AList, typename AFace, typename Scalar, typename OfPixels, typename Sink,
-          typename SinkOfPixels>
+template <typename AList, typename AFace, typename Scalar, typename Tests, typename Sink>
 void tell_and_draw(const AList& list, const ScreenPrimitive& one, const AFace& face,
-                   const Piece<Scalar>& piece, SceneDrawing<Scalar, OfPixels>& drawing,
-                   const Sink& sink, const SinkOfPixels& of_pixels) {
+                   const Piece<Scalar>& piece, SceneDrawing<Scalar, Tests>& drawing,
+                   const Listener& listener, const Sink& of_pixels) {
     const PieceNames names(drawing.scene, list,
                            one); // a listener may refer to them until the piece ends
-    tell_piece(names, face, piece, drawing, sink);
+    const ListenerSink sink(listener);
+    tell_beginning(piece, names, drawing, sink);
+    tell_face(face, sink);
     if (!piece.is_skipped)
         draw_piece(piece, drawing, of_pixels);
 }
@@ -407,7 +367,7 @@ void draw_list(const AList& list, SceneDrawing<Scalar>& drawing, const Listener&
         tell_all_pieces(scene, list, listener, [&](const ScreenPrimitive& one, const auto& face) {
             const auto piece = piece_in<Scalar>(piece_of(scene, list, one), plan);
             begin(one);
-            tell_and_draw(list, one, face, piece, drawing, ListenerSink(listener), sink);
+            tell_and_draw(list, one, face, piece, drawing, listener, sink);
         });
     else
         for (std::size_t place = 0; place < count_of(scene, list); ++place) {
@@ -421,19 +381,13 @@ void draw_list(const AList& list, SceneDrawing<Scalar>& drawing, const Listener&
 
 /// Draws a scene with the numbers that its plan has chosen.
 template <typename Scalar>
-Image draw_in(const Scene& scene, const Plan& plan, const Listener& listener,
-              Fallbacks* fallbacks) {
+Image draw_in(const Scene& scene, const Plan& plan, const Listener& listener, Fallbacks*) {
     Image image(scene.canvas);
     SceneDrawing<Scalar> drawing{scene, plan, image};
     std::optional<DepthTests<DepthOf<Scalar>>> depth;
     if (scene.has_depth_buffer())
         drawing.depth = &depth.emplace(plan.stages.depth_region, depth_rule<DepthOf<Scalar>>(scene),
                                        scene.has_tested_lines());
-    std::optional<Exactness> exactness;
-    if constexpr (is_filtered<Scalar>)
-        drawing.exactness = &exactness.emplace(
-            Exactness{ExactPieces(scene, plan),
-                      sample_offset<Rational>(sample_of(scene.method), plan.denominator)});
 
     // First the steps of all vertices, then the primitives.
     const auto draw_all = [&]<typename AList>(const AList& list) {
@@ -447,8 +401,6 @@ Image draw_in(const Scene& scene, const Plan& plan, const Listener& listener,
         }
     };
     std::visit(draw_all, *plan.list);
-    if (fallbacks && exactness)
-        *fallbacks = exactness->fallbacks;
     return image;
 }
 

@@ -1,299 +1,295 @@
 // SPDX-License-Identifier: MIT
-// Drawing with filtered doubles: certify, then draw. All decisions about a piece are taken before
-// its first pixel is painted and its first step is emitted. If one is undecided, the piece is drawn
-// with rationals instead. An undecided depth test or color is decided exactly for its pixel alone
-// (exactly.h).
+// Drawing in intervals. Every piece is first tried: drawn in intervals, on a picture without memory,
+// for a sink that keeps nothing. If that decides everything, the piece is drawn in doubles, from the
+// middles of its corners: each double lies in its interval, and decides alike. Else it is drawn in
+// fractions. Without a listener an open depth test does not count: the exact depths of its pixel
+// decide it (numbered_depths.h).
 
 #include "draw_in.h"
 #include "draw_scalar.h"
-#include "filtered/sinks.h"
 
-#include <rastertrace/core/draw/filtered/exactly.h>
+#include <rastertrace/core/draw/paint/numbered_depths.h>
+#include <rastertrace/core/raster/fill_scanline.h>
 
-#include <concepts>
-#include <cstddef>
-#include <cstdint>
-#include <optional>
-#include <span>
+#include <map>
 
 namespace rastertrace {
 
-// The drawing with rationals is compiled in draw_in_adaptive_exactly.cpp.
-extern template void draw_piece(const Piece<Rational>&, SceneDrawing<Rational, Adaptive>&,
-                                const NullSink&);
-extern template void draw_piece(const Piece<Rational>&, SceneDrawing<Rational, Adaptive>&,
-                                const ListenerSink&);
+/// The depths of a row of a triangle: between its two edges, or in its plane.
+DepthRow<Rational> depths_of_row(const Scene& scene, const Piece<Rational>& piece, int y) {
+    const Method& method = scene.method;
+    const auto offset = sample_offset<Rational>(scene, sample_of(method), 1);
+    const Triangle<Rational> triangle{piece.positions};
+    TriangleDepth<Rational> depth(triangle.vertices, piece.depths,
+                                  depth_rule<Rational>(scene).larger_passes);
+    if (traits_of(method.fill).depths != DepthForm::along_edges)
+        return depth.plane(offset).on_row(y);
+    const int down = scene.canvas.down();
+    const JoinedEdges<Rational> edges = joined_edges(triangle, down);
+    const bool is_lower = first_lower_y(edges, offset, down) * down <= Index{y} * down;
+    const Edge<Rational>* left = &edges.long_edge;
+    const Edge<Rational>* right = is_lower ? &edges.lower : &edges.upper;
+    if (!edges.long_edge_is_left)
+        std::swap(left, right);
+    const Rational height = offset.y_of(y);
+    Rational left_x = offset.in_columns(left->x_at(height));
+    Rational right_x = offset.in_columns(right->x_at(height));
+    if (method.depth_at == DepthAt::rounded_ends) {
+        left_x = scalar_from<Rational>(first_pixel(left_x, span_rounding(method)));
+        right_x = scalar_from<Rational>(last_pixel(right_x, span_rounding(method)));
+    }
+    return row_between<Rational>(left_x, depth.on_edge(left->name, height), right_x,
+                                 depth.on_edge(right->name, height));
+}
+
+Rational exact_depth(const Scene& scene, const Piece<Rational>& piece, std::size_t corner,
+                     Pixel pixel) {
+    if (piece.kind == PrimitiveKind::triangle)
+        return depths_of_row(scene, piece, pixel.y).at(pixel.x);
+    const EdgeName side{static_cast<std::uint16_t>(corner),
+                        static_cast<std::uint16_t>((corner + 1) % piece.count)};
+    return line_points(piece, side, depth_rule<Rational>(scene).larger_passes, scene)
+        .depth_at(pixel);
+}
 
 namespace {
 
-/// Draws the pieces of a scene, with a listener (ListenerSink) or without (NullSink).
-template <typename Sink> class AdaptiveDrawing {
+/// The primitives of a scene in exact numbers, each worked out when it is asked for.
+class ExactPieces {
 public:
-    AdaptiveDrawing(SceneDrawing<Adaptive>& filtered, const Listener& listener)
-        : scene_(filtered.scene), plan_(filtered.plan),
-          filtered_(filtered), exact_{.scene = scene_,
-                                      .plan = plan_,
-                                      .image = filtered.image,
-                                      .depth = filtered.depth,
-                                      .exactness = filtered.exactness},
-          exactness_(*filtered.exactness), listener_(listener), certifier_(listener),
-          certifying_(certifier_) {
-        if (filtered.depth)
-            filtered.depth->ask(
-                [this](auto... asked) { return is_nearer(scene_, plan_, exactness_, asked...); },
-                [this](auto... asked) { return told_depth(scene_, exactness_, asked...); });
-        exact_.owners = {
-            .primitive_of =
-                [this](std::uint32_t owner) { return exactness_.drawn[owner].primitive; },
-            .hides_exactly = [this](auto... asked) { return hides_exactly(asked...); },
-            .begin_side = [this](EdgeName side) { begin_side(side); }};
-        filtered_.owners = {.primitive_of = exact_.owners.primitive_of,
-                            .hides_exactly =
-                                [this](auto... asked) {
-                                    ++exactness_.fallbacks.depths;
-                                    return hides_exactly(asked...);
-                                },
-                            .begin_side = exact_.owners.begin_side};
-    }
+    ExactPieces(const Scene& scene, const Plan& plan) : scene_(scene), plan_(plan) {}
 
-    /// Draws the list.
-    void draw(const TypedVertices& typed) {
-        for_each_primitive(scene_, typed, [&](const ScreenPrimitive& one) {
-            parts_ = 0;
-            draw_one(typed, one, NoFace(), listener_);
-        });
-    }
-    template <typename Coordinate> void draw(const ScreenList<Coordinate>& list) {
-        listed_ = list.primitives;
-        exactness_.drawn.reserve(listed_.size());
-        filtered_.owners.triangle_of = [&](std::uint32_t owner) {
-            const PieceIndex& index = exactness_.drawn[owner];
-            if (!index.listed)
-                return corners_of(piece_in<Adaptive>(exactness_.pieces.piece(index), plan_));
-            const auto piece = piece_of(scene_, list, list.primitives[*index.listed]);
-            return corners_of(piece_in<Adaptive>(piece, plan_));
-        };
-        const std::span all(list.primitives);
-        std::size_t next = 0;
-        for (std::size_t turn = 0; turn < scene_.primitives.size(); ++turn) {
-            const std::size_t index = primitive_at(list, turn);
-            const std::size_t first = next;
-            while (next != all.size() && all[next].primitive == index)
-                ++next;
-            draw(list, index, all.subspan(first, next - first));
+    /// The parts of a primitive of a scene with a pipeline, in the list that holds those so far.
+    const std::vector<ScreenPrimitive>& parts_of(std::size_t primitive) {
+        if (!geometry_)
+            std::visit([this](const auto& list) { begin(list); }, *plan_.list);
+        const auto [known, is_new] = parts_.try_emplace(primitive);
+        if (is_new) {
+            for (const std::size_t index : scene_.primitives[primitive].corners())
+                if (!geometry_->is_used[index]) {
+                    geometry_->is_used[index] = true;
+                    move_vertex(scene_, index, *geometry_);
+                }
+            geometry_->list.primitives.clear();
+            add_primitive(scene_, *geometry_, primitive);
+            known->second = geometry_->list.primitives;
         }
+        return known->second;
+    }
+    const ScreenList<Rational>& list() const { return geometry_->list; }
+
+    Piece<Rational> piece(std::size_t primitive, std::size_t part) {
+        if (const auto* typed = std::get_if<TypedVertices>(plan_.list.get()))
+            return piece_in<Rational>(piece_of(scene_, *typed, typed_primitive(scene_, primitive)),
+                                      plan_);
+        const ScreenPrimitive& one = parts_of(primitive)[part];
+        return piece_of(scene_, list(), one);
     }
 
 private:
-    /// Draws a primitive, whose pieces in the list are `pieces`.
-    template <typename Coordinate>
-    void draw(const ScreenList<Coordinate>& list, std::size_t index,
-              std::span<const ScreenPrimitive> pieces) {
-        parts_ = 0;
-        const auto open = left_open_in(list, index, pieces);
-        if (!open)
-            return draw_in_turn(list, index, pieces, listener_,
-                                [&](auto&&... one) { draw_one(list, one..., listener_); });
-        TellingUndecided telling(listener_, *open);
-        const Listener told(telling);
-        const auto exact = exactness_.pieces.of(index);
-        const auto& exact_list = exactness_.pieces.list();
-        draw_in_turn(exact_list, index, exact, told,
-                     [&](const ScreenPrimitive& one, const auto& face) {
-                         if (one.state == ScreenPrimitive::State::part)
-                             return draw_one(exact_list, one, face, told);
-                         begin(index);
-                         draw_exactly(exact_list, one, face, told);
-                     });
-    }
-
-    /// The undecided comparison of a primitive's face test or clipping, if there is one.
-    template <typename Coordinate>
-    std::optional<Undecided> left_open_in(const ScreenList<Coordinate>& list, std::size_t index,
-                                          std::span<const ScreenPrimitive> pieces) {
-        if constexpr (!std::same_as<Coordinate, Adaptive>)
-            return std::nullopt;
-        else if constexpr (keeps_steps<Sink>)
-            if (const auto open = left_open_by([&] {
-                    tell_pieces<Adaptive>(scene_, list, index, certifying_, [](const auto&) {});
-                }))
-                return open;
-        const bool is_open =
-            !pieces.empty() && pieces.front().state == ScreenPrimitive::State::undecided;
-        return is_open ? std::optional(list.undecided[pieces.front().index]) : std::nullopt;
-    }
-
-    /// Emits the steps of a primitive, and calls `draw_piece(one, face)` with its pieces.
-    template <typename Coordinate, typename DrawPiece>
-    void draw_in_turn(const ScreenList<Coordinate>& list, std::size_t index,
-                      std::span<const ScreenPrimitive> pieces, const Listener& listener,
-                      DrawPiece&& draw_piece) {
-        auto next = pieces.begin();
-        if constexpr (keeps_steps<Sink>)
-            tell_pieces<Coordinate>(scene_, list, index, listener,
-                                    [&](const auto& face) { draw_piece(*next++, face); });
-        else
-            for (const ScreenPrimitive& one : pieces)
-                draw_piece(one, NoFace());
-    }
-
-    /// Begins the next piece of a primitive: `one` of the plan's list, if it is there.
-    void begin(std::size_t index, const ScreenPrimitive* one = nullptr) {
-        PieceIndex piece{.primitive = static_cast<std::uint32_t>(index), .part = parts_++};
-        if (one && !listed_.empty() && &listed_.front() <= one && one <= &listed_.back())
-            piece.listed = static_cast<std::uint32_t>(one - listed_.data());
-        exactness_.drawn.push_back(piece);
-        if (filtered_.depth)
-            filtered_.depth->begin(static_cast<std::uint32_t>(exactness_.drawn.size() - 1));
-    }
-
-    /// Begins a side of the same piece: its depths have an owner of their own.
-    void begin_side(EdgeName side) {
-        if (side.from == 0)
-            return;
-        PieceIndex piece = exactness_.drawn.back();
-        piece.side = side.from;
-        filtered_.depth->begin(static_cast<std::uint32_t>(exactness_.drawn.size()));
-        exactness_.drawn.push_back(piece);
-    }
-
-    /// Returns whether a face hides the point at a pixel of a side of the current piece, exactly.
-    bool hides_exactly(std::uint32_t owner, EdgeName side, Pixel pixel) {
-        const bool larger_passes = filtered_.depth->larger_passes();
-        const auto line = line_points(exactness_.pieces.piece(exactness_.drawn.back()), side,
-                                      larger_passes, scene_);
-        const auto face = corners_of(exactness_.pieces.piece(exactness_.drawn[owner]));
-        return hides_point(face, line.at(pixel), larger_passes);
-    }
-
-    /// Draws the next piece of a primitive.
-    template <typename AList, typename AFace>
-    void draw_one(const AList& list, const ScreenPrimitive& one, const AFace& face,
-                  const Listener& listener) {
-        begin(one.primitive, &one);
-        const auto piece = piece_in<Adaptive>(piece_of(scene_, list, one), plan_);
-        const auto open = decide_about(piece, face);
-        if (open) {
-            TellingUndecided telling(listener, *open);
-            draw_exactly(list, one, face, Listener(telling));
-        } else if constexpr (keeps_steps<Sink>) {
-            if (takes_pixels_) {
-                const NearestSlopes nearest(listener, piece, exactness_);
-                return tell_and_draw(list, one, face, piece, filtered_, nearest, nearest);
-            }
-            const PieceNames names(scene_, list, one);
-            const ListenerSink sink(listener);
-            tell_piece(names, face, piece, filtered_, sink);
-            if (rows_.skipped())
-                sink(*rows_.skipped());
-        }
-    }
-
-    /// Draws it with rationals.
-    template <typename AList, typename AFace>
-    void draw_exactly(const AList& list, const ScreenPrimitive& one, const AFace& face,
-                      const Listener& listener) {
-        ++exactness_.fallbacks.primitives;
-        const auto exact = exactness_.pieces.piece(exactness_.drawn.back());
-        const Sink sink = sink_to<Sink>(listener);
-        tell_and_draw(list, one, face, exact, exact_, sink, sink);
-    }
-
-    /// Takes all decisions about a piece; returns the undecided comparison, if there is one. If the
-    /// listener takes no pixels, the piece is painted as well.
-    template <typename AFace>
-    std::optional<Undecided> decide_about(const Piece<Adaptive>& piece, const AFace& face) {
-        rows_.clear();
-        if constexpr (keeps_steps<Sink>) {
-            const ListenerSink sink(certifying_);
-            const auto open = left_open_by([&] {
-                if (piece.kind == PrimitiveKind::line)
-                    octant_of(piece, {0, 1}, filtered_.line_offset,
-                              scene_.method); // emitted even if the line is not drawn
-                if (!tell_face(face, sink) || !takes_pixels_)
-                    return;
-                if (piece.kind == PrimitiveKind::triangle)
-                    TrianglePaint<Adaptive, Adaptive>(piece, filtered_);
-                decide(piece, sink);
-            });
-            if (open || takes_pixels_)
-                return open;
-        }
-        return paint_if_decided(piece);
-    }
-
-    /// Paints a piece if all of it is decided, and emits no steps.
-    std::optional<Undecided> paint_if_decided(const Piece<Adaptive>& piece) {
-        if (piece.is_skipped)
-            return std::nullopt;
-        std::optional<TrianglePaint<Adaptive, Adaptive>> paint;
-        const auto open = left_open_by([&] {
-            if (piece.kind == PrimitiveKind::triangle)
-                paint.emplace(piece, filtered_);
-            decide(piece, rows_);
+    /// Begins with the planes of the view that cut a primitive.
+    void begin(const TypedVertices&) {}
+    template <typename Coordinate> void begin(const ScreenList<Coordinate>& list) {
+        geometry_ = empty_geometry<Rational>(scene_);
+        geometry_->list.transforms.divides = list.transforms.divides;
+        geometry_->list.culled_sides = list.culled_sides;
+        std::erase_if(geometry_->list.transforms.planes, [&list](const auto& plane) {
+            const auto& kept = list.transforms.planes;
+            return std::none_of(kept.begin(), kept.end(),
+                                [&plane](const auto& other) { return other.name == plane.name; });
         });
-        const auto paint_with = [&](const auto& painter) {
-            rows_.paint_with(painter, [&](const auto& again) { decide(piece, again); });
-        };
-        if (open)
-            return open;
-        if (paint && paint->is_flat() && paint->has_work()) {
-            paint_with(paint->flat_painter(filtered_.image));
-        } else if (paint && paint->has_work()) {
-            paint_with(paint->row_painter(filtered_, NullSink{}));
-        } else if (piece.kind == PrimitiveKind::polygon) {
-            paint_with(FlatPainter(filtered_.image, piece.color, NullSink{},
-                                   filtered_.stages_of(piece.primitive).tests_canvas));
-        } else if (!paint) {
-            draw_thin(piece, filtered_, NullSink{});
-        }
-        return std::nullopt;
-    }
-
-    template <typename Decisions> void decide(const Piece<Adaptive>& piece, Decisions&& decisions) {
-        const Canvas& canvas = filtered_.image.canvas();
-        if (piece.kind == PrimitiveKind::triangle)
-            fill(Triangle<Adaptive>{piece.positions}, piece.colors, scene_.method, filtered_.grid,
-                 canvas, decisions);
-        else if (piece.kind == PrimitiveKind::polygon)
-            fill_polygon(piece, filtered_.offset, scene_.method, canvas, decisions);
-        else
-            draw_lines(piece, filtered_, [&](EdgeName side) -> Decisions& {
-                if (plan_.stages.pixels[piece.primitive].tests_depth) {
-                    require_finite_differences(piece.depths);
-                    line_points(piece, side, filtered_.depth->larger_passes(), scene_);
-                }
-                return decisions;
-            });
     }
 
     const Scene& scene_;
     const Plan& plan_;
-    SceneDrawing<Adaptive>& filtered_;
-    SceneDrawing<Rational, Adaptive> exact_;
-    Exactness& exactness_;
+    std::optional<Geometry<Rational>> geometry_; ///< only the vertices in use are on the screen
+    std::map<std::size_t, std::vector<ScreenPrimitive>> parts_; ///< of the primitives in the list
+};
+
+/// Draws a list. `Sink` is that of pixels.
+template <typename AList, typename Sink> class Drawing {
+public:
+    Drawing(const Scene& scene, const Plan& plan, const AList& list, const Listener& listener,
+            const Sink& sink, Image& image)
+        : scene_(scene), plan_(plan), list_(list), listener_(listener), sink_(sink),
+          scratch_(Image::without_memory(scene.canvas)), trial_{scene, plan, scratch_},
+          doubles_{scene, plan, image}, fractions_{scene, plan, image}, exact_(scene, plan) {
+        if (!scene.has_depth_buffer())
+            return;
+        trial_.depth = doubles_.depth = fractions_.depth =
+            &depths_.emplace(plan.stages.depth_region, depth_rule<Rational>(scene),
+                             [this](std::uint32_t piece, std::size_t corner, int x, int row) {
+                                 return exact_depth(scene_, exactly(drawn_[piece]), corner,
+                                                    {x, scene_.canvas.y_of(row)});
+                             });
+        trial_.owners.primitive_of = doubles_.owners.primitive_of = fractions_.owners.primitive_of =
+            [this](std::uint32_t owner) { return drawn_of(owner).primitive; };
+        trial_.owners.triangle_of = [this](std::uint32_t owner) {
+            return corners_of(in_intervals(drawn_of(owner)));
+        };
+        doubles_.owners.triangle_of = [this](std::uint32_t owner) {
+            return corners_of(in_doubles(in_intervals(drawn_of(owner))));
+        };
+        fractions_.owners.triangle_of = [this](std::uint32_t owner) {
+            return corners_of(exactly(drawn_of(owner)));
+        };
+    }
+
+    Fallbacks draw() {
+        if constexpr (std::same_as<AList, TypedVertices>)
+            for_each_primitive(scene_, list_, [this](const ScreenPrimitive& one) {
+                parts_ = 0;
+                draw(one, NoFace());
+            });
+        else
+            draw_list();
+        fallbacks_.depths = depths_ ? depths_->exact_tests() : 0;
+        return fallbacks_;
+    }
+
+private:
+    void draw_list() {
+        auto next = list_.primitives.begin();
+        const auto draw_next = [&](const auto& face) { draw(*next++, face); };
+        for (std::size_t turn = 0; turn < scene_.primitives.size(); ++turn) {
+            const std::size_t index = primitive_at(list_, turn);
+            parts_ = 0;
+            const auto is_next = [&] {
+                return next != list_.primitives.end() && next->primitive == index;
+            };
+            if (is_next() && next->state == ScreenPrimitive::State::undecided)
+                draw_exactly(index, list_.undecided[next++->index]);
+            else if (tells_)
+                tell(list_, index, draw_next);
+            else
+                while (is_next())
+                    draw_next(NoFace());
+        }
+    }
+
+    /// A part of a primitive, and its entry in the list, unless it is one of the exact list.
+    struct Drawn {
+        std::size_t primitive;
+        std::size_t part;
+        const ScreenPrimitive* listed;
+    };
+    const Drawn& drawn_of(std::uint32_t owner) const {
+        return drawn_[NumberedDepths::piece_of(owner)];
+    }
+    Piece<Rational> exactly(const Drawn& drawn) {
+        return exact_.piece(drawn.primitive, drawn.part);
+    }
+    Piece<Interval> in_intervals(const Drawn& drawn) {
+        return drawn.listed ? piece_in<Interval>(piece_of(scene_, list_, *drawn.listed), plan_)
+                            : piece_in<Interval>(exactly(drawn), plan_);
+    }
+
+    template <typename Coordinate, typename DrawNext>
+    void tell(const ScreenList<Coordinate>& list, std::size_t index, DrawNext&& draw_next) {
+        tell_pieces<Coordinate>(scene_, list, index, listener_, draw_next);
+    }
+
+    /// Begins the next piece of a primitive.
+    void begin(std::size_t primitive, const ScreenPrimitive* listed) {
+        drawn_.push_back({primitive, parts_++, listed});
+        if (depths_)
+            depths_->begin(static_cast<std::uint32_t>(drawn_.size() - 1));
+    }
+
+    /// Draws the next piece of the list.
+    template <typename AFace> void draw(const ScreenPrimitive& one, const AFace& face) {
+        begin(one.primitive, &one);
+        const Piece<Interval> piece = in_intervals(drawn_.back());
+        try {
+            try_out(one, face, piece);
+        } catch (const Undecided& open) {
+            drawn_.pop_back();
+            --parts_;
+            // A face is told in fractions, too. That of a part has been told.
+            if constexpr (std::same_as<AList, ScreenList<Interval>>)
+                if (one.state != ScreenPrimitive::State::part)
+                    return draw_exactly(one.primitive, open);
+            begin(one.primitive, &one);
+            listener_(
+                BoundExceeded{PieceNames(scene_, list_, one).piece, open.difference, open.error});
+            return draw_exactly(list_, one, face);
+        }
+        if (depths_)
+            depths_->draw();
+        tell_and_draw(list_, one, face, in_doubles(piece), doubles_, listener_, sink_);
+    }
+
+    /// Throws Undecided if intervals leave a decision about a piece open; with a listener, also one
+    /// that is only told.
+    template <typename AFace>
+    void try_out(const ScreenPrimitive& one, const AFace& face, const Piece<Interval>& piece) {
+        if (depths_)
+            depths_->try_out(tells_);
+        if (tells_)
+            tell_and_draw(list_, one, face, piece, trial_, unheard_, ListenerSink(unheard_));
+        else if (!piece.is_skipped)
+            draw_piece(piece, trial_, NullSink());
+    }
+
+    /// Draws a primitive in fractions, or what clipping has left of it.
+    void draw_exactly(std::size_t index, const Undecided& open) {
+        listener_(BoundExceeded{scene_.primitives[index].name, open.difference, open.error});
+        auto next = exact_.parts_of(index).begin();
+        tell(exact_.list(), index, [&](const auto& face) {
+            begin(index, nullptr);
+            draw_exactly(exact_.list(), *next++, face);
+        });
+    }
+
+    /// Draws the piece that has begun in fractions.
+    template <typename AnyList, typename AFace>
+    void draw_exactly(const AnyList& list, const ScreenPrimitive& one, const AFace& face) {
+        ++fallbacks_.primitives;
+        if (depths_)
+            depths_->draw();
+        tell_and_draw(list, one, face, exactly(drawn_.back()), fractions_, listener_, sink_);
+    }
+
+    static constexpr auto drop_ = [](const auto&) {};
+
+    const Scene& scene_;
+    const Plan& plan_;
+    const AList& list_;
     const Listener& listener_;
-    const Certifier certifier_;
-    const Listener certifying_; ///< of the certifier
-    const bool takes_pixels_ = listener_.takes_pixels();
-    CertainRows rows_;
-    std::span<const ScreenPrimitive> listed_; ///< the plan's list
-    std::uint32_t parts_ = 0;                 ///< of the primitive, so far
+    const Listener unheard_ = drop_; ///< takes every step, and keeps none
+    const bool tells_ = !listener_.takes_nothing();
+    const Sink& sink_;
+    Image scratch_;
+    std::optional<NumberedDepths> depths_;
+    SceneDrawing<Interval, NumberedDepths> trial_;
+    SceneDrawing<double, NumberedDepths> doubles_;
+    SceneDrawing<Rational, NumberedDepths> fractions_;
+    ExactPieces exact_;
+    std::vector<Drawn> drawn_; ///< the last one is being drawn
+    std::size_t parts_ = 0;    ///< of the primitive, so far
+    Fallbacks fallbacks_;
 };
 
 } // namespace
 
-template <typename AList, typename Sink>
-void draw_list(const AList& list, SceneDrawing<Adaptive>& drawing, const Listener& listener,
-               const Sink&) {
-    if (listener.takes_nothing())
-        AdaptiveDrawing<NullSink>(drawing, listener).draw(list);
-    else
-        AdaptiveDrawing<ListenerSink>(drawing, listener).draw(list);
-    if (drawing.depth)
-        drawing.exactness->fallbacks.depths += drawing.depth->exact_tests();
+template <>
+Image draw_in<Interval>(const Scene& scene, const Plan& plan, const Listener& listener,
+                        Fallbacks* fallbacks) {
+    Image image(scene.canvas);
+    const auto draw = [&]<typename AList>(const AList& list, const auto& sink) {
+        if constexpr (!std::same_as<AList, TypedVertices>)
+            tell_geometry(scene, list, listener);
+        const Fallbacks found = Drawing(scene, plan, list, listener, sink, image).draw();
+        if (fallbacks)
+            *fallbacks = found;
+    };
+    const auto draw_any = [&]<typename AList>(const AList& list) {
+        if constexpr (draws<Interval, AList>)
+            listener.takes_pixels() ? draw(list, ListenerSink(listener))
+                                    : draw(list, SkipSink(listener));
+    };
+    std::visit(draw_any, *plan.list);
+    return image;
 }
-
-template Image draw_in<Adaptive>(const Scene&, const Plan&, const Listener&, Fallbacks*);
 
 } // namespace rastertrace

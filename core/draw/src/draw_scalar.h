@@ -10,4 +10,9 @@ namespace rastertrace {
 template <typename Scalar>
 Image draw_in(const Scene& scene, const Plan& plan, const Listener& listener, Fallbacks* fallbacks);
 
+/// In doubles where intervals decide everything, else in fractions.
+template <>
+Image draw_in<Interval>(const Scene& scene, const Plan& plan, const Listener& listener,
+                        Fallbacks* fallbacks);
+
 } // namespace rastertrace

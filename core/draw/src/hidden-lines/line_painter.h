@@ -183,15 +183,16 @@ inline bool is_side_of(const Scene& scene, const std::array<std::size_t, 2>& end
 }
 
 /// Paints the visible pixels of a point, a line or a side, and tells every step on.
-template <typename Scalar, typename OfPixels, typename Sink> class LinePainter {
+template <typename Scalar, typename Tests, typename Sink> class LinePainter {
 public:
     LinePainter(const Piece<Scalar>& piece, EdgeName side, const Scene& scene, Image& image,
-                DepthTests<DepthOf<OfPixels>>& tests, const Owners<DepthOf<OfPixels>>& owners,
-                const Sink& sink)
-        : side_(side), scene_(scene), image_(image), tests_(tests), owners_(owners),
+                Tests& tests, const Owners<DepthOf<Scalar>>& owners, const Sink& sink)
+        : scene_(scene), image_(image), tests_(tests), owners_(owners),
           points_(line_points(piece, side, tests_.larger_passes(), scene)),
           thickness_(traits_of(piece.kind).thickness), ends_(ends_in_scene(scene, piece, side)),
-          sink_(sink) {}
+          sink_(sink) {
+        tests_.begin_side(side.from);
+    }
 
     template <typename Step> bool takes() const { return rastertrace::takes<Step>(sink_); }
 
@@ -201,22 +202,20 @@ public:
         const Pixel pixel = plotted.pixel;
         const auto row = static_cast<int>(image_.canvas().row_of(pixel.y));
         auto& cell = *tests_.row_from(pixel.x, row);
-        const auto depth = tests_.tested(points_.depth_at(pixel));
+        const auto depth = points_.depth_at(pixel);
         const auto test = [&] { return verdict_on(pixel, row, cell, depth); };
-        if (!tests_.decide_and_tell(pixel, cell, depth, test, sink_))
+        if (!decide_and_tell(tests_, pixel, cell, depth, test, sink_))
             return;
         image_.at(pixel) = plotted.color;
         sink_(plotted);
     }
 
 private:
-    using PixelDepth = DepthOf<OfPixels>;
-
     /// Tests a turned depth, and keeps it if it passes.
     template <typename Cell>
-    DepthVerdict verdict_on(Pixel pixel, int row, Cell& cell, const PixelDepth& depth) const {
+    DepthVerdict verdict_on(Pixel pixel, int row, Cell& cell, const DepthOf<Scalar>& depth) const {
         DepthVerdict verdict{.passes = false};
-        if (const auto face = face_before(pixel, row, verdict.is_exact)) {
+        if (const auto face = face_before(pixel, row)) {
             verdict.reason = DepthReason::behind;
             verdict.other = primitive_of(*face).name;
             return verdict;
@@ -244,8 +243,8 @@ private:
     }
 
     /// The face, in the pixel or next to it, that hides the point of the line at a pixel, if there
-    /// is one. Sets `is_exact` if a face was tested in exact numbers.
-    std::optional<std::uint32_t> face_before(Pixel pixel, int row, bool& is_exact) const {
+    /// is one.
+    std::optional<std::uint32_t> face_before(Pixel pixel, int row) const {
         std::array<std::uint32_t, 9> seen{};
         auto end = seen.begin();
         // The pixel itself first: usually its own face decides.
@@ -257,22 +256,15 @@ private:
                 if (!owner || std::find(seen.begin(), end, *owner) != end)
                     continue;
                 *end++ = *owner;
-                if (!is_side_of(*owner) && is_hidden_by(*owner, pixel, is_exact))
+                if (!is_side_of(*owner) && is_hidden_by(*owner, pixel))
                     return owner;
             }
         return std::nullopt;
     }
 
     /// True if the face of an owner covers the point of the line at a pixel, and is nearer there.
-    bool is_hidden_by(std::uint32_t owner, Pixel pixel, bool& is_exact) const {
-        if constexpr (std::same_as<Scalar, OfPixels>)
-            try {
-                return hides_point(owners_.triangle_of(owner), points_.at(pixel),
-                                   tests_.larger_passes());
-            } catch (const Undecided&) {
-            }
-        is_exact = true;
-        return owners_.hides_exactly(owner, side_, pixel);
+    bool is_hidden_by(std::uint32_t owner, Pixel pixel) const {
+        return hides_point(owners_.triangle_of(owner), points_.at(pixel), tests_.larger_passes());
     }
 
     /// Keeps the last answer about a polygon: the next pixel mostly needs it again.
@@ -291,11 +283,10 @@ private:
         return scene_.primitives[owners_.primitive_of(owner)];
     }
 
-    EdgeName side_;
     const Scene& scene_;
     Image& image_;
-    DepthTests<PixelDepth>& tests_;
-    const Owners<PixelDepth>& owners_;
+    Tests& tests_;
+    const Owners<DepthOf<Scalar>>& owners_;
     LinePoints<DepthOf<Scalar>> points_;
     Thickness thickness_;
     std::array<std::size_t, 2> ends_;

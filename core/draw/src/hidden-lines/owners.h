@@ -43,13 +43,6 @@ template <typename Depth> struct Owners {
 
     /// The triangle on the screen.
     std::function<DeepTriangle<Depth>(std::uint32_t owner)> triangle_of = {};
-
-    /// Filtered doubles only: whether a face hides the point of the current line at a pixel, in
-    /// exact numbers.
-    std::function<bool(std::uint32_t owner, EdgeName side, Pixel pixel)> hides_exactly = {};
-
-    /// Filtered doubles only: called before each side of a piece is drawn.
-    std::function<void(EdgeName side)> begin_side = {};
 };
 
 } // namespace rastertrace

@@ -5,7 +5,6 @@
 
 #include "list/vertex_spaces.h"
 
-#include <rastertrace/core/draw/filtered/light.h>
 #include <rastertrace/core/draw/list/light.h>
 #include <rastertrace/core/draw/list/pieces.h>
 #include <rastertrace/core/draw/scene/scene.h>

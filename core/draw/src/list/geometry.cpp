@@ -174,7 +174,7 @@ template <typename Scalar> Geometry<Scalar> geometry_of(const Scene& scene) {
         const ClipSpaceVertex<Scalar>& vertex = result.vertices[i];
         if (vertex.clip.w != scalar_from<Scalar>(1))
             transforms.needed.add(Stage::divide);
-        // Behind the eye there is no 1/z (plan.cpp refuses it): filtered doubles must decide the
+        // Behind the eye there is no 1/z (plan.cpp refuses it): an interval must decide the
         // sign.
         if (needs_signs)
             static_cast<void>(vertex.distance < scalar_from<Scalar>(0));

@@ -110,6 +110,7 @@ ScreenPositions<Scalar> positions_on_screen(const Vec<Scalar, 4>& clip,
     const Vec<Scalar, 4> screen = moved(transforms.viewport, canonical);
     require_finite(screen.x);
     require_finite(screen.y);
+    require_finite(canonical.z);
     return {
         .canonical = canonical,
         .screen = {screen.x, screen.y},

@@ -26,7 +26,7 @@ AnyGeometry geometry_for(const Scene& scene) {
     case ScalarKind::adaptive:
         // An open decision about one vertex may count for all, like a plane of the view.
         try {
-            return geometry_of<Adaptive>(scene);
+            return geometry_of<Interval>(scene);
         } catch (const Undecided&) {
             return geometry_of<Rational>(scene);
         }
@@ -150,7 +150,7 @@ std::size_t depth_size_of(NumberType number) {
         return sizeof(DepthOf<float>);
     case NumberType::rational:
         return sizeof(DepthOf<Rational>);
-    case NumberType::adaptive: // the depth, and the number of a piece
+    case NumberType::interval: // the depth, and the number of a piece
         return sizeof(double) + sizeof(std::uint32_t);
     case NumberType::binary64:
     case NumberType::fraction64:
@@ -190,7 +190,7 @@ Plan plan_with_numbers(const Scene& scene, const AList& list, std::int64_t grid)
             if (exact.number != NumberType::rational)
                 return exact;
         }
-        return {.number = NumberType::adaptive};
+        return {.number = NumberType::interval};
     case ScalarKind::fixed:
         if constexpr (ExactList<AList> || std::same_as<AList, ScreenList<double>>)
             return plan_on_grid(scene, list, grid);

@@ -6,6 +6,7 @@
 #include "list/vertex_spaces.h"
 
 #include <rastertrace/core/draw/list/pieces.h>
+#include <rastertrace/core/draw/paint/piece_in.h>
 #include <rastertrace/core/draw/plan/plan.h>
 
 namespace rastertrace {
@@ -14,22 +15,6 @@ namespace rastertrace {
 /// count.
 std::optional<Unfit> unfit_of(const Piece<double>& piece, const Method& method, bool mixes_colors,
                               bool tests_lines);
-
-/// The piece in doubles.
-template <typename Coordinate> Piece<double> in_doubles(const Piece<Coordinate>& piece) {
-    auto result = without_numbers<double>(piece);
-    for (const auto& at : piece.ring)
-        result.ring.push_back({to_double(at.x), to_double(at.y)});
-    for (std::size_t i = 0; i < piece.count; ++i) {
-        result.positions[i] = {to_double(piece.positions[i].x), to_double(piece.positions[i].y)};
-        result.depths[i] = to_double(piece.depths[i]);
-    }
-    return result;
-}
-
-inline const Piece<double>& in_doubles(const Piece<double>& piece) {
-    return piece;
-}
 
 /// The first unfit piece, in the scene's order.
 template <typename AList> std::optional<Unfit> unfit_piece(const Scene& scene, const AList& list) {

@@ -10,7 +10,7 @@
 //     if (!first_meeting(polygon))
 //         for (const auto& [a, b, c] : cut_ears(polygon))  // indices of corners of the polygon
 
-#include <rastertrace/core/numbers/adaptive.h>
+#include <rastertrace/core/numbers/interval.h>
 
 #include <algorithm>
 #include <array>
@@ -42,7 +42,7 @@ template <typename Whole> struct Polygon {
         std::size_t index_in_face;
     };
     std::vector<Corner> corners;
-    std::vector<std::array<Adaptive, 2>> filtered = {}; ///< x and y, if `has_filter`
+    std::vector<std::array<Interval, 2>> filtered = {}; ///< x and y, if `has_filter`
     std::vector<std::size_t> in_order = {};             ///< corners by position; see `rank_corners`
     std::vector<std::size_t> rank = {};                 ///< of each corner in that order
 
@@ -62,7 +62,8 @@ template <typename Whole> struct Polygon {
             corners.pop_back();
         if constexpr (has_filter)
             for (const auto& [at, index] : corners)
-                filtered.push_back({with_error(Rational(at[0])), with_error(Rational(at[1]))});
+                filtered.push_back({Conversion<Interval>::of(Rational(at[0])),
+                                    Conversion<Interval>::of(Rational(at[1]))});
     }
 
     void rank_corners() {
@@ -92,7 +93,9 @@ template <typename Whole> struct Polygon {
     /// monotonic: of two numbers the one that is less as a double is less.
     double near(std::size_t i, std::size_t axis) const {
         if constexpr (has_filter)
-            return std::clamp(filtered[i][axis].value(), -1e300, 1e300);
+            return filtered[i][axis].is_number()
+                       ? std::clamp(filtered[i][axis].middle(), -1e300, 1e300)
+                       : sgn(at(i)[axis]) * 1e300;
         else
             return static_cast<double>(at(i)[axis]);
     }
@@ -101,11 +104,11 @@ template <typename Whole> struct Polygon {
     /// to the right, 0 straight on or back.
     int turn(std::size_t a, std::size_t b, std::size_t c, std::size_t d) const {
         if constexpr (has_filter) {
-            const auto order =
-                order_of((filtered[b][0] - filtered[a][0]) * (filtered[d][1] - filtered[c][1]),
-                         (filtered[b][1] - filtered[a][1]) * (filtered[d][0] - filtered[c][0]));
-            if (order)
-                return *order > 0 ? 1 : *order < 0 ? -1 : 0;
+            const Interval cross =
+                (filtered[b][0] - filtered[a][0]) * (filtered[d][1] - filtered[c][1]) -
+                (filtered[b][1] - filtered[a][1]) * (filtered[d][0] - filtered[c][0]);
+            if (surely_differ(cross, Interval(0)))
+                return cross.low() > 0 ? 1 : -1;
         }
         using Product = ProductOf<Whole>;
         const Product cross = Product(at(b)[0] - at(a)[0]) * (at(d)[1] - at(c)[1]) -

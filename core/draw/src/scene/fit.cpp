@@ -79,17 +79,17 @@ Rational half_of(const Viewport& viewport, int extent) {
 }
 
 /// `half` canonical units to each side of the middle, where low..high is a unit to each side.
-Interval scaled(const Number& low, const Number& high, const Rational& half) {
+Extent scaled(const Number& low, const Number& high, const Rational& half) {
     const Rational middle = middle_of(low.exact(), high.exact());
     const Rational reach = half * (high.exact() - low.exact()) / 2;
     return {middle - reach, middle + reach};
 }
 
-Interval divided(const Interval& interval, const Rational& by) {
+Extent divided(const Extent& interval, const Rational& by) {
     return {interval.low / by, interval.high / by};
 }
 
-Interval intersection(const Interval& a, const Interval& b) {
+Extent intersection(const Extent& a, const Extent& b) {
     return {std::max(a.low, b.low), std::min(a.high, b.high)};
 }
 
@@ -105,7 +105,7 @@ struct Standpoint {
 /// An axis of a perspective: the least distance at which its two sides leave a sphere of this
 /// radius whole, and the sphere's center there.
 struct Sides {
-    const Interval& slopes;
+    const Extent& slopes;
     const Rational& radius;
     Rational low_root = root_from_above(1 + slopes.low * slopes.low);
     Rational high_root = root_from_above(1 + slopes.high * slopes.high);

@@ -66,13 +66,10 @@ template <typename Scalar> void tell(const FaceLit<Scalar>& step, const Listener
 
 template <typename Scalar> void tell(const PrimitiveBegan<Scalar>& step, const Listener& listener) {
     std::vector<Vec<Quantity, 2>> positions;
-    std::vector<Quantity> depths;
-    if (listener.reads_corners()) {
-        positions.reserve(step.positions.size());
-        for (const Vec<Scalar, 2>& at : step.positions)
-            positions.push_back(quantities<Scalar>(at));
-        depths.assign(step.depths.begin(), step.depths.end());
-    }
+    positions.reserve(step.positions.size());
+    for (const Vec<Scalar, 2>& at : step.positions)
+        positions.push_back(quantities<Scalar>(at));
+    const std::vector<Quantity> depths(step.depths.begin(), step.depths.end());
     listener(PrimitiveBegan<Quantity>{step.kind, step.name, step.vertices, positions, step.color,
                                       step.colors, step.octant, step.is_part, depths,
                                       step.is_painted, step.radius, step.face});
@@ -119,8 +116,6 @@ public:
     explicit ListenerSink(const Listener& listener) : listener_(listener) {}
 
     template <typename Step> bool takes() const { return listener_.takes<Step>(); }
-
-    bool reads_corners() const { return listener_.reads_corners(); }
 
     template <typename Step> void operator()(const Step& step) const {
         if (listener_.takes<Step>())

@@ -31,7 +31,7 @@ struct Work {
     std::uint64_t divides = 0;     ///< and remainders
     std::uint64_t comparisons = 0; ///< of numbers of the method's kind
     std::uint64_t pixels_tested = 0;
-    /// Of `adaptive`: pieces, depth tests and colors of pixels that took exact numbers.
+    /// Of `adaptive`: pieces, and depth tests of pixels, that took exact numbers.
     std::uint64_t exact_fallbacks = 0;
     bool has_operations = true; ///< false where the operations, the first four, were not counted
 

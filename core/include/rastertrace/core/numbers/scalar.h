@@ -107,11 +107,26 @@ template <typename Scalar> bool surely_differ(const Scalar& a, const Scalar& b) 
     return a != b;
 }
 
-/// Does nothing: plan.h has seen that every number is finite. A filtered double has its own.
+/// True if two of three numbers differ. An interval has its own.
+template <typename Scalar>
+bool are_not_all_equal(const Scalar& a, const Scalar& b, const Scalar& c) {
+    return a != b || a != c;
+}
+
+/// Does nothing: plan.h has seen that every number is finite. An interval has its own.
 template <typename Scalar> void require_finite(const Scalar&) {}
 
-/// Does nothing: floor_index is certain. A filtered double has its own.
-template <typename Scalar> void require_certain_index(const Scalar&) {}
+/// The floor, or where an interval leaves it open, that of one of its numbers.
+template <typename Scalar> [[gnu::always_inline]] inline Index index_near(const Scalar& x) {
+    return floor_index(x);
+}
+
+/// `x` held between two numbers.
+template <typename Scalar>
+[[gnu::always_inline]] inline Scalar held_between(const Scalar& x, const Scalar& low,
+                                                  const Scalar& high) {
+    return std::clamp(x, low, high);
+}
 
 /// Writes `step`, a fraction, over the denominator of `value`, so that repeated additions do not
 /// make the sum's denominator grow. The denominator of `value` must be a multiple of that of

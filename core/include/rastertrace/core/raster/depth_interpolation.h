@@ -45,12 +45,13 @@ template <typename Scalar> struct DepthRow {
 
     Scalar at(int column) const {
         const Scalar here = scalar_from<Scalar>(column);
-        return depth + slope * ((end ? std::clamp(here, x, *end) : here) - x);
+        return depth + slope * ((end ? held_between(here, x, *end) : here) - x);
     }
 };
 
 /// 0 for a slope that overflows: its row or triangle is too thin to have more than one depth.
 template <typename Scalar> Scalar finite_or_zero(const Scalar& slope) {
+    require_finite(slope);
     if constexpr (std::floating_point<Scalar>)
         return std::isfinite(slope) ? slope : Scalar(0);
     else
@@ -75,7 +76,7 @@ public:
         if (is_horizontal_)
             return depth_;
         const Scalar part = (y - y_) / height_;
-        return depth_ + rise_ * std::clamp(part, scalar_from<Scalar>(0), scalar_from<Scalar>(1));
+        return depth_ + rise_ * held_between(part, scalar_from<Scalar>(0), scalar_from<Scalar>(1));
     }
 
 private:

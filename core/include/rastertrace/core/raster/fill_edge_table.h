@@ -96,7 +96,7 @@ std::vector<TableEdge<Scalar>> edge_table(std::span<const Vec<Scalar, 2>> corner
 
 /// Sorts the edges of a row from left to right; those that meet it in one point as they go on below
 /// it. By insertion: hardly any change places from one row to the next. Every compiler makes the same
-/// comparisons, so that filtered doubles leave the same one open.
+/// comparisons, so that intervals leave the same one open.
 template <typename Scalar> void sort_by_x(std::vector<TableEdge<Scalar>*>& active, int down) {
     const auto is_before = [down](const TableEdge<Scalar>& a, const TableEdge<Scalar>& b) {
         if (a.x != b.x)

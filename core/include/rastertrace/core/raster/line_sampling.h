@@ -32,7 +32,6 @@ template <typename Scalar> bool is_longer_in_x(const Segment<Scalar>& segment) {
     const auto magnitude = [&zero](const Scalar& value) {
         return value < zero ? Scalar(-value) : value;
     };
-    // In this order: if filtered doubles leave both signs open, dy is reported.
     const Scalar dy = magnitude(segment.to.y - segment.from.y);
     const Scalar dx = magnitude(segment.to.x - segment.from.x);
     return !(dx < dy);

@@ -37,7 +37,7 @@ template <typename Scalar> struct MixedColors {
         const auto weights = on_screen(pixel);
         // If all vertices have the same w, the weights on the screen are those in space.
         if constexpr (in_perspective)
-            if (inverse_w[0] != inverse_w[1] || inverse_w[0] != inverse_w[2])
+            if (are_not_all_equal(inverse_w[0], inverse_w[1], inverse_w[2]))
                 return mixed(in_space(weights), level);
         return mixed(weights, level);
     }

@@ -43,9 +43,9 @@ inline std::optional<double> cosine_between(const Vec<float, 3>& a, const Vec<fl
     return cosine_between(Vec<double, 3>{a.x, a.y, a.z}, Vec<double, 3>{b.x, b.y, b.z});
 }
 /// A color in light of an intensity from 0 to 1.
-inline Color lit(Color color, double intensity, ColorRounding rounding) {
-    const auto level = [intensity, rounding](std::uint8_t channel) {
-        return level_of(channel * intensity, rounding);
+template <typename Number> Color lit(Color color, const Number& intensity, ColorRounding rounding) {
+    const auto level = [&intensity, rounding](std::uint8_t channel) {
+        return level_of(Number(scalar_from<Number>(channel) * intensity), rounding);
     };
     return {level(color.red()), level(color.green()), level(color.blue()), color.alpha()};
 }

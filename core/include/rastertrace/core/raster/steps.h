@@ -259,12 +259,12 @@ struct RowsRejected {
     Index to_y;
 };
 
-/// Doubles leave it open which of two numbers is the larger one, so the primitive that has just
-/// begun is drawn with exact numbers. Fires with filtered doubles only, directly after
-/// PrimitiveBegan.
+/// Intervals of doubles leave a decision about a primitive open, so all of it is drawn in fractions.
+/// Fires before its first step.
 struct BoundExceeded {
-    double difference; ///< of the two, as it was calculated
-    double error;      ///< that it may be off by
+    std::string_view name; ///< of the primitive, or of the part of one
+    double difference;     ///< of the two, as it was calculated
+    double error;          ///< that it may be off by
 };
 
 /// Why a primitive draws nothing.

@@ -15,7 +15,7 @@ namespace rastertrace {
 
 /// Draws a scene in which find_unfit has found nothing, and returns its picture. `listener` is told
 /// every step that it takes; the picture is the same whoever listens. Who wants to know is told how
-/// often filtered doubles fell back on exact numbers.
+/// often intervals left a decision open.
 Image draw(const Scene& scene, const Plan& plan, const Listener& listener = {},
            Fallbacks* fallbacks = nullptr);
 

@@ -3,7 +3,7 @@
 
 // The kinds of number that vertices are moved in. A kind that is added gets its name in both lists.
 
-#include <rastertrace/core/numbers/adaptive.h>
+#include <rastertrace/core/numbers/interval.h>
 #include <rastertrace/core/numbers/rational.h>
 
 #include <variant>
@@ -14,11 +14,11 @@ namespace rastertrace {
 #define RASTERTRACE_FOR_EACH_COORDINATE(MACRO)                                                     \
     MACRO(float)                                                                                   \
     MACRO(double)                                                                                  \
-    MACRO(Adaptive)                                                                                \
+    MACRO(Interval)                                                                                \
     MACRO(Rational)
 
 /// An Of<Coordinate> with coordinates of any kind, or something else.
 template <typename Else, template <typename> typename Of>
-using OfAnyCoordinate = std::variant<Else, Of<float>, Of<double>, Of<Adaptive>, Of<Rational>>;
+using OfAnyCoordinate = std::variant<Else, Of<float>, Of<double>, Of<Interval>, Of<Rational>>;
 
 } // namespace rastertrace

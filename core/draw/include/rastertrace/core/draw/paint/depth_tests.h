@@ -24,15 +24,11 @@
 
 namespace rastertrace {
 
-/// For filtered doubles: filtered/depths.h.
+/// Of a picture in one kind of number. See also numbered_depths.h.
 template <typename Depth> class DepthTests {
 public:
     DepthTests(const DepthRegion& region, const DepthRule<Depth>& rule, bool has_lines = false)
         : buffer_(region, rule), owners_(has_lines ? region.area() : 0, no_owner) {}
-
-    /// A depth, or the depths of a row, in the numbers of the test. Only filtered doubles convert.
-    static const Depth& tested(const Depth& depth) { return depth; }
-    static const DepthRow<Depth>& tested(const DepthRow<Depth>& row, PixelSpan) { return row; }
 
     bool larger_passes() const { return buffer_.larger_passes(); }
     Depth turned(const Depth& depth) const { return buffer_.turned(depth); }
@@ -44,6 +40,7 @@ public:
 
     /// The owner of the depths that follow.
     void begin(std::uint32_t owner) { owner_ = owner; }
+    void begin_side(std::size_t) {}
 
     /// True if the owners of depths are kept.
     bool has_owners() const { return !owners_.empty(); }
@@ -89,41 +86,21 @@ public:
         thin_.keep(buffer_.index_of(cell), {depth, thickness, owner_});
     }
 
-    /// Returns what `test()` decides about a turned depth, and emits DepthTested with both depths.
-    template <typename Test, typename Sink>
-    bool decide_and_tell(Pixel pixel, const Depth& cell, const Depth& depth, Test&& test,
-                         Sink&& sink) {
-        if (!takes<DepthTested<Depth>>(sink))
-            return test().passes;
-        std::optional<Depth> of_thin;
-        std::optional<Depth> nearest = buffer_.stored(cell);
-        if (const auto* const thin = thin_.find(buffer_.index_of(cell))) {
-            of_thin = turned(thin->depth);
-            if (!owner_of(cell) || !(cell < thin->depth))
-                nearest = of_thin;
-        }
-        const DepthVerdict verdict = test();
-        sink(DepthTested<Depth>{.pixel = pixel,
-                                .depth = turned(depth),
-                                .stored = verdict.is_by_thin ? of_thin : nearest,
-                                .passes = verdict.passes,
-                                .reason = verdict.reason,
-                                .other = verdict.other});
-        return verdict.passes;
+    /// The depth that is told of the face, or of the point or line, in a cell; not turned.
+    template <typename> std::optional<Depth> stored_face(const Depth& cell) const {
+        return buffer_.stored(cell);
+    }
+    template <typename> std::optional<Depth> stored_thin(const Depth& cell) const {
+        const auto* const thin = thin_.find(buffer_.index_of(cell));
+        return thin ? std::optional(turned(thin->depth)) : std::nullopt;
     }
 
-    /// Tests the depths of a row of a face. Calls `keep(x)` for each pixel that passes.
-    template <typename Keep>
-    [[gnu::always_inline]] void keep_nearer(int row, int first, int last,
-                                            const DepthRow<Depth>& depths, Keep&& keep) {
-        const DepthRow<Depth> near = depths; // a copy: no depth that is written can be part of it
-        Depth* const cells = row_from(0, row);
-        for (int x = first; x <= last; ++x)
-            if (keep_if_nearer(cells[x], near.at(x)))
-                keep(x);
+    /// True if the face in a cell is nearer than the point or line, which there must be.
+    bool hides_thin(const Depth& cell) const {
+        return owner_of(cell) && cell < thin_.find(buffer_.index_of(cell))->depth;
     }
 
-private:
+protected:
     static constexpr std::uint32_t no_owner = std::numeric_limits<std::uint32_t>::max();
 
     DepthBuffer<Depth> buffer_;
@@ -131,5 +108,35 @@ private:
     std::uint32_t owner_ = no_owner;
     ThinDepths<Depth> thin_;
 };
+
+/// Tests the depths of a row of a face. Calls `keep(x)` for each pixel that passes.
+template <typename Tests, typename Depth, typename Keep>
+[[gnu::always_inline]] inline void keep_nearer(Tests& tests, int row, PixelSpan pixels,
+                                               const DepthRow<Depth>& depths, Keep&& keep) {
+    const DepthRow<Depth> near = depths; // a copy: no depth that is written can be part of it
+    auto* const cells = tests.row_from(0, row);
+    for (int x = pixels.first; x <= pixels.last; ++x)
+        if (tests.keep_if_nearer(cells[x], near.at(x)))
+            keep(x);
+}
+
+/// Returns what `test()` decides about a turned depth, and emits DepthTested with both depths.
+template <typename Tests, typename Cell, typename Depth, typename Test, typename Sink>
+bool decide_and_tell(Tests& tests, Pixel pixel, const Cell& cell, const Depth& depth, Test&& test,
+                     Sink&& sink) {
+    if (!takes<DepthTested<Depth>>(sink))
+        return test().passes;
+    const auto of_thin = tests.template stored_thin<Depth>(cell);
+    const auto nearest =
+        of_thin && !tests.hides_thin(cell) ? of_thin : tests.template stored_face<Depth>(cell);
+    const DepthVerdict verdict = test();
+    sink(DepthTested<Depth>{.pixel = pixel,
+                            .depth = tests.turned(depth),
+                            .stored = verdict.is_by_thin ? of_thin : nearest,
+                            .passes = verdict.passes,
+                            .reason = verdict.reason,
+                            .other = verdict.other});
+    return verdict.passes;
+}
 
 } // namespace rastertrace

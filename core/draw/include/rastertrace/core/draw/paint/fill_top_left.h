@@ -29,7 +29,6 @@
 
 #include <algorithm>
 #include <array>
-#include <concepts>
 #include <cstdint>
 #include <utility>
 
@@ -80,9 +79,6 @@ void add_crossings(const Triangle<Scalar>& triangle, const TriangleOrder& order,
     span.right = right_edge.x_at(sample_y);
     span.left_edge = left_edge.name;
     span.right_edge = right_edge.name;
-    // A filtered double must be as certain as the pixel that it is rounded to.
-    require_certain_index(Scalar(span.left - offset.x()));
-    require_certain_index(Scalar(span.right - offset.x()));
 }
 
 /// True if a triangle whose vertices lie right of the canvas has no sample on it. In rounded
@@ -91,7 +87,7 @@ void add_crossings(const Triangle<Scalar>& triangle, const TriangleOrder& order,
 template <typename Scalar>
 [[gnu::noinline]] bool lies_right_of_canvas(const Triangle<Scalar>& triangle,
                                             const SampleGrid<Scalar>& grid, Canvas canvas) {
-    if constexpr (std::floating_point<Scalar>) {
+    if constexpr (Rounded<Scalar>) {
         const auto [top, middle, bottom] = sorted_from_top(triangle, grid.down());
         const bool long_edge_is_left = side_of_edge(top, bottom, middle, grid.down()) > 0;
         const Index first_lower_row = grid.first_row_from(middle.position.y);

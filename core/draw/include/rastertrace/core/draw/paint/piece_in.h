@@ -8,6 +8,7 @@
 #include <rastertrace/core/draw/list/pieces.h>
 #include <rastertrace/core/draw/plan/plan.h>
 #include <rastertrace/core/numbers/conversion.h>
+#include <rastertrace/core/numbers/interval.h>
 #include <rastertrace/core/numbers/vec.h>
 #include <rastertrace/core/raster/canvas.h>
 #include <rastertrace/core/raster/image.h>
@@ -25,9 +26,10 @@ inline constexpr bool draws = std::same_as<AList, TypedVertices>;
 template <typename Scalar, typename Coordinate>
 inline constexpr bool draws<Scalar, ScreenList<Coordinate>> =
     std::same_as<Scalar, Coordinate> ||
-    (is_filtered<Scalar> ? std::same_as<Coordinate, Rational>
-                         : !std::floating_point<Scalar> && !std::same_as<Coordinate, float> &&
-                               !is_filtered<Coordinate>);
+    (std::same_as<Scalar, Interval> ? std::same_as<Coordinate, Rational>
+                                    : !std::floating_point<Scalar> &&
+                                          !std::same_as<Coordinate, float> &&
+                                          !std::same_as<Coordinate, Interval>);
 
 /// A coordinate of a vertex as a Scalar, over the plan's denominator if that is a fraction.
 template <typename Scalar, typename Coordinate>
@@ -51,9 +53,9 @@ requires(!(std::floating_point<Scalar> &&
         result.positions[i] = position_in(piece.positions[i]);
     using D = DepthOf<Scalar>;
     for (std::size_t i = 0; i < piece.count; ++i) {
-        if constexpr (is_filtered<D> && !std::same_as<Coordinate, Number>) {
-            result.depths[i] = with_error(piece.depths[i]);
-            result.inverse_w[i] = with_error(piece.inverse_w[i]);
+        if constexpr (std::same_as<D, Interval> && !std::same_as<Coordinate, Number>) {
+            result.depths[i] = Conversion<D>::of(piece.depths[i]);
+            result.inverse_w[i] = Conversion<D>::of(piece.inverse_w[i]);
         } else if constexpr (!std::same_as<Coordinate, Number> &&
                              std::constructible_from<D, Coordinate>) {
             result.depths[i] = D(piece.depths[i]);
@@ -65,6 +67,23 @@ requires(!(std::floating_point<Scalar> &&
 
 /// Floats and doubles are drawn as they are.
 template <std::floating_point Scalar> Piece<Scalar> piece_in(Piece<Scalar> piece, const Plan&) {
+    return piece;
+}
+
+/// The piece in doubles: of intervals, the middles.
+template <typename Coordinate> Piece<double> in_doubles(const Piece<Coordinate>& piece) {
+    auto result = without_numbers<double>(piece);
+    for (const auto& at : piece.ring)
+        result.ring.push_back({to_double(at.x), to_double(at.y)});
+    for (std::size_t i = 0; i < piece.count; ++i) {
+        result.positions[i] = {to_double(piece.positions[i].x), to_double(piece.positions[i].y)};
+        result.depths[i] = to_double(piece.depths[i]);
+        result.inverse_w[i] = to_double(piece.inverse_w[i]);
+    }
+    return result;
+}
+
+inline const Piece<double>& in_doubles(const Piece<double>& piece) {
     return piece;
 }
 

@@ -26,12 +26,12 @@
 namespace rastertrace {
 
 /// Tests the pixels of a row that has one color, and paints those that pass if `is_painted`.
-template <typename Scalar>
+template <typename Depth, typename Tests>
 [[gnu::noinline]] void paint_nearer(const ImageRow& row, PixelSpan pixels,
-                                    const DepthRow<Scalar>& depths, DepthTests<Scalar>& tests,
-                                    Color color, bool is_painted) {
+                                    const DepthRow<Depth>& depths, Tests& tests, Color color,
+                                    bool is_painted) {
     Color* const colors = row.colors - row.left;
-    tests.keep_nearer(row.index, pixels.first, pixels.last, depths, [=](int x) {
+    keep_nearer(tests, row.index, pixels, depths, [=](int x) {
         if (is_painted)
             colors[x] = color;
     });
@@ -71,20 +71,18 @@ private:
 };
 
 /// Any triangle: takes the rows, or the samples, of a fill, finds their depths, tests these, mixes
-/// colors, and tells every step on. What it refers to must live as long. Colors are mixed in
-/// `OfPixels`, and depths compared in DepthOf<OfPixels>: a triangle in exact numbers can be drawn
-/// on a picture in filtered doubles.
-template <typename Scalar, typename OfPixels = Scalar, typename Sink = NullSink> struct RowPainter {
+/// colors, and tells every step on. What it refers to must live as long.
+template <typename Scalar, typename Tests = DepthTests<DepthOf<Scalar>>, typename Sink = NullSink>
+struct RowPainter {
     using D = DepthOf<Scalar>;
-    using PixelDepth = DepthOf<OfPixels>;
 
     Image& image;
     PixelStages stages = {};
-    Color flat = {};                              ///< of every pixel, unless colors are mixed
-    const MixedColors<OfPixels>* mixed = nullptr; ///< if colors are mixed
-    DepthTests<PixelDepth>* tests = nullptr;      ///< if depths are tested; then they are found
-    const DepthPlane<D>* plane = nullptr;         ///< in a plane,
-    TriangleDepth<D>* triangle = nullptr;         ///< or along the edges, or by weights
+    Color flat = {};                            ///< of every pixel, unless colors are mixed
+    const MixedColors<Scalar>* mixed = nullptr; ///< if colors are mixed
+    Tests* tests = nullptr;                     ///< if depths are tested; then they are found
+    const DepthPlane<D>* plane = nullptr;       ///< in a plane,
+    TriangleDepth<D>* triangle = nullptr;       ///< or along the edges, or by weights
     DepthAt depth_at = DepthAt::pixel;
     SampleOffset<D> offset = {};
     [[no_unique_address]] Sink sink = {};
@@ -116,8 +114,8 @@ template <typename Scalar, typename OfPixels = Scalar, typename Sink = NullSink>
         if (!triangle)
             return paint_pixel(sample.pixel, {});
         const auto& [a, b, c] = sample.weights;
-        paint_pixel(sample.pixel, tests->tested(triangle->by_weights(
-                                      {depth_scalar(a), depth_scalar(b), depth_scalar(c)})));
+        paint_pixel(sample.pixel,
+                    triangle->by_weights({depth_scalar(a), depth_scalar(b), depth_scalar(c)}));
     }
 
     /// A pixel of the fan brings its color.
@@ -133,6 +131,8 @@ private:
         const D left = triangle->on_edge(span.left_edge, height);
         const D right = triangle->on_edge(span.right_edge, height);
         if (takes<ScanlineSpanned<Scalar>>()) {
+            require_finite(left);
+            require_finite(right);
             ScanlineSpanned<Scalar> told = span;
             told.left_depth = tests->turned(left);
             told.right_depth = tests->turned(right);
@@ -161,15 +161,14 @@ private:
     }
 
     void paint_row(const ImageRow& row, PixelSpan pixels, const DepthRow<D>& depths) const {
-        const auto& tested = tests->tested(depths, pixels);
         if (!keeps_steps<Sink> && (stages.colors == ColorStage::flat || !stages.is_painted))
-            paint_nearer(row, pixels, tested, *tests, flat, stages.is_painted);
+            paint_nearer(row, pixels, depths, *tests, flat, stages.is_painted);
         else
-            test_row(row, pixels, tested);
+            test_row(row, pixels, depths);
     }
 
     [[gnu::noinline]] void test_row(const ImageRow& row, PixelSpan pixels,
-                                    const DepthRow<PixelDepth>& depths) const {
+                                    const DepthRow<D>& depths) const {
         auto* const cells = tests->row_from(0, row.index);
         for (int x = pixels.first; x <= pixels.last; ++x)
             if (passes_depth_test({x, row.y}, depths.at(x), cells[x]))
@@ -177,17 +176,16 @@ private:
     }
 
     /// Paints a pixel of the canvas; at a turned depth if it is tested.
-    [[gnu::noinline]] void paint_pixel(Pixel pixel, const std::optional<PixelDepth>& depth) const {
+    [[gnu::noinline]] void paint_pixel(Pixel pixel, const std::optional<D>& depth) const {
         const int row = static_cast<int>(image.canvas().row_of(pixel.y));
         if (!tests || passes_depth_test(pixel, *depth, *tests->row_from(pixel.x, row)))
             plot(pixel, image.at(pixel));
     }
 
     /// Tests a turned depth against a cell, which keeps the nearer of the two.
-    template <typename Cell>
-    bool passes_depth_test(Pixel pixel, const PixelDepth& depth, Cell& cell) const {
+    template <typename Cell> bool passes_depth_test(Pixel pixel, const D& depth, Cell& cell) const {
         const auto test = [&] { return DepthVerdict{tests->keep_if_nearer(cell, depth)}; };
-        return tests->decide_and_tell(pixel, cell, depth, test, sink);
+        return decide_and_tell(*tests, pixel, cell, depth, test, sink);
     }
 
     void plot(Pixel pixel, Color& plotted) const {

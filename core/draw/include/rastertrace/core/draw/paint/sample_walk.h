@@ -11,6 +11,7 @@
 
 #include <rastertrace/core/draw/paint/divisor.h>
 #include <rastertrace/core/numbers/fraction.h>
+#include <rastertrace/core/numbers/interval.h>
 #include <rastertrace/core/numbers/scalar.h>
 #include <rastertrace/core/numbers/vec.h>
 #include <rastertrace/core/raster/canvas.h>
@@ -48,7 +49,7 @@ public:
     Index first_row_from(const Length& y) const {
         // A sample's height on the canvas is exact; y less the offset may be rounded to another
         // row.
-        const Index near = floor_index(y) - whole_rows_;
+        const Index near = index_near(y) - whole_rows_;
         const Scalar sample = scalar_from<Scalar>(near) + offset_.y();
         const bool is_above = down() > 0 ? sample < y : y < sample; // as good as random: no branch
         return canvas_.row_of(near) + static_cast<Index>(is_above);
@@ -127,8 +128,7 @@ private:
 };
 
 /// Walks along an edge from row to row and gives, on each, the first pixel whose sample is not left
-/// of the edge. This is the form of Rational, and of filtered doubles, which may leave a row
-/// undecided.
+/// of the edge. This is the form of Rational.
 template <typename Scalar> class SampleWalk {
 public:
     /// Along the edge from its upper vertex to its lower one, beginning in `row`. The edge must
@@ -149,7 +149,7 @@ private:
 
 /// The first sample that the edge function admits to a triangle on the right of the edge. Beyond
 /// the canvas the function is not evaluated, and the result is `guess`.
-template <std::floating_point Real>
+template <Rounded Real>
 [[gnu::cold, gnu::noinline]] Index first_admitted_sample(Vec<Real, 2> upper, Vec<Real, 2> lower,
                                                          const SampleGrid<Real>& grid, int row,
                                                          Index guess) {
@@ -171,21 +171,54 @@ template <std::floating_point Real>
     return left;
 }
 
-/// In float and double, x on the edge is a guess, and the edge function decides. It need not be
-/// evaluated if the crossing is farther from a sample than the rounding errors of both: then both
-/// agree (unless the products of the function overflow, and its value is of no use).
-template <std::floating_point Real> class SampleWalk<Real> {
+/// How far rounding moves the crossing of an edge with a row, and the zero of its function, in
+/// columns: with u the unit roundoff and X the larger |x|, 5 u |dx| + 2 u (X + 1) and 8 u (|dx| + 1),
+/// so less than 64 u (X + 1). Of an edge so low that products underflow nothing is known.
+template <std::floating_point Real>
+Real margin_of(const Vec<Real, 2>& upper, const Vec<Real, 2>& lower) {
+    using Limits = std::numeric_limits<Real>;
+    const Real least_height = Limits::min() / Limits::epsilon();
+    if (!(std::abs(lower.y - upper.y) > least_height))
+        return 1;
+    return 32 * Limits::epsilon() * (std::max(std::abs(upper.x), std::abs(lower.x)) + 1);
+}
+
+/// True if the crossing is farther than that from the sample that follows it, and from the one
+/// before.
+template <std::floating_point Real>
+[[gnu::always_inline]] inline bool is_off_samples(Real crossing, Index next, Real margin) {
+    const Real distance = static_cast<Real>(next) - crossing;
+    return margin < distance && distance < 1 - margin;
+}
+
+/// Of intervals: surely, for all doubles in them.
+template <std::same_as<Interval> Real>
+double margin_of(const Vec<Interval, 2>& upper, const Vec<Interval, 2>& lower) {
+    const double low =
+        margin_of<double>({upper.x.low(), upper.y.low()}, {lower.x.low(), lower.y.high()});
+    const double high =
+        margin_of<double>({upper.x.high(), upper.y.high()}, {lower.x.high(), lower.y.low()});
+    return std::max(low, high);
+}
+inline bool is_off_samples(Interval crossing, Index next, double margin) {
+    return is_off_samples(crossing.low(), next, margin) &&
+           is_off_samples(crossing.high(), next, margin);
+}
+
+/// In float, double and intervals of these, x on the edge is a guess, and the edge function decides.
+/// It need not be evaluated if the crossing is farther from a sample than the rounding errors of
+/// both: then both agree (unless the products of the function overflow, and its value is of no use).
+template <Rounded Real> class SampleWalk<Real> {
 public:
     SampleWalk(const Vertex<Real>& upper, const Vertex<Real>& lower, const SampleGrid<Real>& grid,
                int row)
         : edge_(edge_between(upper, lower)), lower_(lower.position), grid_(grid), row_(row),
-          margin_(margin_of(upper.position, lower.position)), crossing_(grid.crossing(edge_, row)) {
-    }
+          margin_(margin_of<Real>(upper.position, lower.position)),
+          crossing_(grid.crossing(edge_, row)) {}
 
     [[gnu::always_inline]] Index first_sample() const {
         const Index guess = ceil_index(crossing_);
-        const Real distance = static_cast<Real>(guess) - crossing_;
-        return margin_ < distance && distance < 1 - margin_
+        return is_off_samples(crossing_, guess, margin_)
                    ? guess
                    : first_admitted_sample(edge_.start, lower_, grid_, row_, guess);
     }
@@ -196,22 +229,11 @@ public:
     }
 
 private:
-    /// How far rounding moves the crossing, and the zero of the function, in columns: with u the
-    /// unit roundoff and X the larger |x|, 5 u |dx| + 2 u (X + 1) and 8 u (|dx| + 1), so less than
-    /// 64 u (X + 1). Of an edge so low that products underflow nothing is known.
-    static Real margin_of(const Vec<Real, 2>& upper, const Vec<Real, 2>& lower) {
-        using Limits = std::numeric_limits<Real>;
-        const Real least_height = Limits::min() / Limits::epsilon();
-        if (!(std::abs(lower.y - upper.y) > least_height))
-            return 1;
-        return 32 * Limits::epsilon() * (std::max(std::abs(upper.x), std::abs(lower.x)) + 1);
-    }
-
     Edge<Real> edge_;
     Vec<Real, 2> lower_;
     const SampleGrid<Real>& grid_;
     int row_;
-    Real margin_;
+    decltype(margin_of<Real>({}, {})) margin_;
     Real crossing_; ///< in this row
 };
 

@@ -19,9 +19,7 @@ struct DepthVerdict {
     bool passes;
     DepthReason reason = DepthReason::stored;
     std::string_view other = {};
-    bool is_by_thin =
-        false;             ///< decided by a point or a line in the pixel, even if a face is nearer
-    bool is_exact = false; ///< of filtered doubles: decided in exact numbers
+    bool is_by_thin = false; ///< by a point or a line in the pixel, even if a face is nearer
 };
 
 /// The nearest point or line of each cell of a depth buffer, if there is one.

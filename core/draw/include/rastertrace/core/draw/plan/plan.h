@@ -9,8 +9,8 @@
 
 #include <rastertrace/core/draw/plan/stages.h>
 #include <rastertrace/core/draw/scene/scene.h>
-#include <rastertrace/core/numbers/adaptive.h>
 #include <rastertrace/core/numbers/conversion.h>
+#include <rastertrace/core/numbers/interval.h>
 
 #include <array>
 #include <cstddef>
@@ -25,7 +25,7 @@ namespace rastertrace {
 inline constexpr std::int64_t fixed_grid = 256;
 
 /// The C++ type that stands for the scene's kind of scalar.
-enum class NumberType { binary32, binary64, adaptive, fraction64, rational };
+enum class NumberType { binary32, binary64, interval, fraction64, rational };
 
 /// Moves the primitives of a scene to the screen, in the numbers that its kind of scalar asks for.
 AnyScreenList screen_list_for(const Scene& scene);
@@ -40,11 +40,10 @@ struct Plan {
     bool mixes_colors = false;                      ///< vertices have colors that count
 };
 
-/// How often `adaptive` could not decide with doubles.
+/// How often intervals left a decision open.
 struct Fallbacks {
-    std::uint64_t primitives = 0; ///< or parts of one: drawn with exact numbers
-    std::uint64_t depths = 0;     ///< tests
-    std::uint64_t colors = 0;     ///< of pixels
+    std::uint64_t primitives = 0; ///< or parts of one: drawn in fractions
+    std::uint64_t depths = 0;     ///< tests of single pixels
 };
 
 /// Calls `draw_with.template operator()<Scalar>()` with the scalar that the plan has chosen.
@@ -52,8 +51,8 @@ template <typename DrawWith> decltype(auto) with_scalar(const Plan& plan, DrawWi
     switch (plan.number) {
     case NumberType::binary32:
         return draw_with.template operator()<float>();
-    case NumberType::adaptive:
-        return draw_with.template operator()<Adaptive>();
+    case NumberType::interval:
+        return draw_with.template operator()<Interval>();
     case NumberType::fraction64:
         return draw_with.template operator()<Fraction64>();
     case NumberType::rational:

@@ -29,19 +29,19 @@ struct Box {
 void include(std::optional<Box>& box, const Vec<Rational, 3>& point);
 
 /// The values from `low` to `high`.
-struct Interval {
+struct Extent {
     Rational low;
     Rational high;
 
-    bool operator==(const Interval&) const = default;
+    bool operator==(const Extent&) const = default;
 };
 
 /// What a projection shows on a canvas, in camera space. x and y are multiples of the distance from
 /// the eye in a perspective, else lengths.
 struct ViewVolume {
     bool is_perspective = true;
-    Interval x;
-    Interval y;
+    Extent x;
+    Extent y;
     Rational near = 0;                ///< distances from the eye
     std::optional<Rational> far = {}; ///< none: infinitely far
 };

@@ -21,8 +21,8 @@ enum class ScalarKind {
     single_precision, ///< IEEE 754 binary32
     double_precision, ///< IEEE 754 binary64
     fixed,            ///< vertices snapped to 1/256 pixel, then exact whole numbers of that size
-    adaptive, ///< filtered doubles, and exact numbers where the bound decides nothing: as exact
-    exact,    ///< fractions of whole numbers; nothing is ever rounded but to a pixel
+    adaptive,         ///< intervals of doubles, and fractions where these decide nothing: as exact
+    exact,            ///< fractions of whole numbers; nothing is ever rounded but to a pixel
 };
 
 /// Where the colors of pixels come from.

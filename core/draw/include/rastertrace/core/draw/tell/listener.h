@@ -7,8 +7,7 @@
 //     int plotted = 0;
 //     draw(scene, plan, [&](const PixelPlotted&) { ++plotted; });
 //
-// It is asked once which kinds it takes; no others are put together. A callable that takes
-// PrimitiveBegan for its names alone has a member reads_corners() that returns false.
+// It is asked once which kinds it takes; no others are put together.
 
 #include <rastertrace/core/numbers/quantity.h>
 #include <rastertrace/core/raster/sink.h>
@@ -52,8 +51,6 @@ public:
         Listener(Callable&& callable) // NOLINT: what is called with steps is a listener
         : callable_(const_cast<void*>(static_cast<const void*>(std::addressof(callable)))) {
         find_ways(callable, ways_);
-        if constexpr (requires { callable.reads_corners(); })
-            reads_corners_ = callable.reads_corners();
     }
 
     /// True if there is no kind of step that it takes.
@@ -75,10 +72,6 @@ public:
                takes<SampleTested<Quantity>>() || takes<DepthTested<Quantity>>() ||
                takes<PixelPlotted>() || takes<PixelsRejected>() || takes<RowsRejected>();
     }
-
-    /// True if it takes PrimitiveBegan, and may read its positions and depths. For one that does
-    /// not, filtered doubles need no exact ones.
-    bool reads_corners() const { return reads_corners_ && takes<PrimitiveBegan<Quantity>>(); }
 
     /// Hands a step over Quantity, or one without numbers, to the callable if it takes such.
     template <typename Step> void operator()(const Step& step) const {
@@ -125,7 +118,6 @@ private:
 
     void* callable_ = nullptr;
     Ways ways_{};
-    bool reads_corners_ = true;
 };
 
 } // namespace rastertrace
