@@ -258,8 +258,8 @@ private:
                 const bool has_area = barycentric.area2() != scalar_from<Scalar>(0);
                 const MixedColors<Scalar> paint{
                     piece.colors, barycentric,
-                    sample_offset<Scalar>(input.scene, sample_of(input.scene.method), 1),
-                    piece.inverse_w, rounding};
+                    sample_offset<Scalar>(sample_of(input.scene.method), 1), piece.inverse_w,
+                    rounding};
                 for (const PieceSpan& span : pieces[i].spans)
                     for (int x = span.from; x <= span.to; ++x)
                         take(!has_area ? piece.colors[0]

@@ -148,7 +148,7 @@ private:
         for (const Place& place : places_)
             typed_[place.axis].push_back(place.value);
         for (auto& values : typed_) {
-            std::ranges::sort(values);
+            std::sort(values.begin(), values.end());
             values.erase(std::unique(values.begin(), values.end()), values.end());
         }
     }
@@ -215,7 +215,7 @@ private:
         for (const Rational& typed : typed_[axis])
             units.push_back(unit_for(typed, high - low, values.size()));
         if (random.below(4) == 0) {
-            const Rational unit = *std::ranges::max_element(units);
+            const Rational unit = *std::max_element(units.begin(), units.end());
             const Index down = ceil_index(Rational((low - values.front()) / unit));
             const Index up = floor_index(Rational((high - values.back()) / unit));
             if (up < down)
@@ -263,7 +263,8 @@ private:
         Source scene = source_;
         for (auto place = places_.rbegin(); place != places_.rend(); ++place) {
             const auto& typed = typed_[place->axis];
-            const auto i = std::ranges::lower_bound(typed, place->value) - typed.begin();
+            const auto i =
+                std::lower_bound(typed.begin(), typed.end(), place->value) - typed.begin();
             const std::string value = axes[place->axis][static_cast<std::size_t>(i)].get_str();
             scene.text.replace(place->begin, place->end - place->begin,
                                value.find('/') == std::string::npos ? value : json_quoted(value));
@@ -294,8 +295,8 @@ Result<std::string> exercise_id(std::string_view typed) {
     const std::size_t colon = typed.find(':');
     const std::string_view version = colon == std::string_view::npos ? "1" : typed.substr(0, colon);
     const std::string_view seed = typed.substr(colon + 1); // or all, without a colon
-    const bool has_control =
-        std::ranges::any_of(seed, [](char c) { return (c >= 0 && c < 0x20) || c == 0x7F; });
+    const bool has_control = std::any_of(seed.begin(), seed.end(),
+                                         [](char c) { return (c >= 0 && c < 0x20) || c == 0x7F; });
     if (version != "1" || seed.empty() || seed.size() > most || has_control ||
         padding.find(seed.back()) != std::string_view::npos)
         return problem_of(

@@ -58,9 +58,9 @@ std::vector<std::string> facts_of(StepKind kind, const StepView& step) {
     }
     case StepKind::sample: {
         const auto weights = step.as<SampleStep>().weights.texts();
-        return {tie_fact(std::ranges::count(weights, "0") > 0 &&
-                         std::ranges::none_of(
-                             weights, [](const auto& weight) { return weight.starts_with('-'); }))};
+        const auto is_negative = [](const std::string& weight) { return weight.starts_with('-'); };
+        return {tie_fact(std::count(weights.begin(), weights.end(), "0") > 0 &&
+                         std::none_of(weights.begin(), weights.end(), is_negative))};
     }
     case StepKind::decide: {
         const auto decision = step.as<DecideStep>();
@@ -113,7 +113,7 @@ Answers slip_answers_in(const Trace& trace) {
     std::size_t count = 0;
     for (std::size_t n = 1; n <= trace.size() && count < most; ++n) {
         const auto kind = trace.kind_of(n);
-        if (!kind || std::ranges::count(worked_out, *kind) == 0)
+        if (!kind || std::count(worked_out.begin(), worked_out.end(), *kind) == 0)
             continue;
         ++count;
         for (const StepField& field : fields_of(*kind)) {

@@ -18,7 +18,7 @@ namespace rastertrace {
 /// The depths of a row of a triangle: between its two edges, or in its plane.
 DepthRow<Rational> depths_of_row(const Scene& scene, const Piece<Rational>& piece, int y) {
     const Method& method = scene.method;
-    const auto offset = sample_offset<Rational>(scene, sample_of(method), 1);
+    const auto offset = sample_offset<Rational>(sample_of(method), 1);
     const Triangle<Rational> triangle{piece.positions};
     TriangleDepth<Rational> depth(triangle.vertices, piece.depths,
                                   depth_rule<Rational>(scene).larger_passes);
