@@ -130,16 +130,18 @@ struct NumbersTold {
 
 TEST(Adaptive, TellsWhatDoublesTellWhereTheyDecide) {
     EdgeScenes scenes(29);
+    std::mt19937_64 random(29);
     int decided = 0;
-    for (int i = 0; i < random_cases(1000); ++i) {
+    for (int i = 0; i < random_cases(5000); ++i) {
         Scene scene = scenes.next();
-        // Vertices as typed that fit in no fraction of machine size.
+        // Vertices as typed that fit in no fraction of machine size, and seldom lie on a sample.
         if (scene.has_pipeline() || scene.method.fill == Fill::fan)
             continue;
         for (SceneVertex& vertex : scene.vertices)
             for (Number* const coordinate : {&vertex.x, &vertex.y})
-                *coordinate = Number::fraction(coordinate->exact() + Rational(1, 3) +
-                                               Number::decimal(1, -30).exact());
+                *coordinate = Number::fraction(
+                    coordinate->exact() + Rational(static_cast<unsigned>(random() % 997), 997) +
+                    Number::decimal(1, -30).exact());
         scene.method.scalar = ScalarKind::exact;
         if (find_unfit(scene))
             continue;
@@ -309,9 +311,10 @@ TEST(Adaptive, DrawsWhatFitsInFractionsOfMachineSize) {
 }
 
 TEST(Adaptive, SaysHowOftenItFellBack) {
-    // Row 0 passes through the corner C.
-    Scene scene = triangle_scene({"1e-30", "0", "5", "0", "0", "5"}, {.width = 12, .height = 12},
-                                 {.scalar = ScalarKind::adaptive});
+    // At y = 1 the edge CA is at x = 1.
+    Scene scene = triangle_scene({"0.999999999999999999999999999999", "0", "5", "1",
+                                  "1.000000000000000000000000000001", "2"},
+                                 {.width = 12, .height = 12}, {.scalar = ScalarKind::adaptive});
     Fallbacks fallbacks;
     const Plan plan = plan_for(scene);
     draw(scene, plan, {}, &fallbacks);
@@ -372,7 +375,7 @@ TEST(Adaptive, CoplanarFacesAreDecidedAsExact) {
         scene.method.depth_at = i % 3 == 0 ? DepthAt::rounded_ends : DepthAt::pixel;
         exact_tests += exact_tests_of(scene);
     }
-    EXPECT_GT(exact_tests, static_cast<std::uint64_t>(random_cases(1000)));
+    EXPECT_GT(exact_tests, static_cast<std::uint64_t>(random_cases(200)));
 }
 
 TEST(Adaptive, FacesThatMeetInAnEdgeAreDecidedAsExact) {
@@ -407,7 +410,7 @@ TEST(Adaptive, FacesThatMeetInAnEdgeAreDecidedAsExact) {
 
 TEST(Adaptive, VerticesAtOneDistanceLeaveNoColorOpen) {
     Scene scene =
-        triangle_scene({"-7/3", "-5/3", "9/7", "-5/3", "1/7", "13/3"}, {.width = 32, .height = 32},
+        triangle_scene({"-7/3", "-5/3", "9/7", "-4/3", "1/7", "13/3"}, {.width = 32, .height = 32},
                        {.scalar = ScalarKind::adaptive, .fill = Fill::top_left});
     const std::array<Color, 3> colors{{{255, 10, 3}, {7, 200, 90}, {31, 60, 240}}};
     for (std::size_t i = 0; i < 3; ++i) {

@@ -190,10 +190,6 @@ inline bool are_not_all_equal(Interval a, Interval b, Interval c) {
 inline bool may_differ(Interval a, Interval b) {
     return !(a.is_exact() && b.is_exact() && a.low() == b.low());
 }
-inline Index index_near(Interval x) {
-    require_finite(x);
-    return floor_index(x.middle());
-}
 inline Interval held_between(Interval x, Interval low, Interval high) {
     for (const Interval one : {x, low, high})
         require_finite(one);

@@ -116,11 +116,6 @@ bool are_not_all_equal(const Scalar& a, const Scalar& b, const Scalar& c) {
 /// Does nothing: plan.h has seen that every number is finite. An interval has its own.
 template <typename Scalar> void require_finite(const Scalar&) {}
 
-/// The floor, or where an interval leaves it open, that of one of its numbers.
-template <typename Scalar> [[gnu::always_inline]] inline Index index_near(const Scalar& x) {
-    return floor_index(x);
-}
-
 /// `x` held between two numbers.
 template <typename Scalar>
 [[gnu::always_inline]] inline Scalar held_between(const Scalar& x, const Scalar& low,

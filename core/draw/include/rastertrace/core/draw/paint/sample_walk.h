@@ -47,9 +47,13 @@ public:
 
     /// The first row whose samples are not above the height `y`. Row 0 is the top of the canvas.
     Index first_row_from(const Length& y) const {
+        if constexpr (std::same_as<Scalar, Interval>) {
+            const Interval in_rows = y - offset_.y();
+            return canvas_.row_of(down() > 0 ? ceil_index(in_rows) : floor_index(in_rows));
+        }
         // A sample's height on the canvas is exact; y less the offset may be rounded to another
         // row.
-        const Index near = index_near(y) - whole_rows_;
+        const Index near = floor_index(y) - whole_rows_;
         const Scalar sample = scalar_from<Scalar>(near) + offset_.y();
         const bool is_above = down() > 0 ? sample < y : y < sample; // as good as random: no branch
         return canvas_.row_of(near) + static_cast<Index>(is_above);
