@@ -1,7 +1,7 @@
 #!/bin/sh
 # Same scene, same bytes: builds the program with other compilers, flags and machines, draws every example with each, and
 # compares the hashes of the traces. Cross builds run by qemu. (The module for pages, of 32 bits, is compared with the
-# program by the tests wasm-module and wasm-exercises.) The last results are in docs/performance.md.
+# program by the test wasm-module.) The last results are in docs/performance.md.
 # usage: same-bytes.sh [NAME...]     all of the table below if none is named
 set -eu
 cd "$(dirname "$0")/.."
