@@ -121,7 +121,7 @@ Vec<Scalar, 2> place_of(const Scene& scene, std::size_t vertex, const Plan& plan
             scalar_from<Scalar>(scene.vertices[vertex].y, plan.denominator)};
 }
 
-/// A number as it is, without rounding; of an interval, its middle.
+/// A number as it is, without rounding. An interval of more than one number leaves it open.
 template <std::floating_point Real> Rational exact_value(Real value) {
     return Rational(value);
 }
@@ -132,7 +132,9 @@ template <typename Integer> Rational exact_value(const Fraction<Integer>& value)
     return exact(value);
 }
 inline Rational exact_value(const Interval& value) {
-    return Rational(value.middle());
+    if (!value.is_exact())
+        Interval::leave_open(value, value);
+    return Rational(value.low());
 }
 
 /// How far a number lies from the exact one, rounded to a double. An interval that holds it is as

@@ -313,7 +313,7 @@ TEST(Bitmap, DotsAreDiscs) {
             sheet(100, 100, {Dots{.role = Role::vertex, .radius = radius, .centers = {{50, 50}}}});
         const Bitmap bitmap = bitmap_of(drawing, Theme::light, 1);
         EXPECT_NEAR(covered(bitmap), std::numbers::pi * radius * radius,
-                    0.03 * std::numbers::pi * radius * radius + 0.2);
+                    0.03 * std::numbers::pi * radius * radius + 0.25);
         expect_covers(drawing, 1, [radius](Place place) {
             return std::hypot(place.x - 50, place.y - 50) <= radius;
         });

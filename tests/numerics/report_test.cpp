@@ -362,10 +362,11 @@ TEST(AdaptiveReport, IsTimedForTheUnitsOfTheOtherScalars) {
     }
 }
 
-// Row 0 passes through the corner C: one piece takes exact numbers, and it is the only one.
+// In row 1 the edge CA is at x = 1: one piece takes exact numbers, and it is the only one.
 TEST(AdaptiveReport, CountsTheOneTie) {
-    const Scene scene =
-        triangle_scene({"1e-30", "0", "5", "0", "0", "5"}, {.width = 12, .height = 12});
+    const Scene scene = triangle_scene({"0.999999999999999999999999999999", "0", "5", "1",
+                                        "1.000000000000000000000000000001", "2"},
+                                       {.width = 12, .height = 12});
     const JobReport job = report_of_job(scene, ReportJob::coverage);
     EXPECT_EQ(setting_of(job, "scanline, scalars", "adaptive").work.value().exact_fallbacks, 1U);
     EXPECT_EQ(setting_of(job, "scanline, scalars", "exact").work.value().exact_fallbacks, 0U);

@@ -123,7 +123,8 @@ TEST(Describe, HiddenLines) {
 }
 
 TEST(Describe, WhatDoublesLeaveOpen) {
-    const Scene scene = triangle_scene({"1e-30", "0", "2", "0", "0", "2"},
+    const Scene scene = triangle_scene({"0.999999999999999999999999999999", "0", "2", "1",
+                                        "1.000000000000000000000000000001", "2"},
                                        {.width = 3, .height = 3, .origin = Origin::bottom_left},
                                        {.scalar = ScalarKind::adaptive});
     std::string found;

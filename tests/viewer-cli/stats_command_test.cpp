@@ -23,7 +23,7 @@ TEST_F(ProgramTest, StatsJudgeAdaptiveByTheCornersThatItDraws) {
     const std::string exact = shell("$rastertrace stats scene.json --scalar exact").out;
     EXPECT_EQ(shell("$rastertrace stats scene.json --scalar adaptive").out, exact);
     EXPECT_THAT(shell("$rastertrace trace scene.json --scalar adaptive").out,
-                HasSubstr(R"("at":[[0,0],["10/3",10],[-8,5]])"));
+                HasSubstr(R"("at":[["0","0"],["10/3","10"],["-8","5"]])"));
     // Once more in numbers that are no fractions of machine size.
     write("long.json", R"({"canvas":{"width":12,"height":12,"origin":"bottom-left"},
 "vertices":{"A":[0,0],"B":["10/3",10],"C":[-8,"5000000000000000000001/1000000000000000000000"],"D":[10,0]},

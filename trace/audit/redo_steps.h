@@ -292,7 +292,7 @@ private:
         if (step.dot.json().starts_with('"'))
             again(Rational());
         else if (knows_all && steps_ == StepsToRedo::all)
-            again(Depth());
+            again(std::conditional_t<std::same_as<Depth, Rational>, double, Depth>());
     }
 
     void redo_face(const FaceStep& step) {

@@ -5,7 +5,6 @@
 
 #include <cmath>
 #include <limits>
-#include <ranges>
 
 namespace rastertrace {
 
@@ -141,8 +140,13 @@ Span TriangleSamples::span_of_edge(std::size_t edge, int y, Place place) const {
     const Index end = all.last + 1;
     const double crossing = edges_[edge].near_x_at(y + grid_->offset) - grid_->offset;
     Index behind = clamped(std::ceil(crossing), all.first, end);
-    if ((behind < end && is_in_front(behind)) || (behind > all.first && !is_in_front(behind - 1)))
-        behind = *std::ranges::partition_point(std::views::iota(all.first, end), is_in_front);
+    if ((behind < end && is_in_front(behind)) || (behind > all.first && !is_in_front(behind - 1))) {
+        behind = all.first;
+        for (Index after = end; behind < after;) {
+            const Index between = behind + (after - behind) / 2;
+            is_in_front(between) ? behind = between + 1 : after = between;
+        }
+    }
     return grows ? Span{behind, all.last} : Span{all.first, behind - 1};
 }
 

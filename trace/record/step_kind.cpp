@@ -90,7 +90,7 @@ const std::array<StepRow, step_kinds> table{{
      {"{@kind} {@primitive}: skipped, {#why}",
       "{@kind} {@primitive}: omitido, {#why}"}},
 
-    {StepKind::undecided, "with `adaptive`: doubles leave a decision about the next primitive open",
+    {StepKind::undecided, "with `adaptive`: intervals of doubles leave a decision about the next primitive open",
      {"{@what_is_open}; drawn in exact numbers",
       "{@what_is_open}; desenhado com números exatos"}},
 }};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Drawing in intervals. Every piece is first tried: drawn in intervals, on a picture without memory,
+// Drawing in intervals. Every piece is first tried: drawn in intervals, on a picture that nobody sees,
 // for a sink that keeps nothing. If that decides everything, the piece is drawn in doubles, from the
 // middles of its corners: each double lies in its interval, and decides alike. Else it is drawn in
 // fractions. Without a listener an open depth test does not count: the exact depths of its pixel
@@ -112,8 +112,8 @@ public:
     Drawing(const Scene& scene, const Plan& plan, const AList& list, const Listener& listener,
             const Sink& sink, Image& image)
         : scene_(scene), plan_(plan), list_(list), listener_(listener), sink_(sink),
-          scratch_(Image::without_memory(scene.canvas)), trial_{scene, plan, scratch_},
-          doubles_{scene, plan, image}, fractions_{scene, plan, image}, exact_(scene, plan) {
+          scratch_(scene.canvas), trial_{scene, plan, scratch_}, doubles_{scene, plan, image},
+          fractions_{scene, plan, image}, exact_(scene, plan) {
         if (!scene.has_depth_buffer())
             return;
         trial_.depth = doubles_.depth = fractions_.depth =

@@ -58,7 +58,8 @@ public:
     [[gnu::always_inline]] friend inline Interval operator+(Interval a, Interval b) {
         const double low = a.low_ + b.low_;
         const double high = a.high_ + b.high_;
-        return low == high && is_exact_sum(a, b, low) ? Interval(low) : around(low, high);
+        const bool is_exact = low == high ? is_exact_sum(a, b, low) : a.is(0) || b.is(0);
+        return is_exact ? Interval(low, high) : around(low, high);
     }
     friend Interval operator-(Interval a) { return {-a.high_, -a.low_}; }
     [[gnu::always_inline]] friend inline Interval operator-(Interval a, Interval b) {
@@ -69,7 +70,8 @@ public:
         const double r = a.high_ * b.low_, s = a.high_ * b.high_;
         const double low = std::min(std::min(p, q), std::min(r, s));
         const double high = std::max(std::max(p, q), std::max(r, s));
-        return low == high && is_exact_product(a, b) ? Interval(low) : around(low, high);
+        const bool is_exact = low == high ? is_exact_product(a, b) : a.is_one() || b.is_one();
+        return is_exact ? Interval(low, high) : around(low, high);
     }
     /// Throws Undecided if b may be 0.
     friend Interval operator/(Interval a, Interval b) {
@@ -111,6 +113,7 @@ public:
 
 private:
     bool is(double number) const { return low_ == number && high_ == number; }
+    bool is_one() const { return is_exact() && std::abs(low_) == 1; } ///< or -1
 
     /// What leads from a double to the next one, or a little farther. Half a unit in the last place
     /// would be a tie where the number is a power of two.

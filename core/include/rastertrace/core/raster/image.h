@@ -57,22 +57,23 @@ using Colors = BlankVector<Color>;
 /// A canvas and its colors.
 class Image {
 public:
-    explicit Image(const Canvas& canvas) : Image(canvas, canvas.height) {}
-
-    /// A picture that keeps nothing: all rows are one. For painters that are only tried.
-    static Image without_memory(const Canvas& canvas) { return {canvas, 1}; }
+    explicit Image(const Canvas& canvas)
+        : canvas_(canvas), left_(canvas.left()), top_(canvas.top()), down_(canvas.down()),
+          colors_(static_cast<std::size_t>(canvas.width) *
+                  static_cast<std::size_t>(canvas.height)) {}
 
     const Canvas& canvas() const { return canvas_; }
     const Colors& colors() const { return colors_; }
 
     /// The color of a pixel of the canvas.
-    Color& at(Pixel pixel) { return row(pixel.y).at(pixel.x); }
+    Color& at(Pixel pixel) { return colors_[canvas_.offset_of(pixel)]; }
     const Color& at(Pixel pixel) const { return colors_[canvas_.offset_of(pixel)]; }
 
     /// The row at height `y` of the canvas.
     ImageRow row(int y) {
         const int index = (y - top_) * down_;
-        return {index, y, left_, left_ + canvas_.width - 1, colors_.data() + index * stride_};
+        return {index, y, left_, left_ + canvas_.width - 1,
+                colors_.data() + static_cast<std::ptrdiff_t>(index) * canvas_.width};
     }
 
     /// How many pixels have been drawn.
@@ -82,17 +83,11 @@ public:
     }
 
 private:
-    Image(const Canvas& canvas, int rows)
-        : canvas_(canvas), left_(canvas.left()), top_(canvas.top()), down_(canvas.down()),
-          stride_(rows == canvas.height ? canvas.width : 0),
-          colors_(static_cast<std::size_t>(canvas.width) * static_cast<std::size_t>(rows)) {}
-
     Canvas canvas_;
     int left_; ///< left(), top() and down() of the canvas, computed once: rows are often short
     int top_;
     int down_;
-    std::ptrdiff_t stride_; ///< from a row to the next, in pixels
-    Colors colors_;         ///< of zeros at first: no_color
+    Colors colors_; ///< of zeros at first: no_color
 };
 
 } // namespace rastertrace

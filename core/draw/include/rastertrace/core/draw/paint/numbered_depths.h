@@ -81,8 +81,9 @@ public:
     template <typename Depth>
     bool is_behind_thin(const double& cell, const Depth& depth, Thickness thickness) {
         const Thin* const thin = thin_at(cell);
-        return thin && (thickness < thin->thickness ? is_less(held_by(*thin), held_by(depth), cell)
-                                                    : !is_less(held_by(depth), held_by(*thin), cell));
+        return thin &&
+               (thickness < thin->thickness ? is_less(held_by(*thin), held_by(depth), cell)
+                                            : !is_less(held_by(depth), held_by(*thin), cell));
     }
     std::optional<std::uint32_t> thin_owner_of(const double& cell) const {
         return thin_at(cell) ? std::optional(thin_at(cell)->owner) : std::nullopt;
@@ -121,6 +122,8 @@ private:
     Held held_by(const Thin& thin) const { return held_by(thin.depth, thin.owner); }
     Held held_by(const double& depth) { return held_by(depth, owner_); }
     Held held_by(const Interval& depth) {
+        if (is_trial_ && throws_)
+            require_finite(depth);                 // it is told
         double& error = errors_[piece_of(owner_)]; // of any double in it
         error = depth.width() <= error ? error : depth.width();
         return {depth.middle(), depth, owner_};
