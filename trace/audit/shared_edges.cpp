@@ -35,7 +35,7 @@ struct EdgeUse {
 };
 
 /// All edges of some triangles, those with the same ends behind one another.
-std::vector<EdgeUse> edges_by_ends(const std::vector<Cornered>& triangles) {
+std::vector<EdgeUse> edges_by_ends(const std::vector<DrawnTriangle>& triangles) {
     std::vector<EdgeUse> uses;
     uses.reserve(3 * triangles.size());
     for (std::uint32_t i = 0; i < triangles.size(); ++i)
@@ -86,7 +86,7 @@ std::string edge_name(const PrimitiveStep& step, std::size_t from, std::size_t t
 
 /// True if two triangles lie on one side of an edge that they share.
 bool lie_on_one_side(const EdgeUse& one, const EdgeUse& other,
-                     const std::vector<Cornered>& triangles) {
+                     const std::vector<DrawnTriangle>& triangles) {
     const auto& at = triangles[one.triangle].at();
     const auto side_of = [&](const EdgeUse& use) {
         const std::size_t opposite = 3U - use.from - use.to;
@@ -98,7 +98,7 @@ bool lie_on_one_side(const EdgeUse& one, const EdgeUse& other,
 /// A triangle at an edge that it shares.
 class SideOfEdge {
 public:
-    SideOfEdge(const EdgeUse& edge, const Cornered& triangle, const CanvasSamples& grid,
+    SideOfEdge(const EdgeUse& edge, const DrawnTriangle& triangle, const CanvasSamples& grid,
                bool is_fold)
         : samples_(triangle.at(), grid), edge_(edge.number()), is_fold_(is_fold) {}
 
@@ -180,9 +180,9 @@ PixelList drawn_by_both(const DrawnPrimitive& one, const DrawnPrimitive& other,
 
 /// Two triangles at an edge that they share.
 SharedEdge compared_at(const EdgeUse& one, const EdgeUse& other, const EdgeUse& first,
-                       const std::vector<Cornered>& triangles, const CanvasSamples& grid) {
-    const Cornered& a = triangles[one.triangle];
-    const Cornered& b = triangles[other.triangle];
+                       const std::vector<DrawnTriangle>& triangles, const CanvasSamples& grid) {
+    const DrawnTriangle& a = triangles[one.triangle];
+    const DrawnTriangle& b = triangles[other.triangle];
     const bool is_fold = lie_on_one_side(one, other, triangles);
     SharedEdge edge{.one = a.place,
                     .other = b.place,
@@ -211,7 +211,7 @@ std::string name_of(const SharedEdge& edge, const Stats& stats, const Trace& tra
     return edge_name(trace.step(step).as<PrimitiveStep>(), edge.vertices[0], edge.vertices[1]);
 }
 
-std::vector<SharedEdge> compared_edges(const std::vector<Cornered>& triangles,
+std::vector<SharedEdge> compared_edges(const std::vector<DrawnTriangle>& triangles,
                                        const CanvasSamples& grid) {
     const std::vector<EdgeUse> uses = edges_by_ends(triangles);
     std::vector<SharedEdge> pairs;

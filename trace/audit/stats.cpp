@@ -15,26 +15,10 @@
 
 namespace rastertrace {
 
-std::string_view name_of(StatsFinding finding) {
-    switch (finding) {
-    case StatsFinding::holes:
-        return "holes";
-    case StatsFinding::twice:
-        return "twice";
-    case StatsFinding::outside:
-        return "outside";
-    case StatsFinding::rows:
-        return "rows";
-    case StatsFinding::redo:
-        break;
-    }
-    return "redo";
-}
-
 std::string names_of(const std::vector<StatsFinding>& findings) {
     std::vector<std::string_view> names;
     for (const StatsFinding finding : findings)
-        names.push_back(name_of(finding));
+        names.push_back(finding_names[static_cast<std::size_t>(finding)]);
     return joined(names, ", ");
 }
 

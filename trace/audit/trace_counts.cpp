@@ -96,7 +96,13 @@ void TraceCounts::finish_primitive() {
     if (drawn_.empty())
         return;
     DrawnPrimitive& drawn = drawn_.back();
-    pixels_.give_to(drawn);
+    drawn.pixels = PixelSet(pixels_);
+    if (!hidden_.empty()) {
+        hidden_.insert(hidden_.end(), pixels_.begin(), pixels_.end());
+        drawn.covered = PixelSet(hidden_);
+    }
+    pixels_.clear();
+    hidden_.clear();
     primitive().pixels = drawn.pixels.size();
     primitive().hidden = drawn.covering().size() - drawn.pixels.size();
 }
@@ -141,7 +147,7 @@ void TraceCounts::count(const PixelStep& step) {
     if (before != no_color)
         ++primitive().over;
     ++primitive().writes;
-    pixels_.add(trace_.canvas.offset_of(plotted->pixel));
+    pixels_.push_back(static_cast<std::uint32_t>(trace_.canvas.offset_of(plotted->pixel)));
 }
 
 void TraceCounts::count(const DepthStep& test) {
@@ -158,7 +164,7 @@ void TraceCounts::count(const DepthStep& test) {
     if (test.depth == test.stored && before != no_color && before != color_)
         is_tied_[offset] = true;
     if (!drawn_.empty())
-        pixels_.add_hidden(offset);
+        hidden_.push_back(static_cast<std::uint32_t>(offset));
 }
 
 } // namespace rastertrace

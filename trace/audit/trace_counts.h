@@ -9,7 +9,7 @@
 //     counts.finish();
 //     counts.drawn();
 
-#include "drawn_primitive.h"
+#include "coverage.h"
 #include "row_check.h"
 #include "stats.h"
 #include "stats_needs.h"
@@ -77,9 +77,10 @@ private:
     RowCheck rows_;
     StatsNeeds needs_;
     std::vector<DrawnPrimitive> drawn_;
-    DrawnPixels pixels_; ///< of the current primitive
-    Color color_;        ///< of the current primitive
-    bool has_rows_;      ///< rows of the current primitive are judged
+    std::vector<std::uint32_t> pixels_; ///< offsets, of the current primitive
+    std::vector<std::uint32_t> hidden_; ///< the same of those that failed the depth test
+    Color color_;                       ///< of the current primitive
+    bool has_rows_;                     ///< rows of the current primitive are judged
     Image picture_;
     std::vector<bool> is_tied_; ///< pixels where a depth test was a tie that decided what is seen
 };
