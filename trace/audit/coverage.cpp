@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "coverage.h"
 
-#include "cornered.h"
 #include "positions.h"
 #include "screen_point.h"
 #include "shared_edges.h"
@@ -10,10 +9,7 @@
 #include <rastertrace/trace/record/told_samples.h>
 
 #include <algorithm>
-#include <array>
 #include <cstdint>
-#include <iterator>
-#include <map>
 #include <string>
 #include <vector>
 
@@ -31,23 +27,13 @@ void add(PixelList& list, int y, const Span& span) {
 }
 
 /// The pixels that a primitive covers on a row of the canvas.
-PixelSet::Part drawn_on_row(const DrawnPrimitive& primitive, Index row, const Canvas& canvas) {
+auto drawn_on_row(const DrawnPrimitive& primitive, Index row, const Canvas& canvas) {
     const auto begin = static_cast<std::uint32_t>(row * canvas.width);
     return primitive.covering().part(begin, begin + static_cast<std::uint32_t>(canvas.width));
 }
 
-// A triangle against its own corners.
-
-/// The pixels `gap` of a row were not drawn; `inside` is the part of the row within the triangle.
-void add_missing(Coverage& coverage, int y, const Span& gap, const Span& inside) {
-    if (inside.is_empty())
-        return add(coverage.open_edge, y, gap);
-    add(coverage.open_edge, y, common_part(gap, {gap.first, inside.first - 1}));
-    add(coverage.holes, y, common_part(gap, inside));
-    add(coverage.open_edge, y, common_part(gap, {inside.last + 1, gap.last}));
-}
-
-Coverage coverage_of(const Cornered& triangle, const CanvasSamples& grid) {
+/// Compares a triangle with its own corners.
+Coverage coverage_of(DrawnTriangle& triangle, const CanvasSamples& grid) {
     const Canvas& canvas = grid.canvas;
     const auto& [a, b, c] = triangle.at();
     const auto& drawn = triangle.drawn->covering();
@@ -63,24 +49,28 @@ Coverage coverage_of(const Cornered& triangle, const CanvasSamples& grid) {
                                       std::max(rows.last, drawn_rows.last)};
     }
 
-    // On each of them, the gaps between the pixels drawn are missing, as far as the triangle goes.
+    // On each of them, the gaps between the pixels drawn are holes, as far as they lie inside.
     Coverage coverage;
+    Index missing = 0; // of the triangle with all that rounding may add to it
     for (Index row = rows.first; row <= rows.last; ++row) {
         const int y = canvas.y_of(static_cast<int>(row));
-        const auto [closed, inside, within_error] = samples.row(y);
-        Index next = closed.first;
+        const auto [inside, within_error] = samples.row(y);
+        missing += within_error.size();
+        Index next = inside.first;
         for (const std::uint32_t offset : drawn_on_row(*triangle.drawn, row, canvas)) {
             const Pixel pixel = pixel_at(offset, canvas);
-            if (!closed.has(pixel.x)) {
-                if (!within_error.has(pixel.x))
-                    coverage.outside.add(pixel);
-                continue;
+            if (within_error.has(pixel.x))
+                --missing;
+            else
+                coverage.outside.add(pixel);
+            if (inside.has(pixel.x)) {
+                add(coverage.holes, y, {next, pixel.x - 1});
+                next = pixel.x + 1;
             }
-            add_missing(coverage, y, {next, pixel.x - 1}, inside);
-            next = pixel.x + 1;
         }
-        add_missing(coverage, y, {next, closed.last}, inside);
+        add(coverage.holes, y, {next, inside.last});
     }
+    triangle.is_drawn_whole = missing == 0;
     return coverage;
 }
 
@@ -92,15 +82,12 @@ double one_rounding_of(const Trace& trace) {
 }
 
 /// Judges all triangles with area by samples that are so far from the integer points.
-void judge_by_samples(double offset, const Trace& trace, std::vector<Cornered>& fills,
+void judge_by_samples(double offset, const Trace& trace, std::vector<DrawnTriangle>& triangles,
                       Stats& stats) {
     const CanvasSamples grid{trace.canvas, offset, one_rounding_of(trace)};
-    for (Cornered& fill : fills) {
-        const Coverage& coverage =
-            stats.primitives[fill.place].coverage.emplace(coverage_of(fill, grid));
-        fill.is_drawn_whole = coverage.holes.count == 0 && coverage.open_edge.count == 0;
-    }
-    stats.edges = compared_edges(fills, grid);
+    for (DrawnTriangle& triangle : triangles)
+        stats.primitives[triangle.place].coverage = coverage_of(triangle, grid);
+    stats.edges = compared_edges(triangles, grid);
 }
 
 /// True if every pixel has been drawn whose sample lies inside a triangle, and no other one.
@@ -122,71 +109,25 @@ bool tells_sample(const Trace& trace) {
            fill == "fan";
 }
 
-// Outlines against fills.
-
-PixelList drawn_by_first_only(const DrawnPrimitive& first, const DrawnPrimitive& other,
-                              const Canvas& canvas) {
-    PixelList alone;
-    for (const std::uint32_t offset : first.pixels)
-        if (!other.pixels.contains(offset))
-            alone.add(pixel_at(offset, canvas));
-    return alone;
-}
-
-/// Every pair of an outline and a fill with the same corners, in whatever order they are named.
-void compare_outlines(const std::vector<Cornered>& outlines, const std::vector<Cornered>& fills,
-                      const Canvas& canvas, Stats& stats) {
-    struct SameCorners {
-        std::size_t outlines = 0;
-        std::vector<const Cornered*> fills;
-    };
-    std::map<std::array<std::uint32_t, 3>, SameCorners> known;
-    const auto same_corners = [&known](const Cornered& primitive) -> SameCorners& {
-        auto corners = primitive.corners;
-        std::sort(corners.begin(), corners.end());
-        return known[corners];
-    };
-    for (const Cornered& fill : fills)
-        if (SameCorners& same = same_corners(fill); same.fills.size() < most_compared)
-            same.fills.push_back(&fill);
-
-    for (const Cornered& outline : outlines) {
-        SameCorners& same = same_corners(outline);
-        if (++same.outlines > most_compared)
-            continue;
-        for (const Cornered* fill : same.fills)
-            stats.outlines.push_back(
-                {.outline = stats.primitives[outline.place].name,
-                 .fill = stats.primitives[fill->place].name,
-                 .outside = drawn_by_first_only(*outline.drawn, *fill->drawn, canvas)});
-    }
-}
-
 } // namespace
 
 void compare_with_corners(const Trace& trace, std::span<const DrawnPrimitive> drawn, Stats& stats) {
-    // The triangles and the outlines whose corners are known.
+    // The triangles whose corners are known; one without area covers nothing, and shares an edge with nobody.
     PointNumbers numbers;
-    std::vector<Cornered> fills;
-    std::vector<Cornered> outlines;
+    std::vector<DrawnTriangle> triangles;
     for (std::uint32_t place = 0; place < drawn.size(); ++place) {
-        const std::string& kind = stats.primitives[place].kind;
-        const bool is_culled = stats.primitives[place].skipped == "culled";
-        if ((kind != "triangle" && kind != "outline") || is_culled || !drawn[place].corners)
+        const auto& at = drawn[place].corners;
+        const PrimitiveStats& primitive = stats.primitives[place];
+        if (primitive.kind != "triangle" || primitive.skipped == "culled" || !at ||
+            orientation((*at)[0], (*at)[1], (*at)[2]) == 0)
             continue;
-        auto& list = kind == "outline" ? outlines : fills;
-        Cornered& cornered = list.emplace_back(Cornered{.drawn = &drawn[place], .place = place});
-        for (std::size_t i = 0; i < 3; ++i)
-            cornered.corners[i] = numbers.of(cornered.at()[i]);
+        triangles.push_back(
+            {.drawn = &drawn[place],
+             .place = place,
+             .corners = {numbers.of((*at)[0]), numbers.of((*at)[1]), numbers.of((*at)[2])}});
     }
-    compare_outlines(outlines, fills, trace.canvas, stats);
-
-    // A triangle without area covers nothing, and shares an edge with nobody.
-    std::erase_if(fills, [](const Cornered& fill) {
-        return orientation(fill.at()[0], fill.at()[1], fill.at()[2]) == 0;
-    });
     const auto judge = [&](double offset) {
-        judge_by_samples(offset, trace, fills, stats);
+        judge_by_samples(offset, trace, triangles, stats);
         return explains_all(stats);
     };
     if (tells_sample(trace)) {

@@ -6,12 +6,15 @@
 
 namespace rastertrace {
 
-PixelSet::PixelSet(std::span<const std::uint32_t> ascending) {
+PixelSet::PixelSet(std::vector<std::uint32_t> offsets) {
+    if (!std::is_sorted(offsets.begin(), offsets.end()))
+        std::sort(offsets.begin(), offsets.end());
+    offsets.erase(std::unique(offsets.begin(), offsets.end()), offsets.end());
     const auto goes_on = [](std::uint32_t run, std::uint32_t offset) {
         return last_of(run) + 1 == offset && more_in(run) < most_more;
     };
     std::vector<std::uint32_t> runs;
-    for (const std::uint32_t offset : ascending)
+    for (const std::uint32_t offset : offsets)
         if (!runs.empty() && goes_on(runs.back(), offset))
             ++runs.back();
         else
@@ -37,12 +40,6 @@ PixelSet::Iterator PixelSet::not_before(std::uint32_t offset) const {
 bool PixelSet::contains(std::uint32_t offset) const {
     const Iterator found = not_before(offset);
     return found != end() && *found == offset;
-}
-
-void put_in_order(std::vector<std::uint32_t>& offsets) {
-    if (!std::is_sorted(offsets.begin(), offsets.end()))
-        std::sort(offsets.begin(), offsets.end());
-    offsets.erase(std::unique(offsets.begin(), offsets.end()), offsets.end());
 }
 
 } // namespace rastertrace

@@ -11,7 +11,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <iterator>
-#include <span>
+#include <ranges>
 #include <vector>
 
 namespace rastertrace {
@@ -52,19 +52,10 @@ public:
         std::uint32_t place_ = 0; ///< in the run
     };
 
-    /// The pixels of a part of the canvas.
-    struct Part {
-        Iterator first;
-        Iterator behind;
-
-        Iterator begin() const { return first; }
-        Iterator end() const { return behind; }
-    };
-
     PixelSet() = default;
 
-    /// Of offsets in ascending order, each once and below 2^26, the most pixels of a canvas.
-    explicit PixelSet(std::span<const std::uint32_t> ascending);
+    /// Of offsets in any order and however often, each below 2^26, the most pixels of a canvas.
+    explicit PixelSet(std::vector<std::uint32_t> offsets);
 
     bool empty() const { return runs_.empty(); }
     std::size_t size() const;
@@ -79,8 +70,8 @@ public:
     Iterator not_before(std::uint32_t offset) const;
 
     /// Those with an offset from `first` to before `end`.
-    Part part(std::uint32_t first, std::uint32_t end) const {
-        return {not_before(first), not_before(end)};
+    auto part(std::uint32_t first, std::uint32_t end) const {
+        return std::ranges::subrange(not_before(first), not_before(end));
     }
 
 private:
@@ -96,8 +87,5 @@ private:
 
     std::vector<std::uint32_t> runs_;
 };
-
-/// Sorts offsets and removes duplicates, as the constructor of PixelSet needs them.
-void put_in_order(std::vector<std::uint32_t>& offsets);
 
 } // namespace rastertrace

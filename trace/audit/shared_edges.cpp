@@ -35,7 +35,7 @@ struct EdgeUse {
 };
 
 /// All edges of some triangles, those with the same ends behind one another.
-std::vector<EdgeUse> edges_by_ends(const std::vector<Cornered>& triangles) {
+std::vector<EdgeUse> edges_by_ends(const std::vector<DrawnTriangle>& triangles) {
     std::vector<EdgeUse> uses;
     uses.reserve(3 * triangles.size());
     for (std::uint32_t i = 0; i < triangles.size(); ++i)
@@ -86,7 +86,7 @@ std::string edge_name(const PrimitiveStep& step, std::size_t from, std::size_t t
 
 /// True if two triangles lie on one side of an edge that they share.
 bool lie_on_one_side(const EdgeUse& one, const EdgeUse& other,
-                     const std::vector<Cornered>& triangles) {
+                     const std::vector<DrawnTriangle>& triangles) {
     const auto& at = triangles[one.triangle].at();
     const auto side_of = [&](const EdgeUse& use) {
         const std::size_t opposite = 3U - use.from - use.to;
@@ -95,72 +95,51 @@ bool lie_on_one_side(const EdgeUse& one, const EdgeUse& other,
     return side_of(one) == side_of(other);
 }
 
-/// A triangle at an edge that it shares.
-class SideOfEdge {
-public:
-    SideOfEdge(const EdgeUse& edge, const Cornered& triangle, const CanvasSamples& grid,
-               bool is_fold)
-        : samples_(triangle.at(), grid), edge_(edge.number()), is_fold_(is_fold) {}
+/// True of a pixel that lies so far from the other two edges of a triangle that no rounding matters, and up to as far
+/// beyond this one as rounding may put it. The edge of a fold is like the other two: what lies on it lies between no two
+/// triangles.
+bool is_at(const EdgeUse& edge, const TriangleSamples& samples, bool is_fold, const Pixel& pixel) {
+    using Place = TriangleSamples::Place;
+    for (std::size_t i = 0; i < 3; ++i)
+        if (const bool is_shared = i == edge.number() && !is_fold;
+            !samples.admits(i, pixel.x, pixel.y, is_shared ? Place::within_error : Place::inside))
+            return false;
+    return true;
+}
 
-    /// True if a pixel lies so far from the other two edges that no rounding matters, and up to as far beyond this one as
-    /// rounding may put it. The edge of a fold is like the other two: what lies on it lies between no two triangles.
-    bool has(const Pixel& pixel) const {
-        using Place = TriangleSamples::Place;
-        for (std::size_t i = 0; i < 3; ++i)
-            if (const bool is_shared = i == edge_ && !is_fold_; !samples_.admits(
-                    i, pixel.x, pixel.y, is_shared ? Place::within_error : Place::inside))
-                return false;
-        return true;
-    }
-
-private:
-    TriangleSamples samples_;
-    std::size_t edge_;
-    bool is_fold_;
-};
-
-/// The pixels near an edge and between its ends; SharedEdge says which are near.
-class PixelsNearEdge {
-public:
-    PixelsNearEdge(const ScreenPoint& from, const ScreenPoint& to, const CanvasSamples& grid)
-        : edge_(from, to), grid_(grid),
-          runs_along_x_(abs(to.x.exact() - from.x.exact()) >= abs(to.y.exact() - from.y.exact())),
-          low_(runs_along_x_ ? std::min(from.x, to.x) : std::min(from.y, to.y)),
-          high_(runs_along_x_ ? std::max(from.x, to.x) : std::max(from.y, to.y)) {}
-
-    /// Calls `visit` with each, from the top, and from left to right.
-    template <typename Visit> void for_each(Visit&& visit) const {
-        const auto [low, high] = std::minmax(edge_.from().y, edge_.to().y);
-        const Span rows = grid_.rows_about(low, high);
-        for (Index row = rows.first; row <= rows.last; ++row) {
-            const int y = grid_.canvas.y_of(static_cast<int>(row));
-            const Span columns = edge_.columns_near(y + grid_.offset, grid_.all_columns());
-            for (Index x = columns.first; x <= columns.last; ++x)
-                if (is_near(x, y))
-                    visit(Pixel{static_cast<int>(x), y});
-        }
-    }
-
-private:
-    bool is_near(Index x, int y) const {
-        const ScreenPoint sample = grid_.sample_of(x, y);
-        const Coordinate& along = runs_along_x_ ? sample.x : sample.y;
-        if (along < low_ || high_ < along)
+/// The pixels near an edge and between its ends, from the top, and from left to right; SharedEdge says which are near.
+std::vector<Pixel> pixels_near(const ScreenPoint& from, const ScreenPoint& to,
+                               const CanvasSamples& grid) {
+    const ExactEdge edge(from, to);
+    const bool runs_along_x =
+        abs(to.x.exact() - from.x.exact()) >= abs(to.y.exact() - from.y.exact());
+    const auto& [first, last] =
+        runs_along_x ? std::minmax(from.x, to.x) : std::minmax(from.y, to.y);
+    const auto is_near = [&](Index x, int y) {
+        const ScreenPoint sample = grid.sample_of(x, y);
+        const Coordinate& along = runs_along_x ? sample.x : sample.y;
+        if (along < first || last < along)
             return false;
         // The edge passes between the samples on both sides, or through one of them.
         const ScreenPoint before =
-            runs_along_x_ ? grid_.sample_of(x, y - 1) : grid_.sample_of(x - 1, y);
+            runs_along_x ? grid.sample_of(x, y - 1) : grid.sample_of(x - 1, y);
         const ScreenPoint behind =
-            runs_along_x_ ? grid_.sample_of(x, y + 1) : grid_.sample_of(x + 1, y);
-        return edge_.sign(before) * edge_.sign(behind) <= 0;
-    }
+            runs_along_x ? grid.sample_of(x, y + 1) : grid.sample_of(x + 1, y);
+        return edge.sign(before) * edge.sign(behind) <= 0;
+    };
 
-    ExactEdge edge_;
-    const CanvasSamples& grid_;
-    bool runs_along_x_;
-    const Coordinate low_;
-    const Coordinate high_;
-};
+    std::vector<Pixel> pixels;
+    const auto [low, high] = std::minmax(from.y, to.y);
+    const Span rows = grid.rows_about(low, high);
+    for (Index row = rows.first; row <= rows.last; ++row) {
+        const int y = grid.canvas.y_of(static_cast<int>(row));
+        const Span columns = edge.columns_near(y + grid.offset, grid.all_columns());
+        for (Index x = columns.first; x <= columns.last; ++x)
+            if (is_near(x, y))
+                pixels.push_back({static_cast<int>(x), y});
+    }
+    return pixels;
+}
 
 /// The pixels that both primitives drew.
 PixelList drawn_by_both(const DrawnPrimitive& one, const DrawnPrimitive& other,
@@ -180,9 +159,9 @@ PixelList drawn_by_both(const DrawnPrimitive& one, const DrawnPrimitive& other,
 
 /// Two triangles at an edge that they share.
 SharedEdge compared_at(const EdgeUse& one, const EdgeUse& other, const EdgeUse& first,
-                       const std::vector<Cornered>& triangles, const CanvasSamples& grid) {
-    const Cornered& a = triangles[one.triangle];
-    const Cornered& b = triangles[other.triangle];
+                       const std::vector<DrawnTriangle>& triangles, const CanvasSamples& grid) {
+    const DrawnTriangle& a = triangles[one.triangle];
+    const DrawnTriangle& b = triangles[other.triangle];
     const bool is_fold = lie_on_one_side(one, other, triangles);
     SharedEdge edge{.one = a.place,
                     .other = b.place,
@@ -193,14 +172,14 @@ SharedEdge compared_at(const EdgeUse& one, const EdgeUse& other, const EdgeUse& 
     // Of two triangles that are drawn whole there is nothing to look for.
     if (a.is_drawn_whole && b.is_drawn_whole)
         return edge;
-    const SideOfEdge side_a(one, a, grid, is_fold);
-    const SideOfEdge side_b(other, b, grid, is_fold);
-    PixelsNearEdge(a.at()[one.from], a.at()[one.to], grid).for_each([&](const Pixel& pixel) {
+    const TriangleSamples samples_a(a.at(), grid);
+    const TriangleSamples samples_b(b.at(), grid);
+    for (const Pixel& pixel : pixels_near(a.at()[one.from], a.at()[one.to], grid)) {
         const auto offset = static_cast<std::uint32_t>(grid.canvas.offset_of(pixel));
         if (!a.drawn->covering().contains(offset) && !b.drawn->covering().contains(offset) &&
-            (side_a.has(pixel) || side_b.has(pixel)))
+            (is_at(one, samples_a, is_fold, pixel) || is_at(other, samples_b, is_fold, pixel)))
             edge.never.add(pixel);
-    });
+    }
     return edge;
 }
 
@@ -211,7 +190,7 @@ std::string name_of(const SharedEdge& edge, const Stats& stats, const Trace& tra
     return edge_name(trace.step(step).as<PrimitiveStep>(), edge.vertices[0], edge.vertices[1]);
 }
 
-std::vector<SharedEdge> compared_edges(const std::vector<Cornered>& triangles,
+std::vector<SharedEdge> compared_edges(const std::vector<DrawnTriangle>& triangles,
                                        const CanvasSamples& grid) {
     const std::vector<EdgeUse> uses = edges_by_ends(triangles);
     std::vector<SharedEdge> pairs;

@@ -29,9 +29,8 @@ namespace rastertrace {
 /// How many pixels of each finding are kept; the rest are only counted.
 inline constexpr std::size_t most_pixels_kept = 1000;
 
-/// Where more triangles than this meet at one edge, or more fills and outlines than this have the
-/// same corners, only the first of them are compared: there are about half as many pairs as the
-/// square of this, and a sound mesh has one.
+/// Where more triangles than this meet at one edge, only the first of them are compared: there are
+/// about half as many pairs as the square of this, and a sound mesh has one.
 inline constexpr std::size_t most_compared = 8;
 
 /// Pixels that something was found about.
@@ -48,8 +47,7 @@ struct PixelList {
 
 /// What a triangle drew against what it covers.
 struct Coverage {
-    PixelList holes;     ///< not drawn, though the sample point lies strictly inside
-    PixelList open_edge; ///< not drawn, and the sample point lies on the boundary
+    PixelList holes; ///< not drawn, though the sample point lies strictly inside
     PixelList
         outside; ///< drawn, or hidden, though the sample point lies outside the closed triangle
 };
@@ -85,13 +83,6 @@ struct SharedEdge {
     PixelList never = {};
 };
 
-/// An outline, and a filled triangle with the same three corners.
-struct OutlineOnFill {
-    std::string outline;
-    std::string fill;
-    PixelList outside; ///< drawn by the outline and not by the fill
-};
-
 /// A scanline step that the steps behind it do not agree with: the pixels from `from` to `to` should
 /// have been plotted, hidden or rejected, each once, and no others.
 struct WrongRow {
@@ -116,7 +107,9 @@ enum class StatsFinding {
 /// Those that stats_of judges by.
 inline constexpr std::array stats_findings{StatsFinding::holes, StatsFinding::twice,
                                            StatsFinding::outside, StatsFinding::rows};
-std::string_view name_of(StatsFinding finding);
+
+inline constexpr std::array<std::string_view, 5> finding_names{"holes", "twice", "outside", "rows",
+                                                               "redo"};
 std::string names_of(const std::vector<StatsFinding>& findings); ///< "holes, twice"
 
 /// Findings that a trace cannot be judged by.
@@ -138,8 +131,7 @@ struct Stats {
     std::uint64_t pixels = 0;                                 ///< different pixels drawn
     std::uint64_t writes = 0;                                 ///< pixel steps on the canvas
     std::vector<PrimitiveStats> primitives;
-    std::vector<SharedEdge> edges;       ///< every pair of triangles with area at every edge
-    std::vector<OutlineOnFill> outlines; ///< every pair of an outline and a fill
+    std::vector<SharedEdge> edges; ///< every pair of triangles with area at every edge
     std::vector<WrongRow> wrong_rows;
     std::vector<Unjudged> unjudged;
 

@@ -116,15 +116,8 @@ TriangleSamples::TriangleSamples(const std::array<ScreenPoint, 3>& at, const Can
 
 bool TriangleSamples::admits(std::size_t edge, Index x, int y, Place place) const {
     const ScreenPoint sample = grid_->sample_of(x, y);
-    switch (place) {
-    case Place::closed:
-        return edges_[edge].sign(sample) >= 0;
-    case Place::inside:
-        return edges_[edge].sign(sample, -error_) > 0;
-    case Place::within_error:
-        break;
-    }
-    return edges_[edge].sign(sample, error_) >= 0;
+    return place == Place::inside ? edges_[edge].sign(sample, -error_) > 0
+                                  : edges_[edge].sign(sample, error_) >= 0;
 }
 
 /// The part of a row that an edge admits.
@@ -156,7 +149,7 @@ Span TriangleSamples::span_of(int y, Place place) const {
 }
 
 TriangleSamples::Row TriangleSamples::row(int y) const {
-    return {span_of(y, Place::closed), span_of(y, Place::inside), span_of(y, Place::within_error)};
+    return {span_of(y, Place::inside), span_of(y, Place::within_error)};
 }
 
 } // namespace rastertrace

@@ -5,7 +5,7 @@
 // rounding may have moved its edges.
 //
 //     const TriangleSamples samples(at, grid);
-//     samples.row(3).closed;  // the pixels from first to last
+//     samples.row(3).inside;  // the pixels from first to last
 //
 // Doubles decide where their error leaves no doubt, else fractions do.
 
@@ -27,6 +27,7 @@ struct Span {
     Index last = -1;
 
     bool is_empty() const { return last < first; }
+    Index size() const { return is_empty() ? 0 : last - first + 1; }
     bool has(Index x) const { return first <= x && x <= last; }
 };
 
@@ -89,8 +90,7 @@ public:
 
     /// How a sample lies to an edge.
     enum class Place {
-        closed,       ///< on the triangle's side, or on the edge
-        inside,       ///< so far on its side that no rounding matters
+        inside,       ///< so far on the triangle's side that no rounding matters
         within_error, ///< as far on the other side as rounding may put the edge
     };
 
@@ -98,7 +98,6 @@ public:
     bool admits(std::size_t edge, Index x, int y, Place place) const;
 
     struct Row {
-        Span closed;
         Span inside;
         Span within_error;
     };

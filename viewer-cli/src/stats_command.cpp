@@ -123,40 +123,21 @@ public:
         options.option("--fail-on", fail_on_,
                        fmt::format("End with status 1 if there are any of these, with 2 if that "
                                    "cannot be judged: {}",
-                                   joined(finding_names(), ",")),
+                                   joined(finding_names, ",")),
                        "NAME,...");
         drawing_.add_to(options, Holds::steps);
     }
 
     void read() override {
-        command_.fail_on =
-            values_of("--fail-on", "findings", fail_on_, finding_names(), finding_named);
+        command_.fail_on = values_of<StatsFinding>(
+            "--fail-on", "findings", fail_on_, {finding_names.begin(), finding_names.end()},
+            [](std::string_view name) { return value_named<StatsFinding>(finding_names, name); });
         drawing_.read_into(command_);
     }
 
     int run() override { return rastertrace::run(command_); }
 
 private:
-    static std::vector<StatsFinding> findings() {
-        std::vector<StatsFinding> all(stats_findings.begin(), stats_findings.end());
-        all.push_back(StatsFinding::redo);
-        return all;
-    }
-
-    static std::vector<std::string_view> finding_names() {
-        std::vector<std::string_view> names;
-        for (const StatsFinding finding : findings())
-            names.push_back(name_of(finding));
-        return names;
-    }
-
-    static std::optional<StatsFinding> finding_named(std::string_view name) {
-        for (const StatsFinding finding : findings())
-            if (name_of(finding) == name)
-                return finding;
-        return std::nullopt;
-    }
-
     StatsCommand command_;
     std::string fail_on_;
     DrawingOptions drawing_;

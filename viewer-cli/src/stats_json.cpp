@@ -34,8 +34,8 @@ std::string as_json(const std::vector<WrongRow>& rows) {
     return text + "]";
 }
 
-/// The edges that triangles share, and the outlines of triangles.
-std::string pairs_as_json(const Stats& stats, const Trace& trace) {
+/// The edges that triangles share.
+std::string edges_as_json(const Stats& stats, const Trace& trace) {
     std::string text = R"("edges":[)";
     std::string_view separator;
     for (const SharedEdge& edge : stats.edges) {
@@ -44,14 +44,6 @@ std::string pairs_as_json(const Stats& stats, const Trace& trace) {
                             json_quoted(stats.primitives[edge.one].name),
                             json_quoted(stats.primitives[edge.other].name), as_json(edge.twice),
                             as_json(edge.never));
-        separator = ",";
-    }
-    text += R"(],"outlines":[)";
-    separator = "";
-    for (const OutlineOnFill& pair : stats.outlines) {
-        text +=
-            fmt::format(R"({}{{"outline":{},"triangle":{},"outside":{}}})", separator,
-                        json_quoted(pair.outline), json_quoted(pair.fill), as_json(pair.outside));
         separator = ",";
     }
     return text + "]";
@@ -82,16 +74,15 @@ std::string stats_json(const Trace& trace, const Stats& stats) {
         if (!primitive.skipped.empty())
             text += fmt::format(R"(,"skipped":{})", json_quoted(primitive.skipped));
         if (const auto& coverage = primitive.coverage)
-            text +=
-                fmt::format(R"(,"holes":{},"open_edge":{},"outside":{})", as_json(coverage->holes),
-                            as_json(coverage->open_edge), as_json(coverage->outside));
+            text += fmt::format(R"(,"holes":{},"outside":{})", as_json(coverage->holes),
+                                as_json(coverage->outside));
         text += '}';
         separator = ",";
     }
     const bool has_depth =
         std::any_of(stats.count.begin(), stats.count.end(),
                     [](const auto& entry) { return entry.first == name_of(StepKind::depth); });
-    return text + "]," + pairs_as_json(stats, trace) + R"(,"wrong_rows":)" +
+    return text + "]," + edges_as_json(stats, trace) + R"(,"wrong_rows":)" +
            as_json(stats.wrong_rows) +
            (has_depth ? R"(,"depth_ties":)" + as_json(stats.depth_ties) : "") + "}\n";
 }

@@ -8,7 +8,6 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
-#include <iterator>
 #include <map>
 #include <span>
 #include <string_view>
@@ -54,7 +53,6 @@ std::string as_text(const Coverage& coverage, bool has_hidden) {
                    : fmt::format("  {} {}{}\n", counted(pixels.count), what, places_of(pixels));
     };
     return line(coverage.holes, "inside not drawn") +
-           line(coverage.open_edge, "on its boundary not drawn") +
            line(coverage.outside, has_hidden ? "drawn or hidden outside" : "drawn outside");
 }
 
@@ -76,7 +74,6 @@ void add(PixelList& sum, const PixelList& more) {
 
 void add(Coverage& sum, const Coverage& more) {
     add(sum.holes, more.holes);
-    add(sum.open_edge, more.open_edge);
     add(sum.outside, more.outside);
 }
 
@@ -117,8 +114,6 @@ std::string as_text(std::string_view mesh, std::span<const PrimitiveStats> faces
         text += fmt::format(", {} over a pixel drawn before", sum.over);
     for (const auto& [why, count] : skipped)
         text += fmt::format(", {} skipped: {}", count, printable(why));
-    // What one face leaves on its boundary is for its neighbor: see the shared edges.
-    coverage.open_edge = {};
     return text + '\n' + as_text(coverage, sum.hidden > 0);
 }
 
@@ -173,11 +168,6 @@ std::string edges_as_text(const Stats& stats, const Trace& trace) {
     return text;
 }
 
-std::string as_text(const OutlineOnFill& pair) {
-    return fmt::format("outline {} on triangle {}: {} outside the fill{}\n", shown(pair.outline),
-                       shown(pair.fill), counted(pair.outside.count), places_of(pair.outside));
-}
-
 std::string as_text(const WrongRow& row) {
     std::string text = fmt::format("scanline y={} of {} (step {}), {} to {}:", row.y,
                                    shown(row.primitive), row.step, row.from, row.to);
@@ -195,14 +185,14 @@ std::string as_text(const FoundSample& sample) {
                                            : "neither integer nor center explains all pixels");
 }
 
-/// A line each for the first of some findings.
-template <typename List> std::string first_of(const List& list, std::string_view what) {
+/// A line each for the first of the rows that are wrong.
+std::string as_text(const std::vector<WrongRow>& rows) {
     std::string text;
-    const std::size_t named = std::min(list.size(), most_findings_named);
+    const std::size_t named = std::min(rows.size(), most_findings_named);
     for (std::size_t i = 0; i < named; ++i)
-        text += as_text(list[i]);
-    if (list.size() > named)
-        text += fmt::format("... and {} more {}; --json has all\n", list.size() - named, what);
+        text += as_text(rows[i]);
+    if (rows.size() > named)
+        text += fmt::format("... and {} more scanlines; --json has all\n", rows.size() - named);
     return text;
 }
 
@@ -222,11 +212,7 @@ std::string stats_text(const Trace& trace, const Stats& stats) {
                             : "");
     if (stats.sample)
         text += as_text(*stats.sample);
-    text += as_text(stats.primitives) + edges_as_text(stats, trace);
-    std::vector<OutlineOnFill> beside;
-    std::copy_if(stats.outlines.begin(), stats.outlines.end(), std::back_inserter(beside),
-                 [](const OutlineOnFill& pair) { return pair.outside.count > 0; });
-    text += first_of(beside, "outlines") + first_of(stats.wrong_rows, "scanlines");
+    text += as_text(stats.primitives) + edges_as_text(stats, trace) + as_text(stats.wrong_rows);
     if (stats.depth_ties.count > 0)
         text += fmt::format("depth ties: {} would have another color in another order{}\n",
                             counted(stats.depth_ties.count), places_of(stats.depth_ties));
