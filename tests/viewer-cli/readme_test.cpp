@@ -15,9 +15,6 @@
 namespace rastertrace {
 namespace {
 
-using ::testing::EndsWith;
-using ::testing::HasSubstr;
-
 class ReadmeTest : public ProgramTest {
 protected:
     /// A folder that has of the project only the examples.
@@ -69,7 +66,7 @@ TEST_F(ReadmeTest, EveryCommandOfTheReadmeRunsAsItStands) {
         }
     EXPECT_GE(count, 10U);
     const auto lines = lines_of("README.md");
-    EXPECT_THAT(lines, testing::Contains("export PATH=$PWD/build/release/viewer-cli:$PATH"));
+    EXPECT_THAT(lines, Contains("export PATH=$PWD/build/release/viewer-cli:$PATH"));
     EXPECT_LE(lines.size(), 100U) << "two screens";
 }
 
