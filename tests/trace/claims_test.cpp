@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Claims files: a line of a table says what its JSON says, and what is wrong with a file is told.
 
+#include "claims_support.h"
 #include "told_problem.h"
-
-#include <rastertrace/trace/check/claims.h>
 
 #include <gtest/gtest.h>
 
@@ -15,16 +14,6 @@
 
 namespace rastertrace {
 namespace {
-
-/// The claims of a text that has no fault.
-Claims claims_in(const std::string& text) {
-    auto claims = read_claims({"claims.txt", text});
-    if (!claims) {
-        ADD_FAILURE() << to_text(claims.problem());
-        return {};
-    }
-    return std::move(claims.value());
-}
 
 /// The message about a text that has a fault.
 std::string complaint(const std::string& text) {

@@ -6,8 +6,6 @@
 #include "program.h"
 #include "random_choice.h"
 
-#include <gmock/gmock.h>
-
 #include <algorithm>
 #include <array>
 #include <cstdlib>

@@ -6,7 +6,6 @@
 #include <rastertrace/trace/check/slips.h>
 
 #include <fmt/core.h>
-#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
@@ -266,12 +265,11 @@ TEST_F(CheckTest, WithoutAnswersNoFormatHasOne) {
                                                      "ben.txt:3: y=4: 1.4, 2.38: wrong\n"
                                                      "\n"
                                                      "0 right, 2 wrong\n");
-    for (const std::string format : {"text", "json"}) {
+    for (const std::string format : {"text", "json"})
         EXPECT_THAT(run("check ben.txt --no-answers --format " + format),
                     Ends(1, AllOf(Not(HasSubstr("3/4")), Not(HasSubstr("inverted")),
                                   Not(HasSubstr("rounded")))))
             << format;
-    }
 }
 
 TEST_F(CheckTest, ASheetIsOpenAndNamesItsScene) {
@@ -400,9 +398,8 @@ TEST_F(CheckTest, FilesInTheWrongPlaceAreTold) {
         {"ben.txt --hint=3", "--hint: expected one of 1, 2, found \"3\"\n"},
         {"ben.txt --format csv", "--format: expected text or json, found \"csv\"\n"},
     };
-    for (const auto& [arguments, message] : faults) {
+    for (const auto& [arguments, message] : faults)
         EXPECT_THAT(run("check " + arguments), Ends(2, "", "rastertrace: " + message)) << arguments;
-    }
 }
 
 TEST_F(CheckTest, ClaimsThatAreBrokenJsonAreToldAsValidateDoes) {

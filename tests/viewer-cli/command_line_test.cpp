@@ -3,7 +3,6 @@
 
 #include "program.h"
 
-#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <string>
@@ -13,12 +12,11 @@ namespace {
 
 TEST_F(ProgramTest, CommandsThatNeedASceneSayThatATraceIsDrawnAlready) {
     ASSERT_EQ(run("trace $examples/t0-fill/first-triangle.json -o drawn.json").status, 0);
-    for (const std::string command : {"plan", "report", "stress"}) {
+    for (const std::string command : {"plan", "report", "stress"})
         EXPECT_THAT(run(command + " drawn.json"),
                     Refused("rastertrace: drawn.json: expected a scene, found a trace\n"
                             "hint: a trace is drawn already; `show` and `stats` read it\n"))
             << command;
-    }
 }
 
 // A script whose variable is empty must not get the standard output, or the whole catalogue.
@@ -27,9 +25,8 @@ TEST_F(ProgramTest, AnEmptyWordIsRefused) {
          {"stress ''", "trace ''", "show ''", "stats ''", "plan ''", "report ''", "help ''",
           "trace $examples/t0-fill/first-triangle.json -o ''",
           "trace $examples/t0-fill/first-triangle.json --output=",
-          "show $examples/t0-fill/first-triangle.json --every ''", "stress --case ''"}) {
+          "show $examples/t0-fill/first-triangle.json --every ''", "stress --case ''"})
         EXPECT_THAT(run(words), Ends(2, "", EndsWith(", found \"\"\n"))) << words;
-    }
     EXPECT_EQ(run("stress ''").err, "rastertrace: stress: expected a word behind it, found \"\"\n");
 }
 

@@ -9,14 +9,12 @@
 #include <rastertrace/trace/record/trace.h>
 #include <rastertrace/trace/record/traced_steps.h>
 
-#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <fstream>
 #include <sstream>
 #include <string>
-#include <string_view>
 #include <variant>
 
 namespace rastertrace {

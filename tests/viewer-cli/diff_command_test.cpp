@@ -5,8 +5,6 @@
 
 #include <nlohmann/json.hpp>
 
-#include <gmock/gmock.h>
-
 #include <string>
 
 namespace rastertrace {

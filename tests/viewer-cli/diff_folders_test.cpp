@@ -3,7 +3,6 @@
 
 #include "program.h"
 
-#include <gmock/gmock.h>
 #include <nlohmann/json.hpp>
 
 #include <string>
@@ -84,13 +83,12 @@ TEST_F(DiffFoldersTest, AFileOfOneSideIsADifference) {
 
 TEST_F(DiffFoldersTest, WithoutFilesOfOneNameNothingIsCompared) {
     shell("mkdir none; mkdir page; cp a/page.md page; mkdir other; cp a/tie.json other/knot.json");
-    for (const std::string folders : {"none none", "a none", "none a", "page page", "a other"}) {
+    for (const std::string folders : {"none none", "a none", "none a", "page page", "a other"})
         EXPECT_THAT(diff(folders), Ends(2, "",
                                         "rastertrace: diff: nothing to compare: the folders have "
                                         "no file of one name\nhint: compared are files that end in "
                                         ".json, .jsonl, .png, .ppm, .pgm, .pbm, .tga\n"))
             << folders;
-    }
     EXPECT_EQ(diff("a missing").err, "rastertrace: missing: expected a folder of traces, found "
                                      "that it cannot be read: No such file or directory\n");
     EXPECT_EQ(diff("a a/tie.json").status, 2);

@@ -6,7 +6,6 @@
 #include <rastertrace/trace/text/text.h>
 
 #include <fmt/core.h>
-#include <gmock/gmock.h>
 
 #include <algorithm>
 #include <array>

@@ -5,8 +5,6 @@
 
 #include <nlohmann/json.hpp>
 
-#include <gmock/gmock.h>
-
 #include <string>
 #include <utility>
 #include <vector>
@@ -140,9 +138,8 @@ TEST_F(ExplainTest, BadInput) {
         {"--pixel 1,1 --format csv",
          "rastertrace: --format: expected text or json, found \"csv\"\n"},
     };
-    for (const auto& [arguments, message] : cases) {
+    for (const auto& [arguments, message] : cases)
         EXPECT_THAT(explain(arguments), Ends(2, "", message)) << arguments;
-    }
 }
 
 TEST_F(ExplainTest, ATraceIsDrawnAlready) {

@@ -8,7 +8,6 @@
 
 #include <rastertrace/trace/record/frame.h>
 
-#include <gmock/gmock.h>
 #include <png.h>
 
 #include <algorithm>
@@ -82,11 +81,10 @@ TEST_F(FigureTest, WhatIsNoPlaceForAFile) {
     for (const std::string_view ending : endings) {
         const std::string format = "--format " + std::string(ending.substr(1));
         for (const std::string& to :
-             {std::string(" -o /dev/full"), std::string(" -o - >/dev/full")}) {
+             {std::string(" -o /dev/full"), std::string(" -o - >/dev/full")})
             EXPECT_THAT(figure(format + to),
                         Ends(3, _, HasSubstr("could not be written: No space left on device\n")))
                 << format << to;
-        }
     }
 }
 
@@ -386,13 +384,12 @@ TEST_F(FigureTest, AFilmOfALargeCanvasNamesRegion) {
 TEST_F(FigureTest, AFilmOfMoreThan500FramesNamesEvery) {
     write("rows.json", R"({"canvas": {"width": 2, "height": 501, "origin": "top-left"},
 "vertices": {"A": [0, 0], "B": [1, 0], "C": [0, 500]}, "triangles": ["ABC"]})");
-    for (const std::string output : {"x.gif", "x.svg --animate"}) {
+    for (const std::string output : {"x.gif", "x.svg --animate"})
         EXPECT_THAT(run("figure rows.json -o " + output),
                     Refused("rastertrace: expected at most 500 rows, pixels of lines and vertices "
                             "to film, found more\n"
                             "hint: --every chooses what is a frame, like --every primitive; --step "
                             "shows one step\n"));
-    }
     EXPECT_EQ(visible_files(), 1U);
     EXPECT_EQ(run("figure rows.json --every scanline -o x.gif").status, 0);
 }
@@ -425,13 +422,12 @@ TEST_F(FigureTest, BarePixelsThatAreNoneAreToldWithTheOptionThatLeavesThemOut) {
 TEST_F(FigureTest, AnAnimationOfTooManyFramesIsRefusedBeforeItIsDrawn) {
     write("scene.json", R"({"canvas": {"width": 400, "height": 400, "origin": "top-left"},
 "vertices": {"A": [0, 0], "B": [399, 0], "C": [0, 399]}, "triangles": ["ABC"]})");
-    for (const std::string output : {"x.gif", "x.svg --animate"}) {
+    for (const std::string output : {"x.gif", "x.svg --animate"})
         EXPECT_THAT(
             run("figure scene.json --every pixel -o " + output),
             Refused(
                 "rastertrace: expected at most 10000 frames that follow one another, found 80200\n"
                 "hint: --every with a rarer step, like scanline or \"pixel y=2\", makes fewer\n"));
-    }
     EXPECT_EQ(visible_files(), 1U);
 }
 

@@ -5,7 +5,6 @@
 #include "program.h"
 
 #include <fmt/core.h>
-#include <gmock/gmock.h>
 
 #include <array>
 #include <regex>
@@ -72,13 +71,12 @@ TEST_F(FuzzTest, FindsEachOfTwentyMistakesAndShrinksIt) {
 }
 
 TEST_F(FuzzTest, ARasterizerWithoutMistakesPasses) {
-    for (const std::string kind : {"2d", "lines", "depth"}) {
+    for (const std::string kind : {"2d", "lines", "depth"})
         EXPECT_THAT(
             fuzz(fmt::format("--runs {} --kinds {}{}", random_cases(700), kind,
                              kind == "depth" ? " --depth linear-z" : ""),
                  kind == "depth" ? "{triangles} 0 depth" : "{triangles}"),
             Prints(fmt::format("{0} runs, seeds 1 to {0}: no difference\n", random_cases(700))));
-    }
     EXPECT_EQ(visible_files(), 0U);
 }
 
@@ -130,9 +128,8 @@ TEST_F(FuzzTest, OurProgramAgreesWithItself) {
          {"--kinds 2d,lines,depth,clip -- $rastertrace trace {scene}",
           "--kinds clip --convention direct3d -- $rastertrace trace {scene}",
           "--kinds 2d,clip -- $rastertrace trace {triangles}",
-          "--kinds 2d,lines --line dda -- $rastertrace trace --line dda {triangles}"}) {
+          "--kinds 2d,lines --line dda -- $rastertrace trace --line dda {triangles}"})
         EXPECT_THAT(run("fuzz --runs 40 " + options), Ends(0)) << options;
-    }
 }
 
 // The text that is written is read by every command.

@@ -5,8 +5,6 @@
 
 #include <rastertrace/trace/text/text.h>
 
-#include <gmock/gmock.h>
-
 #include <regex>
 #include <set>
 #include <string>

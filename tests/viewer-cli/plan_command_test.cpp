@@ -3,7 +3,6 @@
 
 #include "program.h"
 
-#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <string>

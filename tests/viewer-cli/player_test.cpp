@@ -34,7 +34,6 @@ namespace rastertrace {
 namespace {
 
 using ::testing::HasSubstr;
-using ::testing::Not;
 
 Player player_of(const Scene& scene, const PlayerOptions& options = {}) {
     return Player({.open = [scene](std::size_t) { return GrowingTrace(trace_of(scene)); }},

@@ -3,8 +3,6 @@
 
 #include "program.h"
 
-#include <gmock/gmock.h>
-
 #include <algorithm>
 #include <cstddef>
 #include <filesystem>

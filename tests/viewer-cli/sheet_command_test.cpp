@@ -13,11 +13,9 @@
 #include <rastertrace/trace/text/text.h>
 
 #include <fmt/core.h>
-#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include <algorithm>
 #include <iostream>
 #include <map>
 #include <set>
@@ -214,9 +212,8 @@ TEST_F(SheetTest, TheCommandsAndProgramsOfThePageForTeachersRun) {
     page << std::ifstream(RASTERTRACE_EXAMPLES "/../docs/for-teachers.md").rdbuf();
     const auto commands = scripts_in(page.str(), "```sh\n");
     ASSERT_EQ(commands.size(), 3U);
-    for (const std::string& script : commands) {
+    for (const std::string& script : commands)
         EXPECT_THAT(shell("PATH=.:$PATH; set -e\n" + script), Ends(0, _, "")) << script;
-    }
     EXPECT_THAT(content("named/Anna Lee.csv"), StartsWith("# exercise 1:Anna Lee\n"));
     const json marks = json::parse(content("marks.json"));
     EXPECT_EQ(marks.size(), 30U);

@@ -4,7 +4,6 @@
 #include "picture.h"
 #include "program.h"
 
-#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
@@ -24,12 +23,10 @@ TEST_F(ProgramTest, SentencesOfWrongStepsSayWhatTheirNumbersGive) {
               "scanline y=0   left [!] its numbers give from = -2 "
               "scanline y=-1   left [!] its numbers give from = -3 "
               "scanline y=-2   left [!] its numbers give from = -4 ");
-    for (const std::string question :
-         {"--step 11", "--scanline 2", "--pixel 0,2", "--pixel=-1,2"}) {
+    for (const std::string question : {"--step 11", "--scanline 2", "--pixel 0,2", "--pixel=-1,2"})
         EXPECT_THAT(run("explain " + fast + " " + question).out,
                     HasSubstr("   [!] its numbers give from = -1\n"))
             << question;
-    }
     EXPECT_THAT(run("explain " + fast + " --step 11 --json").out,
                 HasSubstr("[!] its numbers give from = -1"));
     EXPECT_THAT(run("show --all --language pt " + fast).out,
@@ -312,17 +309,15 @@ TEST_F(ProgramTest, WorkingIsWrittenBelowTheSentence) {
                     .out,
                 HasSubstr("  [0 0 1 -4]  [0 0 0 1]\n"
                           "          d = p - l = (0, 0, 4) - (0, 0, 0) = (0, 0, 4), |d| = 4\n"));
-    for (const std::string beside : {"--bare", "--every edge --format csv"}) {
+    for (const std::string beside : {"--bare", "--every edge --format csv"})
         EXPECT_THAT(shell(show + "--working " + beside), Refused(HasSubstr("--working"))) << beside;
-    }
 }
 
 TEST_F(ProgramTest, ARegionUpsideDownIsRefused) {
-    for (const std::string command : {"show", "trace"}) {
+    for (const std::string command : {"show", "trace"})
         EXPECT_THAT(run(command + " $examples/t0-fill/first-triangle.json --region 2,5,-4,-3"),
                     Refused("rastertrace: --region: expected the smaller x and y first, found "
                             "\"2,5,-4,-3\"\nhint: --region -4,-3,2,5\n"));
-    }
 }
 
 TEST_F(ProgramTest, OptionsOfTheGridAskForFrames) {

@@ -5,7 +5,6 @@
 
 #include "program.h"
 
-#include <gmock/gmock.h>
 #include <nlohmann/json.hpp>
 
 #include <cctype>

@@ -3,7 +3,6 @@
 
 #include "program.h"
 
-#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
@@ -74,14 +73,13 @@ TEST_F(ValidateTest, DoesEveryStepOfATraceAgain) {
 }
 
 TEST_F(ValidateTest, SaysWhatOfATraceCanBeJudged) {
-    for (const std::string trace : {"trace.jsonl", "trace.json"}) {
+    for (const std::string trace : {"trace.jsonl", "trace.json"})
         EXPECT_THAT(
             changed(R"(s/"at":.*\]\],//)", trace),
             Ends(0, "bad.json: a trace of version 1, 62 steps, complete; stats can judge rows\n",
                  "rastertrace: bad.json: remark: stats cannot judge holes, twice, "
                  "outside: expected \"at\", three pairs of numbers, of triangle ABC (step 1), "
                  "found none\n"));
-    }
 }
 
 TEST_F(ValidateTest, OneFileThatIsNotValidDoesNotStopTheOthers) {
@@ -235,9 +233,8 @@ TEST_F(ValidateTest, AColorIsOneThatCanBeDrawn) {
                     Refused(StartsWith(message)));
         for (const char* const reader :
              {"show bad.json", "figure bad.json -o x.svg", "explain bad.json --pixel 3,2",
-              "stats bad.json", "play bad.json --print 80x24", "diff trace.jsonl bad.json"}) {
+              "stats bad.json", "play bad.json --print 80x24", "diff trace.jsonl bad.json"})
             EXPECT_THAT(run(reader), Refused(HasSubstr("expected a color like"))) << reader;
-        }
     }
     EXPECT_THAT(changed("7s/\"y\":5/\"y\":5,\"color\":\"blurple\"/").err,
                 HasSubstr("bad.json:7:37: expected a color"));
