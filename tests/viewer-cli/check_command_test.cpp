@@ -6,7 +6,6 @@
 #include <rastertrace/trace/check/slips.h>
 
 #include <fmt/core.h>
-#include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
 #include <fstream>

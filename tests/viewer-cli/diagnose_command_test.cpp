@@ -9,8 +9,6 @@
 #include <rastertrace/trace/record/trace.h>
 #include <rastertrace/trace/record/traced_steps.h>
 
-#include <gtest/gtest.h>
-
 #include <algorithm>
 #include <fstream>
 #include <sstream>

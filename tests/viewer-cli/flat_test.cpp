@@ -4,7 +4,6 @@
 #include "effort.h"
 #include "program.h"
 
-#include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
 #include <cstddef>

@@ -5,8 +5,6 @@
 #include "program.h"
 #include "told_problem.h"
 
-#include <gtest/gtest.h>
-
 #include <cstddef>
 #include <filesystem>
 #include <fstream>

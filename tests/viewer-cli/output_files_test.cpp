@@ -3,8 +3,6 @@
 
 #include "program.h"
 
-#include <gtest/gtest.h>
-
 #include <fcntl.h>
 #include <spawn.h>
 #include <sys/ioctl.h>

@@ -13,7 +13,6 @@
 #include <rastertrace/trace/text/text.h>
 
 #include <fmt/core.h>
-#include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
 #include <iostream>

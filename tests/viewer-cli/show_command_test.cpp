@@ -4,7 +4,6 @@
 #include "picture.h"
 #include "program.h"
 
-#include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
 #include <string>

@@ -3,8 +3,6 @@
 
 #include "program.h"
 
-#include <gtest/gtest.h>
-
 #include <algorithm>
 #include <string>
 

@@ -3,8 +3,6 @@
 
 #include "program.h"
 
-#include <gtest/gtest.h>
-
 #include <string>
 
 namespace rastertrace {

@@ -3,7 +3,6 @@
 
 #include "program.h"
 
-#include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
 #include <string>
