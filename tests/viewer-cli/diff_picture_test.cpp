@@ -147,9 +147,8 @@ TEST_F(DiffPictureTest, WhoDrewThePixelsIsToldOfTheScene) {
 
 TEST_F(DiffPictureTest, BadPicturesAreRefused) {
     write("small.txt", "...\n.#.\n");
-    const Outcome small = diff(triangle + " small.txt");
-    EXPECT_EQ(small.status, 2);
-    EXPECT_THAT(small.err, HasSubstr("small.txt: expected a picture of 17x14 pixels"));
+    EXPECT_THAT(diff(triangle + " small.txt"),
+                Refused(HasSubstr("small.txt: expected a picture of 17x14 pixels")));
     write("cut.ppm", "P6\n17 14\n255\nabc");
     EXPECT_EQ(diff(triangle + " cut.ppm").status, 2);
     write("bomb.ppm", "P6\n99999 99999\n255\n");

@@ -145,11 +145,9 @@ TEST_F(ExplainTest, BadInput) {
 TEST_F(ExplainTest, ATraceIsDrawnAlready) {
     run("trace $examples/t0-fill/first-triangle.json -o t.json");
     EXPECT_EQ(run("explain t.json --pixel 4,2").out, explain("--pixel 4,2").out);
-    const Outcome against = run("explain t.json --pixel 4,2 --against rounding=truncate");
-    EXPECT_EQ(against.status, 2);
-    EXPECT_EQ(against.err,
-              "rastertrace: t.json: expected a scene to draw with --rounding truncate, "
-              "found a trace, which is drawn already\n");
+    EXPECT_THAT(run("explain t.json --pixel 4,2 --against rounding=truncate"),
+                Refused("rastertrace: t.json: expected a scene to draw with --rounding truncate, "
+                        "found a trace, which is drawn already\n"));
 }
 
 } // namespace

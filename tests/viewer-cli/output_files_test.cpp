@@ -22,10 +22,9 @@ namespace {
 
 TEST_F(ProgramTest, AFullDiskLeavesNoHalfFile) {
     EXPECT_EQ(run("trace $examples/t0-fill/first-triangle.json >/dev/full").status, 3);
-    const Outcome device = run("trace $examples/t0-fill/first-triangle.json -o /dev/full");
-    EXPECT_EQ(device.status, 3);
-    EXPECT_EQ(device.err,
-              "rastertrace: /dev/full: could not be written: No space left on device\n");
+    EXPECT_THAT(
+        run("trace $examples/t0-fill/first-triangle.json -o /dev/full"),
+        Ends(3, _, "rastertrace: /dev/full: could not be written: No space left on device\n"));
     // A limit of one block of 512 bytes.
     write("old.json", "old");
     EXPECT_THAT(
@@ -157,10 +156,10 @@ TEST_F(ProgramTest, WritesTheFileThatALinkLeadsTo) {
     EXPECT_TRUE(fs::is_symlink(folder_ / "folder/link2.json"));
     EXPECT_THAT(content("real.json"), StartsWith("{\"rastertrace\":1,"));
     shell("ln -s loop.json loop.json");
-    const Outcome loop = shell(trace + "loop.json");
-    EXPECT_EQ(loop.status, 3);
-    EXPECT_EQ(loop.err, "rastertrace: loop.json: could not be created: Too many levels of symbolic "
-                        "links\n");
+    EXPECT_THAT(
+        shell(trace + "loop.json"),
+        Ends(3, _,
+             "rastertrace: loop.json: could not be created: Too many levels of symbolic links\n"));
 }
 
 TEST_F(ProgramTest, WritesNamesAsLongAsTheSystemTakes) {

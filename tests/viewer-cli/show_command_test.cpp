@@ -67,16 +67,12 @@ TEST_F(ProgramTest, ShowLooksAtAFrameInManyWays) {
     const Outcome plain = run("show $examples/t2-lines/points.json --view shade");
     EXPECT_EQ(plain.out.find('\x1b'), std::string::npos);
 
-    const Outcome view = run("show $examples/t2-lines/points.json --view face");
-    EXPECT_EQ(view.status, 2);
-    EXPECT_EQ(view.err,
-              "rastertrace: --view: expected one of plotted, faces, shade, depth, writes, "
-              "coverage, found \"face\"\nhint: did you mean faces?\n");
-    const Outcome region = run("show $examples/t2-lines/points.json --region 0,0,5,2");
-    EXPECT_EQ(region.status, 2);
-    EXPECT_EQ(region.err,
-              "rastertrace: --region: expected pixels of the canvas (x 0 to 4, y 0 to 2), "
-              "found 0,0,5,2\n");
+    EXPECT_THAT(run("show $examples/t2-lines/points.json --view face"),
+                Refused("rastertrace: --view: expected one of plotted, faces, shade, depth, "
+                        "writes, coverage, found \"face\"\nhint: did you mean faces?\n"));
+    EXPECT_THAT(run("show $examples/t2-lines/points.json --region 0,0,5,2"),
+                Refused("rastertrace: --region: expected pixels of the canvas (x 0 to 4, y 0 to "
+                        "2), found 0,0,5,2\n"));
 }
 
 TEST_F(ProgramTest, ShowTellsManyStepsOfAKindAsATable) {
@@ -186,19 +182,17 @@ TEST_F(ProgramTest, AdaptiveWritesJsonBeyondTheDoubles) {
 }
 
 TEST_F(ProgramTest, ShowWalksAVertexThroughSixSpaces) {
-    const Outcome walk = run("show $examples/t4-pipeline/six-spaces.json --every vertex");
-    EXPECT_EQ(walk.status, 0);
-    EXPECT_THAT(walk.out,
-                StartsWith("A vertex through six spaces\n"
-                           "\n"
-                           "   5  vertex A in object space: (1, 1, 1)\n"
-                           "   6  vertex A in world space: (0, 2, 1), from object (1, 1, 1)\n"
-                           "   7  vertex A in camera space: (0, 2, -3), from world (0, 2, 1)\n"
-                           "   8  vertex A in clip space: (0, 2, -2, 3), from camera (0, 2, -3)\n"
-                           "   9  vertex A in canonical space: (0, 2, -2) / 3 = (0, 2/3, -2/3)\n"
-                           "  10  vertex A in screen space: (20, 10/3), from canonical "
-                           "(0, 2/3, -2/3)\n"
-                           "  11  vertex B in object space: (1, -1, -1)\n"));
+    EXPECT_THAT(run("show $examples/t4-pipeline/six-spaces.json --every vertex"),
+                Prints(StartsWith(
+                    "A vertex through six spaces\n"
+                    "\n"
+                    "   5  vertex A in object space: (1, 1, 1)\n"
+                    "   6  vertex A in world space: (0, 2, 1), from object (1, 1, 1)\n"
+                    "   7  vertex A in camera space: (0, 2, -3), from world (0, 2, 1)\n"
+                    "   8  vertex A in clip space: (0, 2, -2, 3), from camera (0, 2, -3)\n"
+                    "   9  vertex A in canonical space: (0, 2, -2) / 3 = (0, 2/3, -2/3)\n"
+                    "  10  vertex A in screen space: (20, 10/3), from canonical (0, 2/3, -2/3)\n"
+                    "  11  vertex B in object space: (1, -1, -1)\n")));
     EXPECT_THAT(
         run("show $examples/t4-pipeline/six-spaces.json --every matrix").out,
         StartsWith("A vertex through six spaces\n"
@@ -210,10 +204,8 @@ TEST_F(ProgramTest, ShowWalksAVertexThroughSixSpaces) {
 }
 
 TEST_F(ProgramTest, ShowsThePictureOfTheTextbook) {
-    const Outcome outcome = run("show $examples/t0-fill/first-triangle.json --last --bare");
-    EXPECT_EQ(outcome.status, 0);
-    EXPECT_EQ(outcome.err, "");
-    EXPECT_EQ(outcome.out, textbook_picture);
+    EXPECT_THAT(run("show $examples/t0-fill/first-triangle.json --last --bare"),
+                Ends(0, textbook_picture, ""));
 }
 
 TEST_F(ProgramTest, ShowsFramesOfEveryRow) {
@@ -264,12 +256,10 @@ TEST_F(ProgramTest, FacesOfAFileAreCutAndToldOf) {
 }
 
 TEST_F(ProgramTest, ATruncatedTraceIsShownAsFarAsItGoes) {
-    const Outcome outcome = run("trace $examples/t0-fill/first-triangle.json | head -c 2000 "
-                                ">cut.json; $rastertrace show cut.json --bare");
-    EXPECT_EQ(outcome.status, 2);
-    EXPECT_THAT(outcome.out, StartsWith(".................\n"));
-    EXPECT_THAT(outcome.out, HasSubstr("#"));
-    EXPECT_THAT(outcome.err, HasSubstr("the trace is truncated after "));
+    EXPECT_THAT(run("trace $examples/t0-fill/first-triangle.json | head -c 2000 >cut.json; "
+                    "$rastertrace show cut.json --bare"),
+                Ends(2, AllOf(StartsWith(".................\n"), HasSubstr("#")),
+                     HasSubstr("the trace is truncated after ")));
 }
 
 TEST_F(ProgramTest, OneGrammarSaysWhichStep) {
@@ -285,10 +275,8 @@ TEST_F(ProgramTest, OneGrammarSaysWhichStep) {
     EXPECT_EQ(shell(show + "--every 14").out, shell(show + "--every 'scanline y=2'").out);
     EXPECT_EQ(shell(show + "--every 0 --bare").out, shell(show + "--step 0 --bare").out);
 
-    const Outcome faces = run("show $examples/t0-hidden/cube-culled.json --every 'face culled'");
-    EXPECT_EQ(faces.status, 0) << faces.err;
-    EXPECT_THAT(faces.out, HasSubstr(": culled\n"));
-    EXPECT_THAT(faces.out, Not(HasSubstr(": drawn\n")));
+    EXPECT_THAT(run("show $examples/t0-hidden/cube-culled.json --every 'face culled'"),
+                Prints(AllOf(HasSubstr(": culled\n"), Not(HasSubstr(": drawn\n")))));
 }
 
 TEST_F(ProgramTest, WorkingIsWrittenBelowTheSentence) {
@@ -425,12 +413,11 @@ TEST_F(ProgramTest, StepsOutOfRangeAndKindsThatAreNotThere) {
     }
     for (const char* const step : {"63", "-1", "scan", "scanline", "'scanline y=9'"})
         EXPECT_EQ(shell(play + "--step " + step).status, 2) << step;
-    const Outcome none = shell(show + "--every 'scanline y=9'");
-    EXPECT_EQ(none.status, 2);
-    EXPECT_EQ(none.err, "rastertrace: --every: expected a step of the trace, found none with y=9\n"
+    EXPECT_THAT(shell(show + "--every 'scanline y=9'"),
+                Refused("rastertrace: --every: expected a step of the trace, found none with y=9\n"
                         "scanline y=9\n"
                         "         ^\n"
-                        "hint: scanline has y: 5, 4, 3, 2, 1, ...\n");
+                        "hint: scanline has y: 5, 4, 3, 2, 1, ...\n"));
     EXPECT_EQ(shell(show + "--last --all").status, 2);
 }
 

@@ -164,10 +164,8 @@ TEST_F(ProgramTest, StatsReadsTheDecimalsOfATraceAsItsDoubles) {
     write("doubles.json", R"({"canvas":{"width":8,"height":18,"origin":"top-left"},
         "vertices":{"A":["10/7",12],"B":["20/7",5],"C":["30/7",15]},"triangles":["ABC"],
         "method":{"fill":"top-left"}})");
-    const Outcome told = run("stats doubles.json --fail-on holes,twice,outside,rows");
-    EXPECT_EQ(told.status, 0);
-    EXPECT_EQ(told.err, "");
-    EXPECT_THAT(told.out, EndsWith("triangle ABC: 10 writes\n"));
+    EXPECT_THAT(run("stats doubles.json --fail-on holes,twice,outside,rows"),
+                Ends(0, EndsWith("triangle ABC: 10 writes\n"), ""));
 }
 
 // A corner of the cube points at the viewer: three faces are in front, three behind. All six sides
@@ -189,12 +187,10 @@ TEST_F(ProgramTest, StatsDoesNotCountTheFoldsOfAClosedMeshAsDrawnTwice) {
 
 TEST_F(ProgramTest, StatsPassesNothingThatItCannotJudge) {
     shell("sed 's/\"at\":\\[.*\\]\\],//' $examples/regression/fast.jsonl > fast.jsonl");
-    const Outcome lacking = run("stats fast.jsonl --fail-on holes,twice,outside,rows");
-    EXPECT_EQ(lacking.status, 2);
-    EXPECT_EQ(
-        lacking.err,
-        "rastertrace: fast.jsonl: --fail-on: holes, twice, outside cannot be judged: expected "
-        "\"at\", three pairs of numbers, of triangle ABC (step 1), found none\n");
+    EXPECT_THAT(
+        run("stats fast.jsonl --fail-on holes,twice,outside,rows"),
+        Refused("rastertrace: fast.jsonl: --fail-on: holes, twice, outside cannot be judged: "
+                "expected \"at\", three pairs of numbers, of triangle ABC (step 1), found none\n"));
     EXPECT_EQ(run("stats fast.jsonl --fail-on rows").status, 0);
     EXPECT_EQ(run("stats fast.jsonl").status, 0);
 

@@ -100,12 +100,10 @@ TEST_F(ProgramTest, AFileNameIsShownAndNotStored) {
 TEST_F(ProgramTest, MethodIsOverriddenOnTheCommandLine) {
     const Outcome outcome = run("stats $examples/t0-fill/first-triangle.json --rounding truncate");
     EXPECT_THAT(outcome.out, HasSubstr("pixels      45 of 238"));
-    const Outcome refused = run("trace $examples/t0-fill/first-triangle.json -o t.json; "
-                                "$rastertrace show t.json --rounding truncate");
-    EXPECT_EQ(refused.status, 2);
-    EXPECT_EQ(refused.err,
-              "rastertrace: t.json: expected a scene to draw with --rounding truncate, "
-              "found a trace, which is drawn already\n");
+    EXPECT_THAT(run("trace $examples/t0-fill/first-triangle.json -o t.json; $rastertrace show "
+                    "t.json --rounding truncate"),
+                Refused("rastertrace: t.json: expected a scene to draw with --rounding truncate, "
+                        "found a trace, which is drawn already\n"));
     EXPECT_EQ(run("show x --rounding trunkate").err,
               "rastertrace: --rounding: expected one of floor, nearest, truncate, inside, "
               "half-open, found "

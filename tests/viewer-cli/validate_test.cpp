@@ -64,11 +64,9 @@ TEST_F(ValidateTest, DoesEveryStepOfATraceAgain) {
         EXPECT_THAT(run("stats bad.json --fail-on redo"),
                     Ends(1, _, EndsWith("rastertrace: --fail-on: found redo\n")));
     }
-    const Outcome part = run("trace scene.json --only scanline -o bad.json" + of_redo);
-    EXPECT_EQ(part.status, 2);
-    EXPECT_THAT(part.err, HasSubstr("--redo: expected a trace with all its steps"));
-    const Outcome others = run("validate --redo scene.json claims.txt - < trace.json");
-    EXPECT_EQ(others.status, 0) << others.err;
+    EXPECT_THAT(run("trace scene.json --only scanline -o bad.json" + of_redo),
+                Refused(HasSubstr("--redo: expected a trace with all its steps")));
+    EXPECT_THAT(run("validate --redo scene.json claims.txt - < trace.json"), Ends(0));
 }
 
 TEST_F(ValidateTest, SaysWhatOfATraceCanBeJudged) {
@@ -275,14 +273,11 @@ TEST_F(ValidateTest, ClaimsAreAboutWhatTheirSceneHas) {
     EXPECT_EQ(run("validate lost.txt").err,
               "rastertrace: lost.txt:1:8: expected a file that can be read, found: No such file or "
               "directory (nowhere.json)\nscene: nowhere.json\n       ^\n");
-    const Outcome names = run("validate names.txt");
-    EXPECT_EQ(names.status, 2);
-    EXPECT_THAT(names.err, StartsWith("rastertrace: names.txt:2:6: expected "));
+    EXPECT_THAT(run("validate names.txt"),
+                Refused(StartsWith("rastertrace: names.txt:2:6: expected ")));
     // A row that is not there is a wrong claim, and no fault of the file.
-    const Outcome rows = run("validate rows.txt");
-    EXPECT_EQ(rows.status, 0);
-    EXPECT_EQ(rows.out, "rows.txt: 1 claim about scene.json\n");
-    EXPECT_THAT(rows.err, StartsWith("rastertrace: rows.txt:2:1: remark: "));
+    EXPECT_THAT(run("validate rows.txt"), Ends(0, "rows.txt: 1 claim about scene.json\n",
+                                               StartsWith("rastertrace: rows.txt:2:1: remark: ")));
 }
 
 TEST_F(ValidateTest, TheKindMayBeAskedFor) {
@@ -325,11 +320,10 @@ TEST_F(ValidateTest, ManyProblemsAreCounted) {
         lines += R"({"step":"edge","edge":"AB","dx_dy":true})"
                  "\n";
     write("rest.jsonl", lines + "{\"end\":{}}\n");
-    const Outcome told = shell("head -1 trace.jsonl | cat - rest.jsonl > bad.jsonl; "
-                               "$rastertrace validate bad.jsonl");
-    EXPECT_EQ(told.status, 2);
-    EXPECT_THAT(told.err,
-                HasSubstr("rastertrace: bad.jsonl: only the first 100 problems are told\n"));
+    EXPECT_THAT(
+        shell(
+            "head -1 trace.jsonl | cat - rest.jsonl > bad.jsonl; $rastertrace validate bad.jsonl"),
+        Refused(HasSubstr("rastertrace: bad.jsonl: only the first 100 problems are told\n")));
 }
 
 TEST_F(ValidateTest, PrintsSchemas) {
