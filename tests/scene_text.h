@@ -19,7 +19,6 @@
 #include <string>
 #include <string_view>
 #include <variant>
-#include <vector>
 
 namespace rastertrace {
 

@@ -15,9 +15,7 @@
 
 #include <benchmark/benchmark.h>
 
-#include <cstdlib>
 #include <string>
-#include <utility>
 #include <vector>
 
 namespace rastertrace {

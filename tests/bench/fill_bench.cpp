@@ -188,44 +188,19 @@ void glm_barycentric_with_depth(benchmark::State& state) {
     });
 }
 
-BENCHMARK(glm_barycentric)->Arg(100'000)->Arg(100)->Arg(2)->Unit(benchmark::kMillisecond);
-BENCHMARK(top_left<Fraction64>)->Arg(100'000)->Arg(100)->Arg(2)->Unit(benchmark::kMillisecond);
-BENCHMARK(top_left<double>)->Arg(100'000)->Arg(100)->Arg(2)->Unit(benchmark::kMillisecond);
-BENCHMARK(scanline<Fraction64, NullSink>)
-    ->Arg(100'000)
-    ->Arg(100)
-    ->Arg(2)
-    ->Unit(benchmark::kMillisecond);
-BENCHMARK(scanline<double, NullSink>)
-    ->Arg(100'000)
-    ->Arg(100)
-    ->Arg(2)
-    ->Unit(benchmark::kMillisecond);
-BENCHMARK(scanline<double, NullSink, Rows::half_open>)
-    ->Arg(100'000)
-    ->Arg(100)
-    ->Arg(2)
-    ->Unit(benchmark::kMillisecond);
-BENCHMARK(scanline<double, NullSink, Rows::centers>)
-    ->Arg(100'000)
-    ->Arg(100)
-    ->Arg(2)
-    ->Unit(benchmark::kMillisecond);
-BENCHMARK(scanline<Fraction64, NullSink, Rows::half_open>)
-    ->Arg(100'000)
-    ->Arg(100)
-    ->Arg(2)
-    ->Unit(benchmark::kMillisecond);
-BENCHMARK(scanline<Fraction64, NullSink, Rows::centers>)
-    ->Arg(100'000)
-    ->Arg(100)
-    ->Arg(2)
-    ->Unit(benchmark::kMillisecond);
-BENCHMARK(scanline<double, CountingSink>)
-    ->Arg(100'000)
-    ->Arg(100)
-    ->Arg(2)
-    ->Unit(benchmark::kMillisecond);
+void sizes(benchmark::internal::Benchmark* benchmark) {
+    benchmark->Arg(100'000)->Arg(100)->Arg(2)->Unit(benchmark::kMillisecond);
+}
+BENCHMARK(glm_barycentric)->Apply(sizes);
+BENCHMARK(top_left<Fraction64>)->Apply(sizes);
+BENCHMARK(top_left<double>)->Apply(sizes);
+BENCHMARK(scanline<Fraction64, NullSink>)->Apply(sizes);
+BENCHMARK(scanline<double, NullSink>)->Apply(sizes);
+BENCHMARK(scanline<double, NullSink, Rows::half_open>)->Apply(sizes);
+BENCHMARK(scanline<double, NullSink, Rows::centers>)->Apply(sizes);
+BENCHMARK(scanline<Fraction64, NullSink, Rows::half_open>)->Apply(sizes);
+BENCHMARK(scanline<Fraction64, NullSink, Rows::centers>)->Apply(sizes);
+BENCHMARK(scanline<double, CountingSink>)->Apply(sizes);
 void sizes_with_depth(benchmark::internal::Benchmark* benchmark) {
     for (const int side : {512, 2048})
         for (const int pixels : {100'000, 100, 2})

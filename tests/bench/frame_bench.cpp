@@ -12,12 +12,9 @@
 
 #include <sys/resource.h>
 
-#include <cstdlib>
 #include <filesystem>
-#include <optional>
 #include <string>
 #include <string_view>
-#include <utility>
 
 namespace rastertrace {
 namespace {

@@ -23,12 +23,9 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
-#include <limits>
 #include <numbers>
-#include <optional>
 #include <sstream>
 #include <string>
-#include <string_view>
 #include <utility>
 #include <vector>
 

@@ -15,7 +15,6 @@
 #include <cstdio>
 #include <memory>
 #include <random>
-#include <string>
 #include <vector>
 
 namespace rastertrace {

@@ -17,7 +17,6 @@
 #include <concepts>
 #include <limits>
 #include <map>
-#include <set>
 #include <string>
 #include <type_traits>
 #include <utility>

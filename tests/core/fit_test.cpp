@@ -3,15 +3,12 @@
 
 #include "random_choice.h"
 
-#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <array>
 #include <optional>
 #include <string>
 #include <variant>
-#include <vector>
 
 namespace rastertrace {
 namespace {

@@ -9,7 +9,6 @@
 #include <rastertrace/core/draw/scene/triangulate.h>
 #include <rastertrace/trace/scene/scene_file.h>
 
-#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>

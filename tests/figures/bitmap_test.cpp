@@ -5,7 +5,6 @@
 
 #include <rastertrace/figures/bitmap.h>
 
-#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 

@@ -3,7 +3,6 @@
 
 #include <rastertrace/figures/bitmap.h>
 
-#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>

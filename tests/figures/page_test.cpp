@@ -29,7 +29,6 @@ namespace rastertrace {
 namespace {
 
 using Json = nlohmann::json;
-using testing::ElementsAre;
 using testing::EndsWith;
 using testing::HasSubstr;
 using testing::Not;

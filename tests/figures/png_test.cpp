@@ -9,7 +9,6 @@
 #include <png.h>
 
 #include <cstdint>
-#include <cstring>
 #include <string>
 #include <utility>
 #include <vector>

@@ -10,7 +10,6 @@
 #include <rastertrace/trace/scene/scene_file.h>
 #include <rastertrace/trace/text/method_file.h>
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <string>

@@ -36,6 +36,14 @@ std::string told(const std::string& name, int steps) {
     return "  Actual: " + name + ", " + std::to_string(steps) +
            " steps (of type rastertrace::matchers::TestedTrace), ";
 }
+
+/// That a trace does not meet a matcher, and the whole of what is said then: what was expected, of which trace, and why.
+void expect_failure(const TestedTrace& trace, const TraceMatcher& matcher,
+                    const std::string& expected, const std::string& told, const std::string& why) {
+    EXPECT_EQ(failures_of([&] { EXPECT_THAT(trace, matcher); }),
+              "Value of: trace\nExpected: " + expected + "\n" + told + why);
+}
+
 const std::string of_first_triangle = told("t0-fill/first-triangle", 62);
 
 TEST(PlotsPixel, IsMetByAPixelThatIsPlotted) {
@@ -47,11 +55,8 @@ TEST(PlotsPixel, IsMetByAPixelThatIsPlotted) {
 
 TEST(PlotsPixel, SaysWhyAPixelIsNotPlotted) {
     const TestedTrace trace = example("t0-fill/first-triangle");
-    EXPECT_EQ(failures_of([&] { EXPECT_THAT(trace, PlotsPixel(4, 2)); }),
-              "Value of: trace\n"
-              "Expected: plots pixel (4, 2)\n" +
-                  of_first_triangle +
-                  R"(pixel (4, 2): not drawn: ABC does not cover it
+    expect_failure(trace, PlotsPixel(4, 2), "plots pixel (4, 2)", of_first_triangle,
+                   R"(pixel (4, 2): not drawn: ABC does not cover it
   ABC: outside: AC ends row y=2 at x = 25/8 -> floor -> 3; x = 4 lies beyond it by 7/8
       right AC: x = (x2 - x1)/(y2 - y1) (y - y1) + x1 = (5 - 2)/(-3 - 5) (2 - 5) + 2 = (-3/8) (-3) + 2 = 25/8 -> floor -> 3
 )");
@@ -59,11 +64,8 @@ TEST(PlotsPixel, SaysWhyAPixelIsNotPlotted) {
 
 TEST(PlotsPixel, SaysWhyAPixelIsPlotted) {
     const TestedTrace trace = example("t0-fill/first-triangle");
-    EXPECT_EQ(failures_of([&] { EXPECT_THAT(trace, Not(PlotsPixel(3, 2))); }),
-              "Value of: trace\n"
-              "Expected: does not plot pixel (3, 2)\n" +
-                  of_first_triangle +
-                  R"(pixel (3, 2) is plotted
+    expect_failure(trace, Not(PlotsPixel(3, 2)), "does not plot pixel (3, 2)", of_first_triangle,
+                   R"(pixel (3, 2) is plotted
   step 19: pixel (3, 2)   row y=2: -1 to 3
       because of step 14
       left AB: x = (x2 - x1)/(y2 - y1) (y - y1) + x1 = (-4 - 2)/(-3 - 5) (2 - 5) + 2 = 3/4 (-3) + 2 = -1/4 -> floor -> -1
@@ -88,11 +90,8 @@ TEST(PlotsPixel, OfOnePrimitiveCountsWhatIsDrawnOverLater) {
 
 TEST(PlotsPixel, OfOnePrimitiveSaysWhyThisOneDoesNot) {
     const TestedTrace trace = example("t0-hidden/two-depths");
-    EXPECT_EQ(failures_of([&] { EXPECT_THAT(trace, PlotsPixel(1, 2, In("DEF"))); }),
-              "Value of: trace\n"
-              "Expected: plots pixel (1, 2) in DEF\n" +
-                  told("t0-hidden/two-depths", 100) +
-                  R"(pixel (1, 2): drawn by ABC at step 37
+    expect_failure(trace, PlotsPixel(1, 2, In("DEF")), "plots pixel (1, 2) in DEF",
+                   told("t0-hidden/two-depths", 100), R"(pixel (1, 2): drawn by ABC at step 37
   DEF: outside: DF begins row y=2 at x = 2 -> floor -> 2; x = 1 lies before it by 1
       left DF: x = (x2 - x1)/(y2 - y1) (y - y1) + x1 = (2 - 2)/(4 - 1) (2 - 1) + 2 = 0 (1) + 2 = 2 -> floor -> 2
 )");
@@ -135,28 +134,19 @@ TEST(HasScanline, SaysWhichRowThereIs) {
       -1/4 < 25/8: AB is left, AC is right
       x = -1 to 3: 3 - (-1) + 1 = 5 pixels
 )";
-    EXPECT_EQ(failures_of([&] { EXPECT_THAT(trace, HasScanline(2, "-1/4", about(3, 0.01))); }),
-              "Value of: trace\n"
-              "Expected: has scanline y=2 from -1/4 to 3 +- 0.01\n" +
-                  of_first_triangle + row);
-    EXPECT_EQ(failures_of([&] { EXPECT_THAT(trace, Not(HasScanline(2, "-1/4", 3.125))); }),
-              "Value of: trace\n"
-              "Expected: does not have scanline y=2 from -1/4 to 3.125\n" +
-                  of_first_triangle + row);
-    EXPECT_EQ(failures_of([&] { EXPECT_THAT(trace, HasScanline(6, 0, 0, In("ABC"))); }),
-              "Value of: trace\n"
-              "Expected: has scanline y=6 from 0 to 0 in ABC\n" +
-                  of_first_triangle + "no primitive has the row y=6\n");
+    expect_failure(trace, HasScanline(2, "-1/4", about(3, 0.01)),
+                   "has scanline y=2 from -1/4 to 3 +- 0.01", of_first_triangle, row);
+    expect_failure(trace, Not(HasScanline(2, "-1/4", 3.125)),
+                   "does not have scanline y=2 from -1/4 to 3.125", of_first_triangle, row);
+    expect_failure(trace, HasScanline(6, 0, 0, In("ABC")), "has scanline y=6 from 0 to 0 in ABC",
+                   of_first_triangle, "no primitive has the row y=6\n");
 }
 
 TEST(CullsFace, SaysHowTheDotProductComesOut) {
     const TestedTrace trace = example("t0-hidden/cube-culled");
     EXPECT_THAT(trace, AllOf(CullsFace("ADE"), Not(CullsFace("ABC"))));
-    EXPECT_EQ(failures_of([&] { EXPECT_THAT(trace, Not(CullsFace("ADE"))); }),
-              "Value of: trace\n"
-              "Expected: does not cull face ADE\n" +
-                  told("t0-hidden/cube-culled", 235) +
-                  R"(the test is
+    expect_failure(trace, Not(CullsFace("ADE")), "does not cull face ADE",
+                   told("t0-hidden/cube-culled", 235), R"(the test is
   step 213: face ADE: normal (-4, 0, 0) . to eye (1, -1/3, -11/3) = -4, cosine -0.262111 (105.20 degrees): culled
       A = (-1, 1, 3)
       D = (-1, -1, 3)
@@ -176,10 +166,8 @@ TEST(CullsFace, SaysHowTheDotProductComesOut) {
 TEST(CullsFace, IsNotMetWhereNoFaceIsTested) {
     const TestedTrace trace = example("t0-fill/first-triangle");
     EXPECT_THAT(trace, Not(CullsFace("ABC")));
-    EXPECT_EQ(failures_of([&] { EXPECT_THAT(trace, CullsFace("ABC")); }),
-              "Value of: trace\n"
-              "Expected: culls face ABC\n" +
-                  of_first_triangle + "the trace does not test this face\n");
+    expect_failure(trace, CullsFace("ABC"), "culls face ABC", of_first_triangle,
+                   "the trace does not test this face\n");
 }
 
 TEST(DecidesByItsNumbers, TellsTheFirstDecisionThatIsAnotherOne) {
@@ -202,11 +190,8 @@ std::string first_failure(const TestedTrace& trace, const TraceMatcher& matcher)
 TEST(FailsDepth, TellsBothDepths) {
     const TestedTrace trace = example("t0-hidden/two-depths");
     EXPECT_THAT(trace, Not(FailsDepth("DEF", 3, 2)));
-    EXPECT_EQ(failures_of([&] { EXPECT_THAT(trace, FailsDepth("DEF", 3, 2)); }),
-              "Value of: trace\n"
-              "Expected: fails the depth test of DEF at (3, 2)\n" +
-                  told("t0-hidden/two-depths", 100) +
-                  R"(the test is
+    expect_failure(trace, FailsDepth("DEF", 3, 2), "fails the depth test of DEF at (3, 2)",
+                   told("t0-hidden/two-depths", 100), R"(the test is
   step 71: depth at (3, 2): 2 against 3 of ABC: passes (z, smaller is nearer)
       plane through the corners: depth = 0 x + 0 y + 2
       depth = 2/3 (2) + 1/6 (2) + 1/6 (2) = 2
@@ -240,36 +225,23 @@ TEST(ShowsPicture, MarksWhatDiffers) {
 ....#
 )"));
     EXPECT_THAT(trace, ShowsPicture(std::vector<std::string>{"##...", "#....", "....#"}));
-    EXPECT_EQ(failures_of([&] {
-                  EXPECT_THAT(trace, ShowsPicture({"##...", "#..#.", "....."}));
-              }),
-              "Value of: trace\n"
-              "Expected: shows the picture\n" +
-                  told("t2-lines/points", 8) +
-                  R"(which shows
+    expect_failure(trace, ShowsPicture({"##...", "#..#.", "....."}), "shows the picture",
+                   told("t2-lines/points", 8), R"(which shows
     y  expected  there     ! only expected, ? only there
     0  ##...     ##...     ##...
     1  #..#.     #....     #..!.
     2  .....     ....#     ....?
 )");
-    EXPECT_EQ(failures_of([&] {
-                  EXPECT_THAT(trace, Not(ShowsPicture({"##...", "#....", "....#"})));
-              }),
-              "Value of: trace\n"
-              "Expected: does not show the picture\n" +
-                  told("t2-lines/points", 8) + "all of its 3 rows are there\n");
+    expect_failure(trace, Not(ShowsPicture({"##...", "#....", "....#"})),
+                   "does not show the picture", told("t2-lines/points", 8),
+                   "all of its 3 rows are there\n");
 }
 
 TEST(ShowsPicture, OfAPartIsAboutThatPartOnly) {
     const TestedTrace trace = example("t0-fill/first-triangle"); // y points up
     EXPECT_THAT(trace, ShowsPicture({"..#", ".##", "###"}, {0, 5}));
-    EXPECT_EQ(failures_of([&] {
-                  EXPECT_THAT(trace, ShowsPicture({"##", "#."}, {1, 5}));
-              }),
-              "Value of: trace\n"
-              "Expected: shows the picture\n" +
-                  of_first_triangle +
-                  R"(which shows
+    expect_failure(trace, ShowsPicture({"##", "#."}, {1, 5}), "shows the picture",
+                   of_first_triangle, R"(which shows
     y  expected  there     ! only expected, ? only there
     5  ##        .#        !#
     4  #.        ##        #?

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Claims files: a line of a table says what its JSON says, and what is wrong with a file is told.
 
-#include <rastertrace/trace/check/claims.h>
+#include "claims_support.h"
+#include "told_problem.h"
 
 #include <gtest/gtest.h>
 
@@ -13,16 +14,6 @@
 
 namespace rastertrace {
 namespace {
-
-/// The claims of a text that has no fault.
-Claims claims_in(const std::string& text) {
-    auto claims = read_claims({"claims.txt", text});
-    if (!claims) {
-        ADD_FAILURE() << to_text(claims.problem());
-        return {};
-    }
-    return std::move(claims.value());
-}
 
 /// The message about a text that has a fault.
 std::string complaint(const std::string& text) {
@@ -54,8 +45,10 @@ std::string content_of(const std::vector<Claim>& claims) {
     return text;
 }
 
-/// A text, and the whole message about it.
-using Fault = std::pair<std::string, std::string>;
+/// A text, the message about it, and the hint.
+struct Fault {
+    std::string text, message, hint;
+};
 
 /// A line of a table, and the claim that it stands for.
 using Form = std::pair<std::string, std::string>;
@@ -269,112 +262,54 @@ TEST(Claims, AreToldFromScenesAndTraces) {
 TEST(Claims, FaultsOfATableArePointedAt) {
     const std::vector<Fault> faults{
         {"edge AB: 0,75\n\ny=2: -1,3",
-         "claims.txt:3:6: expected 2 numbers, found -1,3, which is -1.3, or -1 and 3\n"
-         "y=2: -1,3\n"
-         "     ^\n"
-         "hint: this file has decimal commas: a comma with a blank behind it, or a `;`, stands "
-         "between "
+         "claims.txt:3:6: expected 2 numbers, found -1,3, which is -1.3, or -1 and 3",
+         "this file has decimal commas: a comma with a blank behind it, or a `;`, stands between "
          "two numbers"},
-        {"A screen: 2 1/2",
-         "claims.txt:1:11: expected commas between numbers, found 2 1/2, which is "
-         "5/2, or 2 and 1/2\n"
-         "A screen: 2 1/2\n"
-         "          ^"},
-        {"cosine ABC: cos 45", "claims.txt:1:13: expected a number, like 3.125 or 25/8, found cos\n"
-                               "cosine ABC: cos 45\n"
-                               "            ^"},
-        {"edge AB: 3 : 0", "claims.txt:1:14: expected a denominator other than 0, found 0\n"
-                           "edge AB: 3 : 0\n"
-                           "             ^"},
-        {"y=2: x, 3", "claims.txt:1:6: expected a number, like 3.125 or 25/8, found x\n"
-                      "y=2: x, 3\n"
-                      "     ^"},
-        {"y=2: 1/0, 3", "claims.txt:1:6: expected a denominator other than 0, found 1/0\n"
-                        "y=2: 1/0, 3\n"
-                        "     ^"},
-        {"y=2: 1, 1e400", "claims.txt:1:9: expected a number up to 1.797e308, found 1e400\n"
-                          "y=2: 1, 1e400\n"
-                          "        ^"},
+        {"A screen: 2 1/2", "claims.txt:1:11: expected commas between numbers, found 2 1/2, which "
+                            "is 5/2, or 2 and 1/2"},
+        {"cosine ABC: cos 45", "claims.txt:1:13: expected a number, like 3.125 or 25/8, found cos"},
+        {"edge AB: 3 : 0", "claims.txt:1:14: expected a denominator other than 0, found 0"},
+        {"y=2: x, 3", "claims.txt:1:6: expected a number, like 3.125 or 25/8, found x"},
+        {"y=2: 1/0, 3", "claims.txt:1:6: expected a denominator other than 0, found 1/0"},
+        {"y=2: 1, 1e400", "claims.txt:1:9: expected a number up to 1.797e308, found 1e400"},
         {"y=1e-400: 1, 3",
-         "claims.txt:1:3: expected 0 or a number from 4.941e-324 on, found 1e-400\n"
-         "y=1e-400: 1, 3\n"
-         "  ^"},
+         "claims.txt:1:3: expected 0 or a number from 4.941e-324 on, found 1e-400"},
         {"scene: a.json\n\nscene: b.json",
-         "claims.txt:3:1: expected one line `scene:`, found another\n"
-         "scene: b.json\n"
-         "^"},
+         "claims.txt:3:1: expected one line `scene:`, found another"},
         {"round: nearest\n round: truncate",
-         "claims.txt:2:2: expected one line `round:`, found another\n"
-         " round: truncate\n"
-         " ^"},
-        {"y=?: 1, 3", "claims.txt:1:3: expected a whole number, found ?\n"
-                      "y=?: 1, 3\n"
-                      "  ^"},
-        {"y=2: -> 1..2.5", "claims.txt:1:12: expected a whole number, found 2.5\n"
-                           "y=2: -> 1..2.5\n"
-                           "           ^"},
+         "claims.txt:2:2: expected one line `round:`, found another"},
+        {"y=?: 1, 3", "claims.txt:1:3: expected a whole number, found ?"},
+        {"y=2: -> 1..2.5", "claims.txt:1:12: expected a whole number, found 2.5"},
         {"y=2: 1, 2 ->",
-         "claims.txt:1:13: expected a number, like 3.125 or 25/8, found the end of the "
-         "line\n"
-         "y=2: 1, 2 ->\n"
-         "            ^"},
-        {"y=2", "claims.txt:1:4: expected `:`, found the end of the line\n"
-                "y=2\n"
-                "   ^"},
+         "claims.txt:1:13: expected a number, like 3.125 or 25/8, found the end of the line"},
+        {"y=2", "claims.txt:1:4: expected `:`, found the end of the line"},
         {"A scren: 2, 5",
-         "claims.txt:1:3: expected a space (object, world, camera, clip, canonical, "
-         "screen), found scren\n"
-         "A scren: 2, 5\n"
-         "  ^\n"
-         "hint: did you mean screen?"},
-        {"norml ABC: 0, 0, 4", "claims.txt:1:7: expected a space (object, world, camera, clip, "
-                               "canonical, screen), found ABC\n"
-                               "norml ABC: 0, 0, 4\n"
-                               "      ^\n"
-                               "hint: did you mean normal?"},
-        {"A clip: 2, 5", "claims.txt:1:13: expected 4 numbers in all, found the end of the line\n"
-                         "A clip: 2, 5\n"
-                         "            ^"},
-        {"normal ABC: 0, 0, 4, 1", "claims.txt:1:20: expected the end of the line, found ,\n"
-                                   "normal ABC: 0, 0, 4, 1\n"
-                                   "                   ^"},
-        {"dot ABC: -12 gone", "claims.txt:1:14: expected culled or drawn, found gone\n"
-                              "dot ABC: -12 gone\n"
-                              "             ^"},
+         "claims.txt:1:3: expected a space (object, world, camera, clip, canonical, screen), found "
+         "scren",
+         "did you mean screen?"},
+        {"norml ABC: 0, 0, 4",
+         "claims.txt:1:7: expected a space (object, world, camera, clip, canonical, screen), found "
+         "ABC",
+         "did you mean normal?"},
+        {"A clip: 2, 5", "claims.txt:1:13: expected 4 numbers in all, found the end of the line"},
+        {"normal ABC: 0, 0, 4, 1", "claims.txt:1:20: expected the end of the line, found ,"},
+        {"dot ABC: -12 gone", "claims.txt:1:14: expected culled or drawn, found gone"},
         {"(3,2): onn",
-         "claims.txt:1:8: expected on, off, inside, outside, z, 1/z, share or color, found "
-         "onn\n"
-         "(3,2): onn\n"
-         "       ^\n"
-         "hint: did you mean on?"},
-        {"(3,2): color blau", "claims.txt:1:14: expected a color, like #ff8000 or red, found blau\n"
-                              "(3,2): color blau\n"
-                              "             ^"},
-        {"(3 2): on", "claims.txt:1:4: expected a comma between x and y, found 2\n"
-                      "(3 2): on\n"
-                      "   ^"},
-        {"\"AB: 1", "claims.txt:1:1: expected a closing quote, found none\n"
-                    "\"AB: 1\n"
-                    "^"},
-        {"round: up", "claims.txt:1:8: expected nearest or truncate, found up\n"
-                      "round: up\n"
-                      "       ^"},
-        {"scene:", "claims.txt:1:7: expected the name of a scene file, found the end of the line\n"
-                   "scene:\n"
-                   "      ^"},
-        {"picture:\n..#\n.x.", "claims.txt:3:1: expected a row of ., # and ?, found 'x'\n"
-                               ".x.\n"
-                               "^\n"
-                               "hint: a picture ends with a blank line"},
-        {"picture:\n..#\n....", "claims.txt:3:1: expected a row of 3 pixels like the first one, "
-                                "found 4\n"
-                                "....\n"
-                                "^\n"
-                                "hint: a picture ends with a blank line"},
-        {"picture:\n", "claims.txt:2:1: expected the rows of a picture, found none"},
-    };
-    for (const auto& [text, message] : faults)
-        EXPECT_EQ(complaint(text), message) << text;
+         "claims.txt:1:8: expected on, off, inside, outside, z, 1/z, share or color, found onn",
+         "did you mean on?"},
+        {"(3,2): color blau", "claims.txt:1:14: expected a color, like #ff8000 or red, found blau"},
+        {"(3 2): on", "claims.txt:1:4: expected a comma between x and y, found 2"},
+        {"\"AB: 1", "claims.txt:1:1: expected a closing quote, found none"},
+        {"round: up", "claims.txt:1:8: expected nearest or truncate, found up"},
+        {"scene:", "claims.txt:1:7: expected the name of a scene file, found the end of the line"},
+        {"picture:\n..#\n.x.", "claims.txt:3:1: expected a row of ., # and ?, found 'x'",
+         "a picture ends with a blank line"},
+        {"picture:\n..#\n....",
+         "claims.txt:3:1: expected a row of 3 pixels like the first one, found 4",
+         "a picture ends with a blank line"},
+        {"picture:\n", "claims.txt:2:1: expected the rows of a picture, found none"}};
+    for (const auto& [text, message, hint] : faults)
+        EXPECT_EQ(complaint(text), told_problem(text, message, hint));
 }
 
 const std::string two_rows =
@@ -416,23 +351,23 @@ TEST(Claims, ColumnsSayWhatTheirHeadsSay) {
 
 TEST(Claims, FaultsOfColumnsArePointedAt) {
     const std::vector<Fault> faults{
-        {"y,lefft,right\n2,1,2\n3,1,2\n\ny=2: x, 1\n",
-         "claims.txt:1:3: expected what the column holds, like y, left, right, p_k or (x, y), "
-         "found lefft\n"
-         "y,lefft,right\n  ^\nhint: did you mean left?\n"
-         "claims.txt:5:6: expected a number, like 3.125 or 25/8, found x\ny=2: x, 1\n     ^"},
-        {"y,left\n2,1,2\n3,x\n",
-         "claims.txt:2:1: expected 2 cells, as the head of the table has, found 3\n"
-         "2,1,2\n^\n"
-         "claims.txt:3:3: expected a number, like 3.125 or 25/8, found x\n3,x\n  ^"},
-        {"y,k\n2,1\n",
-         "claims.txt:1:1: expected columns that say what was worked out, like `y, left, right`, "
-         "`k, p_k, (x, y)` or `vertex, x, y`, found others\ny,k\n^"},
-        {std::string("PK\x03\x04\0\0", 6),
-         "claims.txt: expected text, found a file of a spreadsheet, or an archive\n"
-         "hint: in the spreadsheet, save it as CSV"}};
-    for (const auto& [text, message] : faults)
-        EXPECT_EQ(complaint(text), message) << text;
+        {"y,k\n2,1\n", "claims.txt:1:1: expected columns that say what was worked out, like `y, "
+                       "left, right`, `k, p_k, (x, y)` or `vertex, x, y`, found others"},
+    };
+    for (const auto& [text, message, hint] : faults)
+        EXPECT_EQ(complaint(text), told_problem(text, message, hint));
+    EXPECT_EQ(complaint("y,lefft,right\n2,1,2\n3,1,2\n\ny=2: x, 1\n"),
+              "claims.txt:1:3: expected what the column holds, like y, left, right, p_k or (x, y), "
+              "found lefft\n"
+              "y,lefft,right\n  ^\nhint: did you mean left?\n"
+              "claims.txt:5:6: expected a number, like 3.125 or 25/8, found x\ny=2: x, 1\n     ^");
+    EXPECT_EQ(complaint("y,left\n2,1,2\n3,x\n"),
+              "claims.txt:2:1: expected 2 cells, as the head of the table has, found 3\n"
+              "2,1,2\n^\n"
+              "claims.txt:3:3: expected a number, like 3.125 or 25/8, found x\n3,x\n  ^");
+    EXPECT_EQ(complaint(std::string("PK\x03\x04\0\0", 6)),
+              "claims.txt: expected text, found a file of a spreadsheet, or an archive\n"
+              "hint: in the spreadsheet, save it as CSV");
 }
 
 TEST(Claims, AllFaultsOfATableAreToldInOneRun) {
@@ -532,66 +467,37 @@ TEST(Claims, FaultsOfJsonArePointedAt) {
         "skip, undecided";
     const std::vector<Fault> faults{
         {R"({"claims": [{"step":"skanline","y":2}]})",
-         "claims.txt:1:21: expected a kind of step (" + kinds +
-             "), found \"skanline\"\n"
-             "{\"claims\": [{\"step\":\"skanline\",\"y\":2}]}\n"
-             "                    ^\n"
-             "hint: did you mean \"scanline\"?"},
+         "claims.txt:1:21: expected a kind of step (" + kinds + "), found \"skanline\"",
+         "did you mean \"scanline\"?"},
         {R"({"claims": [{"step":"edge","edge":"AB","dxdy":2}]})",
          "claims.txt:1:40: expected a field of edge (edge, dx_dy, a, b, top_left, octant, y_form, "
-         "x_form, in), "
-         "found \"dxdy\"\n"
-         "{\"claims\": [{\"step\":\"edge\",\"edge\":\"AB\",\"dxdy\":2}]}\n"
-         "                                       ^\n"
-         "hint: did you mean \"dx_dy\"?"},
+         "x_form, in), found \"dxdy\"",
+         "did you mean \"dx_dy\"?"},
         {R"({"claims": [{"step":"pixel","x":3,"y":2}]})",
-         "claims.txt:1:13: expected what is claimed of the pixel, found only which one it is\n"
-         "{\"claims\": [{\"step\":\"pixel\",\"x\":3,\"y\":2}]}\n"
-         "            ^"},
+         "claims.txt:1:13: expected what is claimed of the pixel, found only which one it is"},
         {R"({"claims": [{"step":"scanline","y":null,"left":1}]})",
-         "claims.txt:1:36: expected a whole number, found null\n"
-         "{\"claims\": [{\"step\":\"scanline\",\"y\":null,\"left\":1}]}\n"
-         "                                   ^"},
+         "claims.txt:1:36: expected a whole number, found null"},
         {R"({"claims": [{"step":"scanline","y":2,"left":"1/0"}]})",
-         "claims.txt:1:45: expected a denominator other than 0, found \"1/0\"\n"
-         "{\"claims\": [{\"step\":\"scanline\",\"y\":2,\"left\":\"1/0\"}]}\n"
-         "                                            ^"},
+         "claims.txt:1:45: expected a denominator other than 0, found \"1/0\""},
         {R"({"claims": [{"step":"scanline","y":2,"left":[1]}]})",
-         "claims.txt:1:45: expected one value for left, found an array of 1\n"
-         "{\"claims\": [{\"step\":\"scanline\",\"y\":2,\"left\":[1]}]}\n"
-         "                                            ^"},
+         "claims.txt:1:45: expected one value for left, found an array of 1"},
         {R"({"claims": [{"step":"face","normal":4}]})",
-         "claims.txt:1:37: expected a list for normal, found 4\n"
-         "{\"claims\": [{\"step\":\"face\",\"normal\":4}]}\n"
-         "                                    ^"},
+         "claims.txt:1:37: expected a list for normal, found 4"},
         {R"({"claims": [{"picture":["#.","#"]}]})",
-         "claims.txt:1:30: expected a row of 2 pixels like the first one, found 1\n"
-         "{\"claims\": [{\"picture\":[\"#.\",\"#\"]}]}\n"
-         "                             ^"},
+         "claims.txt:1:30: expected a row of 2 pixels like the first one, found 1"},
         {R"({"claims": [], "rounded": true})",
-         "claims.txt:1:16: expected a key out of scene, round, claims, found \"rounded\"\n"
-         "{\"claims\": [], \"rounded\": true}\n"
-         "               ^\n"
-         "hint: did you mean \"round\"?"},
+         "claims.txt:1:16: expected a key out of scene, round, claims, found \"rounded\"",
+         "did you mean \"round\"?"},
         {R"({"claims": [], "round": "up"})",
-         "claims.txt:1:25: expected \"nearest\" or \"truncate\", found \"up\"\n"
-         "{\"claims\": [], \"round\": \"up\"}\n"
-         "                        ^"},
-        {R"({"vertices": {}})", "claims.txt:1:1: expected claims, found a scene\n"
-                                "{\"vertices\": {}}\n"
-                                "^\n"
-                                "hint: claims come behind the scene: check SCENE CLAIMS"},
-        {R"({"rastertrace": 1})", "claims.txt:1:1: expected claims, found a trace\n"
-                                  "{\"rastertrace\": 1}\n"
-                                  "^\n"
-                                  "hint: claims come behind the scene: check SCENE CLAIMS"},
-        {R"([])", "claims.txt:1:1: expected claims, found none\n"
-                  "[]\n"
-                  "^\n"
-                  "hint: claims are a table, or {\"claims\": [...]}"},
-    };
-    for (const auto& [text, message] : faults)
-        EXPECT_EQ(complaint(text), message) << text;
+         "claims.txt:1:25: expected \"nearest\" or \"truncate\", found \"up\""},
+        {R"({"vertices": {}})", "claims.txt:1:1: expected claims, found a scene",
+         "claims come behind the scene: check SCENE CLAIMS"},
+        {R"({"rastertrace": 1})", "claims.txt:1:1: expected claims, found a trace",
+         "claims come behind the scene: check SCENE CLAIMS"},
+        {R"([])", "claims.txt:1:1: expected claims, found none",
+         "claims are a table, or {\"claims\": [...]}"}};
+    for (const auto& [text, message, hint] : faults)
+        EXPECT_EQ(complaint(text), told_problem(text, message, hint));
 }
 
 } // namespace

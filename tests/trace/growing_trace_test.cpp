@@ -22,7 +22,6 @@
 #include <thread>
 #include <utility>
 #include <variant>
-#include <vector>
 
 namespace rastertrace {
 namespace {

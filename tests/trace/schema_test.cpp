@@ -12,7 +12,6 @@
 #include "random_scene.h"
 #include "traces.h"
 
-#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 

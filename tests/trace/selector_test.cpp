@@ -2,6 +2,7 @@
 // Which steps a text means, and what is said of a text that means none.
 
 #include "picture.h"
+#include "told_problem.h"
 #include "traces.h"
 
 #include <rastertrace/trace/record/selector.h>
@@ -129,92 +130,54 @@ TEST(Selector, TakesKindsAndFieldsOfAForeignRasterizer) {
 
 TEST(Selector, SaysWhatIsWrongWithAText) {
     const Trace trace = trace_of(first_triangle());
-    const std::vector<std::pair<std::string, std::string>> table{
-        {" ", "--step: expected a step (N, first, last, or KIND field=value ...), found nothing\n"
-              " \n"
-              " ^"},
-        {"63", "--step: expected a step from 0 to 62, found 63\n"
-               "63\n"
-               "^"},
-        {"-1", "--step: expected a step from 0 to 62, found -1\n"
-               "-1\n"
-               "^"},
-        {"1x", "--step: expected a step from 0 to 62, found 1x\n"
-               "1x\n"
-               "^"},
-        {"last pixel", "--step: expected nothing behind last, found more\n"
-                       "last pixel\n"
-                       "     ^"},
-        {"skanline y=2", "--step: expected a kind of step that the trace has (primitive, edge, "
-                         "scanline, pixel), found skanline\n"
-                         "skanline y=2\n"
-                         "^\n"
-                         "hint: did you mean scanline?"},
-        {"depth fail", "--step: expected a kind of step that the trace has (primitive, edge, "
-                       "scanline, pixel), found depth\n"
-                       "depth fail\n"
-                       "^"},
-        {"scanline z=2", "--step: expected a field of scanline (y, left, right, from, to, "
-                         "left_edge, right_edge, left_depth, right_depth, in), found z\n"
-                         "scanline z=2\n"
-                         "         ^"},
-        {"scanline lef=2", "--step: expected a field of scanline (y, left, right, from, to, "
-                           "left_edge, right_edge, left_depth, right_depth, in), found lef\n"
-                           "scanline lef=2\n"
-                           "         ^\n"
-                           "hint: did you mean left?"},
-        {"scanline y=two", "--step: expected a whole number for y, found two\n"
-                           "scanline y=two\n"
-                           "         ^"},
-        {"scanline y=1/2", "--step: expected a whole number for y, found 1/2\n"
-                           "scanline y=1/2\n"
-                           "         ^"},
-        {"scanline left=AB", "--step: expected a number, like 3.125 or 25/8, for left, found AB\n"
-                             "scanline left=AB\n"
-                             "         ^"},
-        {"primitive part=1", "--step: expected true or false for part, found 1\n"
-                             "primitive part=1\n"
-                             "          ^"},
-        {"primitive at=2", "--step: expected a list, like [1,2], for at, found 2\n"
-                           "primitive at=2\n"
-                           "          ^"},
-        {"scanline y=", "--step: expected y=VALUE, found no value\n"
-                        "scanline y=\n"
-                        "         ^"},
-        {"scanline 2", "--step: expected field=value, found 2\n"
-                       "scanline 2\n"
-                       "         ^\n"
-                       "hint: like y=2"},
-        {"edge edge=\"BC", "--step: expected a closing quote, found none\n"
-                           "edge edge=\"BC\n"
-                           "          ^"},
-        {"scanline y=9", "--step: expected a step of the trace, found none with y=9\n"
-                         "scanline y=9\n"
-                         "         ^\n"
-                         "hint: scanline has y: 5, 4, 3, 2, 1, ..."},
-        {"pixel x=3 y=3", "--step: expected a step of the trace, found none with y=3\n"
-                          "pixel x=3 y=3\n"
-                          "          ^\n"
-                          "hint: pixel x=3 has y: 2, 1, 0, -1, -2, ..."},
-        {"scanline left=0", "--step: expected a step of the trace, found none with left=0\n"
-                            "scanline left=0\n"
-                            "         ^\n"
-                            "hint: scanline has left: -1/4, 1/2, -1, 5/4, -7/4, ..."},
-        {"edge edge=CB", "--step: expected a step of the trace, found none with edge=CB\n"
-                         "edge edge=CB\n"
-                         "     ^\n"
-                         "hint: edge has edge: AB, BC, AC"},
-        {"pixel color=red", "--step: expected a step of the trace, found none with color=red\n"
-                            "pixel color=red\n"
-                            "      ^\n"
-                            "hint: no pixel has color"},
-        {"scanline", "--step: expected one step, found 9: 5, 7, 10, 14, 20, ...\n"
-                     "scanline\n"
-                     "^\n"
-                     "hint: say which"},
+    struct Fault {
+        std::string text;
+        std::size_t column;
+        std::string message, hint;
     };
-    for (const auto& [text, problem] : table)
-        EXPECT_EQ(complaint(text, trace), problem);
+    const std::vector<Fault> faults{
+        {" ", 2,
+         "--step: expected a step (N, first, last, or KIND field=value ...), found nothing"},
+        {"63", 1, "--step: expected a step from 0 to 62, found 63"},
+        {"-1", 1, "--step: expected a step from 0 to 62, found -1"},
+        {"1x", 1, "--step: expected a step from 0 to 62, found 1x"},
+        {"last pixel", 6, "--step: expected nothing behind last, found more"},
+        {"skanline y=2", 1,
+         "--step: expected a kind of step that the trace has (primitive, edge, scanline, pixel), "
+         "found skanline",
+         "did you mean scanline?"},
+        {"depth fail", 1,
+         "--step: expected a kind of step that the trace has (primitive, edge, scanline, pixel), "
+         "found depth"},
+        {"scanline z=2", 10,
+         "--step: expected a field of scanline (y, left, right, from, to, left_edge, right_edge, "
+         "left_depth, right_depth, in), found z"},
+        {"scanline lef=2", 10,
+         "--step: expected a field of scanline (y, left, right, from, to, left_edge, right_edge, "
+         "left_depth, right_depth, in), found lef",
+         "did you mean left?"},
+        {"scanline y=two", 10, "--step: expected a whole number for y, found two"},
+        {"scanline y=1/2", 10, "--step: expected a whole number for y, found 1/2"},
+        {"scanline left=AB", 10,
+         "--step: expected a number, like 3.125 or 25/8, for left, found AB"},
+        {"primitive part=1", 11, "--step: expected true or false for part, found 1"},
+        {"primitive at=2", 11, "--step: expected a list, like [1,2], for at, found 2"},
+        {"scanline y=", 10, "--step: expected y=VALUE, found no value"},
+        {"scanline 2", 10, "--step: expected field=value, found 2", "like y=2"},
+        {"edge edge=\"BC", 11, "--step: expected a closing quote, found none"},
+        {"scanline y=9", 10, "--step: expected a step of the trace, found none with y=9",
+         "scanline has y: 5, 4, 3, 2, 1, ..."},
+        {"pixel x=3 y=3", 11, "--step: expected a step of the trace, found none with y=3",
+         "pixel x=3 has y: 2, 1, 0, -1, -2, ..."},
+        {"scanline left=0", 10, "--step: expected a step of the trace, found none with left=0",
+         "scanline has left: -1/4, 1/2, -1, 5/4, -7/4, ..."},
+        {"edge edge=CB", 6, "--step: expected a step of the trace, found none with edge=CB",
+         "edge has edge: AB, BC, AC"},
+        {"pixel color=red", 7, "--step: expected a step of the trace, found none with color=red",
+         "no pixel has color"},
+        {"scanline", 1, "--step: expected one step, found 9: 5, 7, 10, 14, 20, ...", "say which"}};
+    for (const auto& [text, column, message, hint] : faults)
+        EXPECT_EQ(complaint(text, trace), message + quoted_at(column, text, hint));
 
     EXPECT_EQ(complaint("depth y=0 failed", hidden_square()),
               "--step: expected field=value or pass or fail, found failed\n"

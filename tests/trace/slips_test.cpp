@@ -14,7 +14,6 @@
 #include <rastertrace/trace/record/traced_steps.h>
 
 #include <fmt/core.h>
-#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -378,28 +377,29 @@ std::vector<Rational> decided(std::size_t count, Rational d, const Rational& str
     return all;
 }
 
-Result exchange_the_steps(const Place& place) {
+/// d with another sum, of a line from 0 to 1 or its mirror images.
+Result decide_by(const Place& place, const std::string& slip, const auto& wrong) {
     Rational major;
     Rational minor;
     const auto right = decisions_here(place, major, minor);
     const auto ours = decided(right.size(), 2 * minor - major, 2 * minor, 2 * (minor - major));
-    if (ours != right) // its ties step, or another octant
+    if (right.empty() || ours != right) // its ties step, or another octant
         return std::nullopt;
-    return planted_decisions(
-        place, "steps-exchanged", right,
-        decided(right.size(), 2 * minor - major, 2 * (minor - major), 2 * minor));
+    return planted_decisions(place, slip, right, wrong(right.size(), major, minor));
+}
+
+Result exchange_the_steps(const Place& place) {
+    return decide_by(place, "steps-exchanged",
+                     [](std::size_t count, const Rational& major, const Rational& minor) {
+                         return decided(count, 2 * minor - major, 2 * (minor - major), 2 * minor);
+                     });
 }
 
 Result begin_with_the_other_axis(const Place& place) {
-    Rational major;
-    Rational minor;
-    const auto right = decisions_here(place, major, minor);
-    const auto ours = decided(right.size(), 2 * minor - major, 2 * minor, 2 * (minor - major));
-    if (ours != right)
-        return std::nullopt;
-    return planted_decisions(
-        place, "start-of-other-axis", right,
-        decided(right.size(), 2 * major - minor, 2 * minor, 2 * (minor - major)));
+    return decide_by(place, "start-of-other-axis",
+                     [](std::size_t count, const Rational& major, const Rational& minor) {
+                         return decided(count, 2 * major - minor, 2 * minor, 2 * (minor - major));
+                     });
 }
 
 Result shift_the_list(const Place& place) {
@@ -558,17 +558,6 @@ Result take_the_sine(const Place& place) {
     return Planted{
         "complement-of-angle",
         place.face_claim("cosine", fmt::format("{:.6f}", std::sqrt(1 - *cosine * *cosine)))};
-}
-
-/// d with another sum, of a line from 0 to 1 or its mirror images.
-Result decide_by(const Place& place, const std::string& slip, const auto& wrong) {
-    Rational major;
-    Rational minor;
-    const auto right = decisions_here(place, major, minor);
-    const auto ours = decided(right.size(), 2 * minor - major, 2 * minor, 2 * (minor - major));
-    if (right.empty() || ours != right) // its ties step, or another octant
-        return std::nullopt;
-    return planted_decisions(place, slip, right, wrong(right.size(), major, minor));
 }
 
 /// Where d is above 0 to the end, this is what comes of exchanged steps, too.

@@ -17,13 +17,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <array>
-#include <cstdint>
 #include <cstdlib>
 #include <filesystem>
-#include <initializer_list>
 #include <map>
-#include <random>
 #include <regex>
 #include <set>
 #include <string>

@@ -16,7 +16,6 @@
 #include <algorithm>
 #include <fstream>
 #include <set>
-#include <sstream>
 #include <string>
 
 namespace rastertrace {

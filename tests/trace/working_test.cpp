@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "claims_support.h"
 #include "effort.h"
 #include "picture.h"
 #include "random_scene.h"
@@ -16,9 +17,7 @@
 #include <rapidcheck/gtest.h>
 
 #include <algorithm>
-#include <fstream>
 #include <functional>
-#include <iterator>
 #include <map>
 #include <optional>
 #include <string>
@@ -32,11 +31,6 @@ using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsSupersetOf;
 using ::testing::Not;
-
-std::string example_text(const std::string& name) {
-    std::ifstream file(RASTERTRACE_EXAMPLES "/" + name);
-    return {std::istreambuf_iterator<char>(file), {}};
-}
 
 Trace example(const std::string& name, std::optional<Depth> depth = {}) {
     Scene scene = scene_in(example_text(name));

@@ -6,8 +6,6 @@
 #include "program.h"
 #include "random_choice.h"
 
-#include <gmock/gmock.h>
-
 #include <algorithm>
 #include <array>
 #include <cstdlib>
@@ -17,10 +15,6 @@
 
 namespace rastertrace {
 namespace {
-
-using ::testing::AnyOf;
-using ::testing::HasSubstr;
-using ::testing::StartsWith;
 
 /// RASTERTRACE_LONG is set by the script.
 bool is_long() {
@@ -80,7 +74,7 @@ protected:
             for (const std::string layout : {"json", "jsonl"}) {
                 constexpr std::size_t largest = 60'000;
                 const Outcome trace =
-                    shell("$rastertrace trace '" + examples[i].string() + "' --format " + layout);
+                    run("trace '" + examples[i].string() + "' --format " + layout);
                 if (trace.status == 0 && trace.out.size() < largest)
                     traces.push_back(trace.out);
             }
@@ -221,7 +215,7 @@ TEST_F(BigTrace, DamagedTracesAreTheSameFromAPipe) {
 }
 
 TEST_F(BigTrace, RandomLinesAreTheSameFromAPipe) {
-    const std::string sound = shell("$rastertrace trace $examples/t0-fill/first-triangle.json").out;
+    const std::string sound = run("trace $examples/t0-fill/first-triangle.json").out;
     const int cases = is_long() ? 10'000 : random_cases(50);
     for (int seed = 1; seed <= cases && !HasFailure(); ++seed) {
         Random random(static_cast<std::uint64_t>(seed));
@@ -231,28 +225,27 @@ TEST_F(BigTrace, RandomLinesAreTheSameFromAPipe) {
 
 // What unpacks a trace is another program.
 TEST_F(BigTrace, APackedTraceIsRefusedWithWhatUnpacksIt) {
-    shell("$rastertrace trace $examples/t0-fill/first-triangle.json -o t.jsonl; gzip -k t.jsonl; "
-          "printf '\\050\\265\\057\\375 and so on' > t.jsonl.zst");
+    run("trace $examples/t0-fill/first-triangle.json -o t.jsonl; gzip -k t.jsonl; printf "
+        "'\\050\\265\\057\\375 and so on' > t.jsonl.zst");
     for (const std::string_view question :
          {"stats", "validate", "diff t.jsonl", "explain --pixel 0,0", "show", "play --print 80x24",
           "trace", "plan"})
-        EXPECT_EQ(shell("$rastertrace " + std::string(question) + " t.jsonl.gz").err,
+        EXPECT_EQ(run(std::string(question) + " t.jsonl.gz").err,
                   "rastertrace: t.jsonl.gz: expected a file that is not packed, found one packed "
                   "by gzip\nhint: `zcat FILE | rastertrace show -` unpacks it on the way\n")
             << question;
-    const Outcome piped = shell("cat t.jsonl.zst | $rastertrace show -");
-    EXPECT_EQ(piped.status, 2);
-    EXPECT_EQ(piped.err, "rastertrace: standard input: expected a file that is not packed, found "
-                         "one packed by zstd\nhint: `zstdcat FILE | rastertrace show -` unpacks "
-                         "it on the way\n");
+    EXPECT_THAT(
+        shell("cat t.jsonl.zst | $rastertrace show -"),
+        Refused("rastertrace: standard input: expected a file that is not packed, found one packed "
+                "by zstd\nhint: `zstdcat FILE | rastertrace show -` unpacks it on the way\n"));
     EXPECT_EQ(shell("zcat t.jsonl.gz | $rastertrace show - >piped; $rastertrace show t.jsonl | "
                     "cmp - piped")
                   .status,
               0);
     for (const std::string flat : {"", " --flat"})
-        EXPECT_EQ(shell("$rastertrace trace t.jsonl -o u.jsonl.gz" + flat +
-                        "; s=$?; "
-                        "test ! -e u.jsonl.gz && exit $s")
+        EXPECT_EQ(run("trace t.jsonl -o u.jsonl.gz" + flat +
+                      "; s=$?; "
+                      "test ! -e u.jsonl.gz && exit $s")
                       .err,
                   "rastertrace: u.jsonl.gz: expected a name that ends in .json or .jsonl, found "
                   ".gz\nhint: --format says what to write\n");
@@ -329,16 +322,15 @@ TEST_F(BigTraceMemory, ALineOfAnyLengthIsRefusedInBoundedMemory) {
           " /dev/zero | tr '\\000' x; printf '\"}\\n{\"end\":{}}\\n') > t; "
           "(head -n 1 t; echo '{\"step\":\"pixel\",\"x\":0,\"y\":0}'; tail -n 1 t) > sound");
     for (const std::string_view question : questions) {
-        const Outcome told = shell("$rastertrace " + std::string(question));
+        const Outcome told = run(std::string(question));
         EXPECT_EQ(told.status, 2) << question;
         EXPECT_THAT(told.err, HasSubstr("expected lines of at most 16 MB in a trace")) << question;
         if (!is_sanitized) {
             EXPECT_LT(told.peak_memory, 150'000'000) << question;
         }
     }
-    const Outcome piped = shell("$rastertrace stats - < t");
-    EXPECT_EQ(piped.status, 2);
-    EXPECT_THAT(piped.err, HasSubstr("expected lines of at most 16 MB in a trace"));
+    EXPECT_THAT(run("stats - < t"),
+                Refused(HasSubstr("expected lines of at most 16 MB in a trace")));
 }
 
 /// What comes from a pipe is read more than once, but not held in memory.
@@ -348,7 +340,7 @@ TEST_F(BigTraceMemory, ATraceFromAPipeIsNotHeldInMemory) {
     constexpr long most = 210'000'000;
     ASSERT_GT(fs::file_size(folder_ / "t"), std::uintmax_t{most});
     for (const std::string command : {"stats --json", "show --last --bare"}) {
-        const std::string answer = shell("$rastertrace " + command + " t").out;
+        const std::string answer = run(command + " t").out;
         const Outcome piped = shell("cat t | $rastertrace " + command + " -");
         EXPECT_EQ(piped.status, 0) << piped.err;
         EXPECT_EQ(piped.out, answer);
@@ -382,7 +374,7 @@ TEST_F(BigTraceMemory, BlanksBehindAHeaderAreRefusedInBoundedMemory) {
         write("t", header + std::string(size, filling));
         write("sound", header + std::string(size, filling));
         for (const std::string_view question : questions) {
-            const Outcome told = shell("$rastertrace " + std::string(question));
+            const Outcome told = run(std::string(question));
             EXPECT_EQ(told.status, 2) << question;
             EXPECT_THAT(told.err, HasSubstr("rastertrace: ")) << question;
             if (!is_sanitized) {

@@ -6,8 +6,6 @@
 #include <rastertrace/trace/check/slips.h>
 
 #include <fmt/core.h>
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
 #include <fstream>
@@ -19,14 +17,6 @@
 
 namespace rastertrace {
 namespace {
-
-using testing::AllOf;
-using testing::Contains;
-using testing::ContainsRegex;
-using testing::EndsWith;
-using testing::HasSubstr;
-using testing::Not;
-using testing::StartsWith;
 
 /// With T0's triangle as scene.json, and two students.
 class CheckTest : public ProgramTest {
@@ -46,22 +36,20 @@ protected:
 };
 
 TEST_F(CheckTest, AWrongLineIsToldWithItsValueItsWorkingAndTheSlip) {
-    const Outcome checked = shell("$rastertrace check scene.json anna.txt");
-    EXPECT_EQ(checked.status, 1);
-    EXPECT_EQ(checked.err, "");
-    EXPECT_THAT(checked.out, StartsWith("anna.txt:2: y=2: -1/4, 25/8 -> 0..3\n"
-                                        "    first pixel: expected -1, found 0\n"
-                                        "    likely slip truncate-for-floor: rounding toward 0"));
-    EXPECT_THAT(checked.out, HasSubstr("\n        left AB: x = (x2 - x1)/(y2 - y1) (y - y1) + x1 = "
-                                       "(-4 - 2)/(-3 - 5) (2 - 5) + 2 = "));
-    EXPECT_THAT(checked.out, EndsWith("\n\n3 right, 1 wrong, 1 open\n"));
+    EXPECT_THAT(run("check scene.json anna.txt"),
+                Ends(1,
+                     AllOf(StartsWith("anna.txt:2: y=2: -1/4, 25/8 -> 0..3\n"
+                                      "    first pixel: expected -1, found 0\n"
+                                      "    likely slip truncate-for-floor: rounding toward 0"),
+                           HasSubstr("\n        left AB: x = (x2 - x1)/(y2 - y1) (y - y1) + x1 = "
+                                     "(-4 - 2)/(-3 - 5) (2 - 5) + 2 = "),
+                           EndsWith("\n\n3 right, 1 wrong, 1 open\n")),
+                     ""));
 }
 
 TEST_F(CheckTest, WhatIsRightIsOnlyCounted) {
     write("right.txt", "scene: scene.json\ny=2: -1/4, 25/8 -> -1..3\n(-2,2): off\n");
-    const Outcome checked = shell("$rastertrace check right.txt");
-    EXPECT_EQ(checked.status, 0);
-    EXPECT_EQ(checked.out, "2 right, 0 wrong\n");
+    EXPECT_THAT(run("check right.txt"), Prints("2 right, 0 wrong\n"));
 }
 
 /// A(0, 0) B(8, 5) C(9, 5) on whole points: the row y = 2 goes from 3.2 to 3.6, the row y = 4 from 6.4 to 7.2.
@@ -71,14 +59,14 @@ TEST_F(CheckTest, AnEmptyRowIsWrittenWithAnyFirstPixel) {
         "method": {"scalar": "exact", "fill": "top-left", "sample": "integer"}})");
     for (const std::string row : {"2..1", "3..2", "4..3", "9..8"}) { // y = 2: from 3.2 to 3.6
         write("empty.txt", "scene: sliver.json\ny=2: " + row + "\n");
-        EXPECT_EQ(shell("$rastertrace check empty.txt").out, "1 right, 0 wrong\n") << row;
+        EXPECT_EQ(run("check empty.txt").out, "1 right, 0 wrong\n") << row;
     }
     for (const std::string row : {"3..3", "3..1", "4..4"}) {
         write("empty.txt", "scene: sliver.json\ny=2: " + row + "\n");
-        EXPECT_EQ(shell("$rastertrace check empty.txt").status, 1) << row;
+        EXPECT_EQ(run("check empty.txt").status, 1) << row;
     }
     write("full.txt", "scene: sliver.json\ny=4: 8..7\n"); // it has the pixel 7
-    EXPECT_EQ(shell("$rastertrace check full.txt").status, 1);
+    EXPECT_EQ(run("check full.txt").status, 1);
 }
 
 /// Who says that a drawn pixel is not is told by which rule it is, with the numbers of the edge.
@@ -88,7 +76,7 @@ TEST_F(CheckTest, AWrongOutsideIsToldWhyItIsInside) {
         "method": {"scalar": "exact", "fill": "top-left", "sample": "integer"}})");
     write("corner.txt", "scene: corner.json\n(1,3): off\n");
     EXPECT_THAT(
-        shell("$rastertrace check corner.txt").out,
+        run("check corner.txt").out,
         AllOf(HasSubstr("        drawn by PQR at step "),
               HasSubstr("        E of RP at (1, 3) = 6 (-1) + (-2) (-3) = 0: on a top or left "
                         "edge, inside\n")));
@@ -99,7 +87,7 @@ TEST_F(CheckTest, AWrongColorIsToldWhoWroteThePixel) {
     write("painted.txt", "scene: painter.json\n(9,3): color blue\n");
     fs::copy(fs::path(RASTERTRACE_EXAMPLES) / "tutorial/hidden/painter.json",
              folder_ / "painter.json");
-    EXPECT_THAT(shell("$rastertrace check painted.txt").out,
+    EXPECT_THAT(run("check painted.txt").out,
                 ContainsRegex("        drawn by ABC at step [0-9]+, over GHI\n"
                               "        pixel \\(9, 3\\).*\n"
                               "        pixel \\(9, 3\\).* over step "));
@@ -111,7 +99,7 @@ TEST_F(CheckTest, StepsInTheOppositeOrderAreNamed) {
              folder_ / "backward.json");
     write("steps.txt", "scene: backward.json\nA world: 0, 2, 1\nB world: 2, 2, -1\n"
                        "C world: 0, -2, -1\nD world: 2, -2, 1\n");
-    const std::string told = shell("$rastertrace check steps.txt").out;
+    const std::string told = run("check steps.txt").out;
     EXPECT_THAT(told, EndsWith("\n\n1 right, 3 wrong\n"));
     for (const std::string line :
          {"2: A world: 0, 2, 1", "4: C world: 0, -2, -1", "5: D world: 2, -2, 1"})
@@ -120,64 +108,62 @@ TEST_F(CheckTest, StepsInTheOppositeOrderAreNamed) {
 
 TEST_F(CheckTest, ARoundedDecimalIsRightAndSaysSo) {
     write("rounded.txt", "y=4: 1.25, 2.38\n");
-    EXPECT_EQ(shell("$rastertrace check scene.json rounded.txt").out,
-              "rounded.txt:1: y=4: 1.25, 2.38\n"
-              "    right end: right, rounded to 2 digits\n"
-              "\n"
-              "1 right, 0 wrong\n");
+    EXPECT_EQ(run("check scene.json rounded.txt").out, "rounded.txt:1: y=4: 1.25, 2.38\n"
+                                                       "    right end: right, rounded to 2 digits\n"
+                                                       "\n"
+                                                       "1 right, 0 wrong\n");
     write("cut.txt", "y=0: -1.75, 3.8\n");
-    EXPECT_EQ(shell("$rastertrace check scene.json cut.txt").status, 1);
+    EXPECT_EQ(run("check scene.json cut.txt").status, 1);
     write("cut.txt", "round: truncate\ny=0: -1.75, 3.8\n");
-    EXPECT_EQ(shell("$rastertrace check scene.json cut.txt").status, 0);
+    EXPECT_EQ(run("check scene.json cut.txt").status, 0);
 }
 
 TEST_F(CheckTest, WhatGoesOnFromAWrongNumberIsCountedApart) {
     // T0, figures 22 to 24: both vectors are wrong, and then 16 is their product.
-    const Outcome checked = shell("$rastertrace check $examples/claims/t0-figs-22-24.claims");
-    EXPECT_THAT(checked.out, HasSubstr("dot ABC: 16\n    dot: expected 12, found 16; follows from "
-                                       "line "));
-    EXPECT_THAT(checked.out, HasSubstr("\n        worked out as for line "));
-    EXPECT_THAT(checked.out, EndsWith("\n1 right, 2 wrong, 2 that follow\n"));
-    EXPECT_EQ(checked.status, 1);
+    EXPECT_THAT(
+        run("check $examples/claims/t0-figs-22-24.claims"),
+        Ends(1, AllOf(HasSubstr("dot ABC: 16\n    dot: expected 12, found 16; follows from line "),
+                      HasSubstr("\n        worked out as for line "),
+                      EndsWith("\n1 right, 2 wrong, 2 that follow\n"))));
 }
 
 TEST_F(CheckTest, WhatGoesOnFromItsOwnLineNamesTheNumber) {
     write("cut.txt", "y=2: 1/4, 25/8 -> 0..3\n");
-    EXPECT_THAT(shell("$rastertrace check scene.json cut.txt").out,
+    EXPECT_THAT(run("check scene.json cut.txt").out,
                 HasSubstr("\n    left end: expected -1/4, found 1/4\n"
                           "    first pixel: expected -1, found 0; follows from its left end\n"));
     write("two.txt", "edge AB: 4/3\ny=4: 2/3, 19/8\n");
-    EXPECT_THAT(shell("$rastertrace check scene.json two.txt").out,
+    EXPECT_THAT(run("check scene.json two.txt").out,
                 HasSubstr("    left end: expected 5/4, found 2/3; follows from line 1\n"));
 }
 
 TEST_F(CheckTest, ARightNumberThatWasRoundedIsSaidToBeWhereItComesFrom) {
     write("rounded.txt", "edge AC: -0.38\ny=-3: -4, 5.04\n"); // 2 + 8 (0.38), where 2 + 8 (3/8) = 5
-    EXPECT_THAT(shell("$rastertrace check scene.json rounded.txt").out,
+    EXPECT_THAT(run("check scene.json rounded.txt").out,
                 HasSubstr("    right end: expected 5, found 5.04; follows from line 1, which is "
                           "rounded\n"));
 }
 
 TEST_F(CheckTest, ATableIsAnsweredInItsWordsAndJsonInNamesOfFields) {
     write("table.txt", "(1,4): off\n(5,5): inside\n");
-    EXPECT_THAT(shell("$rastertrace check scene.json table.txt").out,
+    EXPECT_THAT(run("check scene.json table.txt").out,
                 AllOf(HasSubstr("\n    pixel: expected on, found off\n"),
                       HasSubstr("\n    pixel: expected outside, found inside\n")));
     const std::string json = R"({"claims":[{"step":"pixel","x":1,"y":4,"plotted":false},
         {"step":"scanline","y":2,"from":0}]})";
     write("claims.json", json);
-    EXPECT_THAT(shell("$rastertrace check scene.json claims.json").out,
+    EXPECT_THAT(run("check scene.json claims.json").out,
                 AllOf(HasSubstr("\n    plotted: expected true, found false\n"),
                       HasSubstr("\n    from: expected -1, found 0\n")));
     const std::string faces = "$examples/tutorial/hidden/view-turned-round.claims";
-    EXPECT_THAT(shell("$rastertrace check " + faces).out,
+    EXPECT_THAT(run("check " + faces).out,
                 HasSubstr("\n    face: expected drawn, found culled; follows from its dot\n"));
 }
 
 TEST_F(CheckTest, EndsOfARowThatWereExchangedAreToldWithTheSlipOfEach) {
     const auto check_row = [this](const std::string& row) {
         write("row.txt", "scene: whose-slip.json\n" + row + "\n");
-        return shell("$rastertrace check row.txt").out;
+        return run("check row.txt").out;
     };
     fs::copy(fs::path(RASTERTRACE_EXAMPLES) / "tutorial/filling/whose-slip.json",
              folder_ / "whose-slip.json");
@@ -208,24 +194,23 @@ TEST_F(CheckTest, APictureIsComparedPixelByPixel) {
     // Rounded toward 0; one row is left open.
     write("picture.txt", "picture:\n......#...\n.....##...\n....###...\n....####..\n...#####..\n"
                          "...#####..\n..#######.\n??????????\n##########\n");
-    EXPECT_EQ(shell("$rastertrace check scene.json picture.txt").out,
-              "picture.txt:1: picture:\n"
-              "    picture: 0 too many, 3 missing\n"
-              "       5  ......#...\n"
-              "       4  .....##...\n"
-              "       3  ....###...\n"
-              "       2  ...?####..  -1/4, 25/8 -> -1..3\n"
-              "       1  ...#####..\n"
-              "       0  ..?#####..  -7/4, 31/8 -> -2..3\n"
-              "      -1  .?#######.  -5/2, 17/4 -> -3..4\n"
-              "      -2            \n"
-              "      -3  ##########\n"
-              "\n"
-              "0 right, 1 wrong\n");
+    EXPECT_EQ(run("check scene.json picture.txt").out, "picture.txt:1: picture:\n"
+                                                       "    picture: 0 too many, 3 missing\n"
+                                                       "       5  ......#...\n"
+                                                       "       4  .....##...\n"
+                                                       "       3  ....###...\n"
+                                                       "       2  ...?####..  -1/4, 25/8 -> -1..3\n"
+                                                       "       1  ...#####..\n"
+                                                       "       0  ..?#####..  -7/4, 31/8 -> -2..3\n"
+                                                       "      -1  .?#######.  -5/2, 17/4 -> -3..4\n"
+                                                       "      -2            \n"
+                                                       "      -3  ##########\n"
+                                                       "\n"
+                                                       "0 right, 1 wrong\n");
 }
 
 TEST_F(CheckTest, JsonHasEverything) {
-    const auto report = nlohmann::json::parse(shell("$rastertrace check ben.txt --json").out);
+    const auto report = nlohmann::json::parse(run("check ben.txt --json").out);
     EXPECT_EQ(report["file"], "ben.txt");
     EXPECT_EQ(report["right"], 0);
     EXPECT_EQ(report["wrong"], 2);
@@ -249,7 +234,7 @@ TEST_F(CheckTest, JsonHasEverything) {
 
 TEST_F(CheckTest, APileHasALineForEachFileAndGoesOnBehindABadOne) {
     write("carl.txt", "y=2: -1/4, x\n");
-    const Outcome text = shell("$rastertrace check scene.json anna.txt carl.txt ben.txt");
+    const Outcome text = run("check scene.json anna.txt carl.txt ben.txt");
     EXPECT_EQ(text.status, 2);
     EXPECT_EQ(text.out,
               "anna.txt: 3 right, 1 wrong, 1 open; most likely truncate-for-floor\n"
@@ -261,42 +246,37 @@ TEST_F(CheckTest, APileHasALineForEachFileAndGoesOnBehindABadOne) {
               "(x2 - x1)/(y2 - y1)\n"
               "truncate-for-floor  1  rounding toward 0, int(x) instead of rounding down, "
               "floor(x)\n");
-    EXPECT_EQ(shell("$rastertrace check scene.json anna.txt ben.txt --hint 2").out,
+    EXPECT_EQ(run("check scene.json anna.txt ben.txt --hint 2").out,
               "anna.txt: 3 right, 1 wrong, 1 open\n"
               "ben.txt: 0 right, 2 wrong\n");
     EXPECT_EQ(text.err,
               "rastertrace: carl.txt:1:12: expected a number, like 3.125 or 25/8, found x\n"
               "y=2: -1/4, x\n"
               "           ^\n");
-    const auto json =
-        nlohmann::json::parse(shell("$rastertrace check scene.json anna.txt carl.txt --json").out);
+    const auto json = nlohmann::json::parse(run("check scene.json anna.txt carl.txt --json").out);
     EXPECT_EQ(json[0]["wrong"], 1);
     EXPECT_THAT(json[1]["problem"].get<std::string>(), StartsWith("carl.txt:1:12: expected"));
-    EXPECT_EQ(shell("$rastertrace check scene.json anna.txt ben.txt").status, 1);
+    EXPECT_EQ(run("check scene.json anna.txt ben.txt").status, 1);
 }
 
 TEST_F(CheckTest, WithoutAnswersNoFormatHasOne) {
-    EXPECT_EQ(shell("$rastertrace check ben.txt --no-answers").out,
-              "ben.txt:2: edge AB: 4/3: wrong\n"
-              "ben.txt:3: y=4: 1.4, 2.38: wrong\n"
-              "\n"
-              "0 right, 2 wrong\n");
-    for (const std::string format : {"text", "json"}) {
-        const Outcome checked = shell("$rastertrace check ben.txt --no-answers --format " + format);
-        EXPECT_EQ(checked.status, 1);
-        EXPECT_THAT(checked.out, AllOf(Not(HasSubstr("3/4")), Not(HasSubstr("inverted")),
-                                       Not(HasSubstr("rounded"))))
+    EXPECT_EQ(run("check ben.txt --no-answers").out, "ben.txt:2: edge AB: 4/3: wrong\n"
+                                                     "ben.txt:3: y=4: 1.4, 2.38: wrong\n"
+                                                     "\n"
+                                                     "0 right, 2 wrong\n");
+    for (const std::string format : {"text", "json"})
+        EXPECT_THAT(run("check ben.txt --no-answers --format " + format),
+                    Ends(1, AllOf(Not(HasSubstr("3/4")), Not(HasSubstr("inverted")),
+                                  Not(HasSubstr("rounded")))))
             << format;
-    }
 }
 
 TEST_F(CheckTest, ASheetIsOpenAndNamesItsScene) {
-    const Outcome written = shell("$rastertrace sheet scene.json > open.txt");
-    EXPECT_EQ(written.status, 0);
+    EXPECT_THAT(run("sheet scene.json > open.txt"), Ends(0));
     EXPECT_THAT(content("open.txt"),
                 StartsWith("# a relative name is looked for from the folder of this file\n"
                            "scene: scene.json\n\nedge AB: ?\nedge AC: ?\n"));
-    const Outcome checked = shell("$rastertrace check open.txt");
+    const Outcome checked = run("check open.txt");
     EXPECT_EQ(checked.out, "0 right, 0 wrong, 12 open\n"); // 2 edges, 9 rows, the picture
     EXPECT_EQ(checked.status, 0);
 }
@@ -305,18 +285,17 @@ TEST_F(CheckTest, ASheetNamesAnySceneSoThatItIsFound) {
     for (const std::string name : {"a #b.json", " a.json", "a.json ", "\"a\".json", "a\nb.json",
                                    "a\\b.json", "color #1.json", "first one.json"}) {
         fs::copy(folder_ / "scene.json", folder_ / name);
-        const Outcome written = shell("$rastertrace sheet '" + name + "' > open.txt");
-        EXPECT_EQ(written.status, 0) << written.err;
-        const Outcome checked = shell("$rastertrace check open.txt");
+        EXPECT_THAT(run("sheet '" + name + "' > open.txt"), Ends(0));
+        const Outcome checked = run("check open.txt");
         EXPECT_EQ(checked.out, "0 right, 0 wrong, 12 open\n") << name << checked.err;
     }
 }
 
 TEST_F(CheckTest, ASheetInColumnsIsFilledInAndChecked) {
-    EXPECT_EQ(shell("$rastertrace sheet scene.json -o sheet.csv").status, 0);
+    EXPECT_EQ(run("sheet scene.json -o sheet.csv").status, 0);
     EXPECT_THAT(content("sheet.csv"), StartsWith("ABC\nedge,dx/dy\nAB,\nBC,\nAC,\n\n"
                                                  "ABC\ny,left,right,from,to\n5,,,,\n"));
-    EXPECT_EQ(shell("$rastertrace check scene.json sheet.csv").out, "0 right, 0 wrong, 12 open\n");
+    EXPECT_EQ(run("check scene.json sheet.csv").out, "0 right, 0 wrong, 12 open\n");
     EXPECT_EQ(shell("sed 's/^2,,,,/2;-0,25;3,125;-1;/; s/,/;/g; s/0;25/0,25/; s/3;125/3,125/' "
                     "sheet.csv > filled.csv; "
                     "$rastertrace check scene.json filled.csv")
@@ -326,31 +305,30 @@ TEST_F(CheckTest, ASheetInColumnsIsFilledInAndChecked) {
 }
 
 TEST_F(CheckTest, ASheetIsOfASceneOrATrace) {
-    EXPECT_EQ(shell("$rastertrace sheet anna.txt").err,
+    EXPECT_EQ(run("sheet anna.txt").err,
               "rastertrace: anna.txt: expected a scene or a trace, found claims\n");
 }
 
 TEST_F(CheckTest, AHintTellsTheRuleAndNoNumber) {
     const std::string rule = "ben.txt:2: edge AB: 4/3: wrong\n    dx/dy\n        how far an edge "
                              "goes in x for one row\n";
-    EXPECT_THAT(shell("$rastertrace check ben.txt --hint").out, StartsWith(rule + "ben.txt:3"));
-    EXPECT_THAT(shell("$rastertrace check --hint ben.txt").out, StartsWith(rule + "ben.txt:3"));
-    EXPECT_THAT(shell("$rastertrace check ben.txt --hint 2").out,
+    EXPECT_THAT(run("check ben.txt --hint").out, StartsWith(rule + "ben.txt:3"));
+    EXPECT_THAT(run("check --hint ben.txt").out, StartsWith(rule + "ben.txt:3"));
+    EXPECT_THAT(run("check ben.txt --hint 2").out,
                 StartsWith(rule + "        dx/dy = (x2 - x1) / (y2 - y1)\n"));
-    const auto told =
-        nlohmann::json::parse(shell("$rastertrace check ben.txt --hint 2 --json").out);
+    const auto told = nlohmann::json::parse(run("check ben.txt --hint 2 --json").out);
     EXPECT_EQ(told["claims"][0]["formulas"][0], "dx/dy = (x2 - x1) / (y2 - y1)");
     EXPECT_FALSE(told["claims"][0].contains("expected"));
-    EXPECT_THAT(shell("$rastertrace check ben.txt --hint --answers").err, HasSubstr("at most 1"));
+    EXPECT_THAT(run("check ben.txt --hint --answers").err, HasSubstr("at most 1"));
 }
 
 TEST_F(CheckTest, WhyAPixelIsNotDrawnIsToldAsExplainDoes) {
     write("pixel.txt", "(4,2): on\n");
-    const std::string explained = shell("$rastertrace explain scene.json --pixel 4,2").out;
+    const std::string explained = run("explain scene.json --pixel 4,2").out;
     const std::string reason =
         "AC ends row y=2 at x = 25/8 -> floor -> 3; x = 4 lies beyond it by 7/8";
     EXPECT_THAT(explained, HasSubstr(reason));
-    EXPECT_THAT(shell("$rastertrace check scene.json pixel.txt").out, HasSubstr(reason));
+    EXPECT_THAT(run("check scene.json pixel.txt").out, HasSubstr(reason));
 }
 
 TEST_F(CheckTest, ALongFractionIsShownByItsFirstDigits) {
@@ -359,32 +337,30 @@ TEST_F(CheckTest, ALongFractionIsShownByItsFirstDigits) {
         "triangles":["ABC"]})");
     write("long.txt", "scene: long.json\nA screen: 1, 3\n");
     EXPECT_EQ(
-        shell("$rastertrace check long.txt").out,
+        run("check long.txt").out,
         "long.txt:2: A screen: 1, 3\n"
         "    at: expected 12345678.../10000000... = 1.234568, 3, found 1, 3\n"
         "        vertex A in screen space: (12345678.../10000000... = 1.234568, 3), from camera "
         "(12345678.../10000000... = 1.234568, 3, 0)\n"
         "\n"
         "0 right, 1 wrong\n");
-    const auto report = nlohmann::json::parse(shell("$rastertrace check long.txt --json").out);
+    const auto report = nlohmann::json::parse(run("check long.txt --json").out);
     EXPECT_EQ(report["claims"][0]["expected"]["at"], "1234567890123/1000000000007, 3");
 }
 
 TEST_F(CheckTest, ATraceIsTakenAtItsWord) {
-    shell("$rastertrace trace scene.json --rounding truncate -o cut.trace.json");
-    const Outcome checked = shell("$rastertrace check cut.trace.json anna.txt");
-    EXPECT_EQ(checked.status, 0) << checked.out;
-    EXPECT_EQ(shell("$rastertrace check scene.json anna.txt --rounding truncate").status, 0);
+    run("trace scene.json --rounding truncate -o cut.trace.json");
+    EXPECT_THAT(run("check cut.trace.json anna.txt"), Ends(0));
+    EXPECT_EQ(run("check scene.json anna.txt --rounding truncate").status, 0);
     EXPECT_EQ(
-        shell("$rastertrace check cut.trace.json anna.txt --rounding floor").err,
+        run("check cut.trace.json anna.txt --rounding floor").err,
         "rastertrace: cut.trace.json: expected a scene to draw with --rounding floor, found a "
         "trace, which is drawn already\n");
 }
 
 TEST_F(CheckTest, ReadsStandardInput) {
-    EXPECT_EQ(shell("$rastertrace check scene.json - < anna.txt").out.substr(0, 17),
-              "standard input:2:");
-    EXPECT_EQ(shell("$rastertrace check - < ben.txt").status, 1);
+    EXPECT_EQ(run("check scene.json - < anna.txt").out.substr(0, 17), "standard input:2:");
+    EXPECT_EQ(run("check - < ben.txt").status, 1);
     EXPECT_EQ(shell("cat scene.json | $rastertrace check - anna.txt").status, 1);
 }
 
@@ -393,8 +369,8 @@ TEST_F(CheckTest, ALongTableIsReadWhole) {
     for (int i = 0; i < 300; ++i)
         table += "y=2: -1/4, 25/8 -> -1..3\n";
     write("long.txt", table);
-    EXPECT_EQ(shell("$rastertrace check scene.json long.txt").out, "300 right, 0 wrong\n");
-    EXPECT_EQ(shell("$rastertrace check scene.json long.txt --max-input 7kB").err,
+    EXPECT_EQ(run("check scene.json long.txt").out, "300 right, 0 wrong\n");
+    EXPECT_EQ(run("check scene.json long.txt --max-input 7kB").err,
               "rastertrace: long.txt: expected a file of at most 7000 bytes, found a larger one\n"
               "hint: --max-input SIZE raises the limit\n");
 }
@@ -421,12 +397,8 @@ TEST_F(CheckTest, FilesInTheWrongPlaceAreTold) {
         {"ben.txt --hint=3", "--hint: expected one of 1, 2, found \"3\"\n"},
         {"ben.txt --format csv", "--format: expected text or json, found \"csv\"\n"},
     };
-    for (const auto& [arguments, message] : faults) {
-        const Outcome checked = shell("$rastertrace check " + arguments);
-        EXPECT_EQ(checked.status, 2) << arguments;
-        EXPECT_EQ(checked.err, "rastertrace: " + message);
-        EXPECT_EQ(checked.out, "");
-    }
+    for (const auto& [arguments, message] : faults)
+        EXPECT_THAT(run("check " + arguments), Ends(2, "", "rastertrace: " + message)) << arguments;
 }
 
 TEST_F(CheckTest, ClaimsThatAreBrokenJsonAreToldAsValidateDoes) {
@@ -434,14 +406,14 @@ TEST_F(CheckTest, ClaimsThatAreBrokenJsonAreToldAsValidateDoes) {
           "{\"scene\": \"scene.json\",\n"
           " \"claims\": [{\"step\": \"vertex\", \"name\": \"A\", \"space\": \"screen\", "
           "\"at\": [2/5, \"?\"]}]}\n");
-    const Outcome checked = shell("$rastertrace check broken.json");
+    const Outcome checked = run("check broken.json");
     EXPECT_EQ(checked.status, 2);
     EXPECT_THAT(checked.err, StartsWith("rastertrace: broken.json:2:"));
     EXPECT_THAT(checked.err, HasSubstr("found '/'"));
     EXPECT_THAT(checked.err, HasSubstr("hint: "));
-    const Outcome validated = shell("$rastertrace validate broken.json");
+    const Outcome validated = run("validate broken.json");
     EXPECT_THAT(validated.out + validated.err, HasSubstr(checked.err.substr(13)));
-    EXPECT_EQ(shell("$rastertrace check scene.json broken.json").err, checked.err);
+    EXPECT_EQ(run("check scene.json broken.json").err, checked.err);
 }
 
 TEST_F(CheckTest, NamesFromFilesAreSafeToPrint) {
@@ -450,7 +422,7 @@ TEST_F(CheckTest, NamesFromFilesAreSafeToPrint) {
         "triangles":[{"vertices":"ABC","name":"a\u001b]0;x\u0007"}]})");
     write("named.txt", R"("a\u001b]0;x\u0007" y=3: 1, 1)");
     for (const std::string format : {"text", "json"}) {
-        const Outcome checked = shell("$rastertrace check named.json named.txt --format " + format);
+        const Outcome checked = run("check named.json named.txt --format " + format);
         EXPECT_EQ(checked.status, 1) << checked.err;
         EXPECT_EQ(checked.out.find_first_of("\x1b\x07"), std::string::npos) << format;
     }
@@ -499,8 +471,8 @@ TEST_F(CheckTest, NothingOfTheAnswerIsEnglishInPortuguese) {
           "scene.json picture.txt", "scene.json comma.txt", "scene.json table.txt",
           "scene.json table.txt --hint 2", "scene.json claims.json",
           "examples/class/*.txt examples/class/*/*.txt"}) {
-        const Outcome english = shell("$rastertrace check " + arguments);
-        const Outcome told = shell("$rastertrace check --language pt " + arguments);
+        const Outcome english = run("check " + arguments);
+        const Outcome told = run("check --language pt " + arguments);
         EXPECT_EQ(told.status, english.status) << arguments;
         EXPECT_EQ(told.err, english.err)
             << arguments; // what is wrong with a file is told in English
@@ -515,7 +487,7 @@ TEST_F(CheckTest, NothingOfTheAnswerIsEnglishInPortuguese) {
 
 TEST_F(CheckTest, AnswersInPortuguese) {
     const auto told = [this](const std::string& arguments) {
-        return shell("$rastertrace check --language pt " + arguments).out;
+        return run("check --language pt " + arguments).out;
     };
     EXPECT_THAT(told("scene.json anna.txt"),
                 AllOf(StartsWith("anna.txt:2: y=2: -1/4, 25/8 -> 0..3\n"
@@ -560,13 +532,12 @@ TEST_F(CheckTest, AnswersInPortuguese) {
 
 TEST_F(CheckTest, KeysOfJsonAreTheSameInPortuguese) {
     const auto told = [this](const std::string& arguments) {
-        return shell("$rastertrace check --language pt " + arguments).out;
+        return run("check --language pt " + arguments).out;
     };
-    EXPECT_EQ(told("ben.txt --no-answers --json"),
-              shell("$rastertrace check ben.txt --no-answers --json").out);
+    EXPECT_EQ(told("ben.txt --no-answers --json"), run("check ben.txt --no-answers --json").out);
 
     const auto report = nlohmann::json::parse(told("ben.txt --json"));
-    const auto english = nlohmann::json::parse(shell("$rastertrace check ben.txt --json").out);
+    const auto english = nlohmann::json::parse(run("check ben.txt --json").out);
     const auto& slope = report["claims"][0];
     EXPECT_EQ(slope["verdict"], "wrong");
     EXPECT_EQ(slope["expected"], english["claims"][0]["expected"]);
@@ -590,7 +561,7 @@ TEST_F(CheckTest, TheMistakesOfTheTextsAreFoundAndNamed) {
     std::set<std::string> all;
     for (const auto& entry : fs::directory_iterator(fs::path(RASTERTRACE_EXAMPLES) / "claims")) {
         const std::string path = entry.path().string();
-        const Outcome checked = shell("$rastertrace check '" + path + "' --json");
+        const Outcome checked = run("check '" + path + "' --json");
         ASSERT_EQ(checked.err, "");
         const auto report = nlohmann::json::parse(checked.out);
         std::vector<std::string> most_likely;

@@ -9,22 +9,14 @@
 #include <rastertrace/trace/record/trace.h>
 #include <rastertrace/trace/record/traced_steps.h>
 
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-
 #include <algorithm>
 #include <fstream>
 #include <sstream>
 #include <string>
-#include <string_view>
 #include <variant>
 
 namespace rastertrace {
 namespace {
-
-using testing::AllOf;
-using testing::HasSubstr;
-using testing::StartsWith;
 
 /// With two triangles of a quadrilateral as scene.json.
 class DiagnoseTest : public ProgramTest {
@@ -33,18 +25,15 @@ protected:
         fs::copy(fs::path(RASTERTRACE_EXAMPLES) / "mistakes/quad.json", folder_ / "scene.json");
     }
 
-    Outcome diagnose(const std::string& arguments) const {
-        return shell("$rastertrace diagnose " + arguments);
-    }
+    Outcome diagnose(const std::string& arguments) const { return run("diagnose " + arguments); }
 };
 
 TEST_F(DiagnoseTest, ATraceOfAMistakeIsThatMistake) {
-    shell("$rastertrace trace scene.json --mistake height-plus-one -o theirs.json");
-    const Outcome found = diagnose("scene.json theirs.json");
-    EXPECT_EQ(found.status, 1);
-    EXPECT_THAT(found.out, StartsWith("makes the mistake height-plus-one: "));
+    run("trace scene.json --mistake height-plus-one -o theirs.json");
+    EXPECT_THAT(diagnose("scene.json theirs.json"),
+                Ends(1, StartsWith("makes the mistake height-plus-one: ")));
     EXPECT_EQ(diagnose("scene.json scene.json").status, 2);
-    shell("$rastertrace trace scene.json -o right.json");
+    run("trace scene.json -o right.json");
     EXPECT_EQ(diagnose("scene.json right.json").out, "drawn as the scene asks\n");
     EXPECT_EQ(diagnose("scene.json right.json").status, 0);
 }
@@ -56,11 +45,10 @@ TEST_F(DiagnoseTest, ClaimsOfSomebodyWhoRoundsOtherwiseAreThatRounding) {
                           "triangles": ["ACD"]})");
     write("claims.txt",
           "y=1: 1/3, 23/10 -> 1..2\ny=2: 2/3, 23/5 -> 1..4\ny=5: 5/3, 23/2 -> 2..11\n");
-    const Outcome found = diagnose("acd.json claims.txt");
-    EXPECT_EQ(found.status, 1) << found.err;
-    EXPECT_THAT(found.out, AllOf(StartsWith("draws by rounding inside"),
-                                 HasSubstr("; the scene asks for rounding floor\n"),
-                                 HasSubstr("3 of 3 claims that are not as the scene asks")));
+    EXPECT_THAT(diagnose("acd.json claims.txt"),
+                Ends(1, AllOf(StartsWith("draws by rounding inside"),
+                              HasSubstr("; the scene asks for rounding floor\n"),
+                              HasSubstr("3 of 3 claims that are not as the scene asks"))));
 }
 
 TEST_F(DiagnoseTest, ClaimsThatContradictEachOtherAreBadInput) {
@@ -68,10 +56,9 @@ TEST_F(DiagnoseTest, ClaimsThatContradictEachOtherAreBadInput) {
                           "vertices": {"A": [0, 0], "C": [23, 10], "D": [3, 9]},
                           "triangles": ["ACD"]})");
     write("claims.txt", "y=1: 1/3, 23/10 -> 1..2\ny=1: 1/3, 23/10 -> 0..1\n");
-    const Outcome found = diagnose("acd.json claims.txt");
-    EXPECT_EQ(found.status, 2);
-    EXPECT_THAT(found.err, HasSubstr("claims.txt:2:1: expected claims that agree with one another, "
-                                     "found one that contradicts line 1"));
+    EXPECT_THAT(diagnose("acd.json claims.txt"),
+                Refused(HasSubstr("claims.txt:2:1: expected claims that agree with one another, "
+                                  "found one that contradicts line 1")));
 }
 
 TEST_F(DiagnoseTest, BadInputIsToldInPlainWords) {
@@ -93,16 +80,15 @@ TEST_F(DiagnoseTest, APictureOfAnotherSceneHasNoPixelInCommon) {
     for (int row = 0; row < 12; ++row)
         picture += row == 11 ? "#.#.#.#.#.#.#.#.#.#.#.#.\n" : "........................\n";
     write("theirs.txt", picture);
-    const Outcome found = diagnose("scene.json theirs.txt");
-    EXPECT_EQ(found.status, 1);
-    EXPECT_THAT(found.out,
-                AllOf(StartsWith("nothing that I know: "),
-                      HasSubstr("no pixel is drawn in theirs.txt and by scene.json as well")));
+    EXPECT_THAT(
+        diagnose("scene.json theirs.txt"),
+        Ends(1, AllOf(StartsWith("nothing that I know: "),
+                      HasSubstr("no pixel is drawn in theirs.txt and by scene.json as well"))));
 }
 
 TEST_F(DiagnoseTest, AnAntiAliasedPictureIsSaidToBeOne) {
     // The right picture in one color, with an end of each row halfway to the background.
-    const std::string rows = shell("$rastertrace show scene.json --bare --rounding half-open").out;
+    const std::string rows = run("show scene.json --bare --rounding half-open").out;
     std::istringstream lines(rows);
     std::string pgm = "P2\n24 12\n255\n";
     for (std::string row; std::getline(lines, row);)
@@ -115,9 +101,8 @@ TEST_F(DiagnoseTest, AnAntiAliasedPictureIsSaidToBeOne) {
          "triangles": [{"vertices": "ABC", "color": "#ffffff"}, {"vertices": "ACD", "color": "#ffffff"}],
          "method": {"rounding": "inside"}})");
     const Outcome found = diagnose("white.json theirs.pgm");
-    EXPECT_THAT(found.out,
-                AllOf(StartsWith("draws by rounding half-open"), HasSubstr("anti-aliasing"),
-                      testing::Not(HasSubstr("score 100 %"))))
+    EXPECT_THAT(found.out, AllOf(StartsWith("draws by rounding half-open"),
+                                 HasSubstr("anti-aliasing"), Not(HasSubstr("score 100 %"))))
         << found.err;
 }
 
@@ -137,9 +122,8 @@ TEST_F(DiagnoseTest, TheFormulaOfAMistakeGivesWhatIsTold) {
                                    "start-and-step-exchanged", "height-plus-one"}) {
         int found = 0;
         for (int step = 1; step < 40; ++step) {
-            const std::string sentence = shell("$rastertrace explain scene.json --mistake " + name +
-                                               " --step " + std::to_string(step))
-                                             .out;
+            const std::string sentence =
+                run("explain scene.json --mistake " + name + " --step " + std::to_string(step)).out;
             const std::string formula = formula_in(sentence, name);
             if (formula.empty())
                 continue;
@@ -157,7 +141,7 @@ TEST_F(DiagnoseTest, TheFormulaOfAMistakeGivesWhatIsTold) {
 }
 
 TEST_F(DiagnoseTest, AFrameSaysThatItIsDrawnWithAMistake) {
-    EXPECT_THAT(shell("$rastertrace show scene.json --mistake height-plus-one").out,
+    EXPECT_THAT(run("show scene.json --mistake height-plus-one").out,
                 StartsWith("Two triangles of a quadrilateral, with height-plus-one"));
 }
 

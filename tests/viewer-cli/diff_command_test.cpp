@@ -5,52 +5,44 @@
 
 #include <nlohmann/json.hpp>
 
-#include <gmock/gmock.h>
-
 #include <string>
 
 namespace rastertrace {
 namespace {
 
-using ::testing::HasSubstr;
-using ::testing::Not;
-using ::testing::StartsWith;
-
 class DiffTest : public ProgramTest {
 protected:
     DiffTest() {
-        shell("$rastertrace trace $examples/t0-fill/first-triangle.json -o a.json;"
-              "sed 's|\"y\":2,\"left\":\"-1/4\"|\"y\":2,\"left\":\"-1/2\"|' a.json > b.json");
+        run("trace $examples/t0-fill/first-triangle.json -o a.json;sed "
+            "'s|\"y\":2,\"left\":\"-1/4\"|\"y\":2,\"left\":\"-1/2\"|' a.json > b.json");
     }
 };
 
 TEST_F(DiffTest, OneNumberOfOneRow) {
-    const Outcome told = diff("a.json b.json");
-    EXPECT_EQ(told.status, 1);
-    EXPECT_EQ(told.err, "");
-    EXPECT_EQ(
-        told.out,
-        "a: a.json\n"
-        "b: b.json\n"
-        "1 step differs\n"
-        "\n"
-        "the first difference, in ABC\n"
-        "a   step 13 (line 14): pixel (2, 3)   row y=3: 0 to 2\n"
-        "a > step 14 (line 15): scanline y=2   left AB: x = 2 + 3/4 (2 - 5) = -1/4 -> floor -> "
-        "-1   right AC: x = 2 - 3/8 (2 - 5) = 25/8 -> floor -> 3\n"
-        "a   step 15 (line 16): pixel (-1, 2)   row y=2: -1 to 3\n"
-        "b   step 13 (line 14): pixel (2, 3)   row y=3: 0 to 2\n"
-        "b > step 14 (line 15): scanline y=2   left AB: x = 2 + 3/4 (2 - 5) = -1/2 -> floor -> "
-        "-1   right AC: x = 2 - 3/8 (2 - 5) = 25/8 -> floor -> 3   [!] its numbers give left = "
-        "-1/4\n"
-        "b   step 15 (line 16): pixel (-1, 2)   row y=2: -1 to 3\n"
-        "    left: -1/4 in a, -1/2 in b, 0.25 apart\n"
-        "    it changes no pixel\n"
-        "\n"
-        "steps     changed  only a  only b  moved\n"
-        "scanline        1       .       .      .   left 1 (by at most 0.25)\n"
-        "\n"
-        "the pictures are alike\n");
+    EXPECT_THAT(diff("a.json b.json"),
+                Ends(1,
+                     "a: a.json\n"
+                     "b: b.json\n"
+                     "1 step differs\n"
+                     "\n"
+                     "the first difference, in ABC\n"
+                     "a   step 13 (line 14): pixel (2, 3)   row y=3: 0 to 2\n"
+                     "a > step 14 (line 15): scanline y=2   left AB: x = 2 + 3/4 (2 - 5) = -1/4 -> "
+                     "floor -> -1   right AC: x = 2 - 3/8 (2 - 5) = 25/8 -> floor -> 3\n"
+                     "a   step 15 (line 16): pixel (-1, 2)   row y=2: -1 to 3\n"
+                     "b   step 13 (line 14): pixel (2, 3)   row y=3: 0 to 2\n"
+                     "b > step 14 (line 15): scanline y=2   left AB: x = 2 + 3/4 (2 - 5) = -1/2 -> "
+                     "floor -> -1   right AC: x = 2 - 3/8 (2 - 5) = 25/8 -> floor -> 3   [!] its "
+                     "numbers give left = -1/4\n"
+                     "b   step 15 (line 16): pixel (-1, 2)   row y=2: -1 to 3\n"
+                     "    left: -1/4 in a, -1/2 in b, 0.25 apart\n"
+                     "    it changes no pixel\n"
+                     "\n"
+                     "steps     changed  only a  only b  moved\n"
+                     "scanline        1       .       .      .   left 1 (by at most 0.25)\n"
+                     "\n"
+                     "the pictures are alike\n",
+                     ""));
 }
 
 TEST_F(DiffTest, OneNumberOfOneRowInPortuguese) {
@@ -77,34 +69,32 @@ TEST_F(DiffTest, OneNumberOfOneRowInPortuguese) {
 }
 
 TEST_F(DiffTest, AnotherMethodLosesPixels) {
-    const Outcome told = diff("$examples/t0-fill/first-triangle.json --against rounding=truncate");
-    EXPECT_EQ(told.status, 1);
-    EXPECT_THAT(told.out, HasSubstr("    from: -1 in a, 0 in b, 1 apart\n"
-                                    "    1 pixel differs because of it\n"
-                                    "        only in a: (-1, 2)\n"));
-    EXPECT_THAT(told.out, HasSubstr("scanline        4       .       .      .   from 4 (by at most "
-                                    "1)\n"
-                                    "pixel           .       4       .      .\n"
-                                    "\n"
-                                    "the pictures: 4 pixels only in a\n"));
-    EXPECT_THAT(told.out, HasSubstr(" 2  .......!####.....\n"
-                                    " 1  .......#####.....\n"
-                                    " 0  ......!#####.....\n"
-                                    "-1  .....!#######....\n"
-                                    "-2  ....!########....\n"));
+    EXPECT_THAT(
+        diff("$examples/t0-fill/first-triangle.json --against rounding=truncate"),
+        Ends(1, AllOf(HasSubstr("    from: -1 in a, 0 in b, 1 apart\n"
+                                "    1 pixel differs because of it\n"
+                                "        only in a: (-1, 2)\n"),
+                      HasSubstr("scanline        4       .       .      .   from 4 (by at most 1)\n"
+                                "pixel           .       4       .      .\n"
+                                "\n"
+                                "the pictures: 4 pixels only in a\n"),
+                      HasSubstr(" 2  .......!####.....\n"
+                                " 1  .......#####.....\n"
+                                " 0  ......!#####.....\n"
+                                "-1  .....!#######....\n"
+                                "-2  ....!########....\n"))));
 }
 
 TEST_F(DiffTest, ASceneIsDrawnAndExactIsLikeDouble) {
     EXPECT_EQ(diff("a.json $examples/t0-fill/first-triangle.json").status, 0);
-    const Outcome told = diff("a.json $examples/t0-fill/first-triangle.json --scalar double");
-    EXPECT_EQ(told.status, 1);
-    EXPECT_THAT(told.out, HasSubstr("no step differs\n"
-                                    "\n"
-                                    "the header\n"
-                                    "    method.scalar: exact in a, double in b\n"
-                                    "    numbers: fractions of 64 bits in a, none in b\n"
-                                    "\n"
-                                    "the pictures are alike\n"));
+    EXPECT_THAT(diff("a.json $examples/t0-fill/first-triangle.json --scalar double"),
+                Ends(1, HasSubstr("no step differs\n"
+                                  "\n"
+                                  "the header\n"
+                                  "    method.scalar: exact in a, double in b\n"
+                                  "    numbers: fractions of 64 bits in a, none in b\n"
+                                  "\n"
+                                  "the pictures are alike\n")));
     EXPECT_EQ(
         diff("a.json $examples/t0-fill/first-triangle.json --scalar double --ignore header").status,
         0);
@@ -114,8 +104,7 @@ TEST_F(DiffTest, ASceneIsDrawnAndExactIsLikeDouble) {
 TEST_F(DiffTest, AFrameOfASequence) {
     const std::string scene =
         "$examples/t0-fill/first-triangle.json --vary /vertices/A/0=2:5:4 --frame ";
-    shell("$rastertrace trace " + scene + "1 -o first.json; $rastertrace trace " + scene +
-          "4 -o last.json");
+    run("trace " + scene + "1 -o first.json; $rastertrace trace " + scene + "4 -o last.json");
     EXPECT_EQ(diff("first.json " + scene + "1").status, 0);
     EXPECT_EQ(diff("last.json " + scene + "4").status, 0);
     EXPECT_EQ(diff("last.json " + scene + "1").status, 1);
@@ -175,11 +164,10 @@ TEST_F(DiffTest, NaNEqualsNaN) {
 
 TEST_F(DiffTest, WhatIsWrongIsSaid) {
     shell("head -c 2000 a.json > cut.json; echo nothing > empty.json");
-    const Outcome cut = diff("a.json cut.json");
-    EXPECT_EQ(cut.status, 2);
-    EXPECT_THAT(cut.out, HasSubstr("the same, as far as they go\n"));
-    EXPECT_EQ(cut.err, "rastertrace: cut.json:21:1: expected the rest of the trace, found the end "
-                       "of the file: the trace is truncated after 19 whole steps\n");
+    EXPECT_THAT(diff("a.json cut.json"),
+                Ends(2, HasSubstr("the same, as far as they go\n"),
+                     "rastertrace: cut.json:21:1: expected the rest of the trace, found the end of "
+                     "the file: the trace is truncated after 19 whole steps\n"));
     for (const char* const cut_off : {"a.json cut.json", "cut.json a.json", "cut.json cut.json"})
         EXPECT_TRUE(
             nlohmann::json::parse(diff(cut_off + std::string(" --json")).out)["same"].is_null())
@@ -211,12 +199,11 @@ TEST_F(DiffTest, WhatIsWrongIsSaid) {
 
 TEST_F(DiffTest, ARenamedPrimitiveIsOneDifference) {
     shell("sed 's|\"name\":\"ABC\"|\"name\":\"T1\"|' a.json > renamed.json");
-    const Outcome told = diff("a.json renamed.json");
-    EXPECT_EQ(told.status, 1);
-    EXPECT_THAT(told.out, HasSubstr("\n1 step differs\n"));
-    EXPECT_THAT(told.out, HasSubstr("\n    renamed: ABC in a is T1 in b\n"));
-    EXPECT_THAT(told.out, HasSubstr("\nprimitive        1       .       .      .   name 1\n\n"
-                                    "the pictures are alike\n"));
+    EXPECT_THAT(diff("a.json renamed.json"),
+                Ends(1, AllOf(HasSubstr("\n1 step differs\n"),
+                              HasSubstr("\n    renamed: ABC in a is T1 in b\n"),
+                              HasSubstr("\nprimitive        1       .       .      .   name 1\n\n"
+                                        "the pictures are alike\n"))));
     EXPECT_THAT(diff("a.json renamed.json --language pt").out,
                 HasSubstr("\n    com outro nome: ABC em a é T1 em b\n"));
     EXPECT_EQ(diff("a.json renamed.json --ignore primitive.name").status, 0);
@@ -234,9 +221,8 @@ TEST_F(DiffTest, SeveralGoldensMayBeAccepted) {
     shell("cp a.json a.golden.json");
     EXPECT_EQ(diff("a.golden.json b.json").status, 1);
     shell("cp b.json a.gcc.golden.json");
-    const Outcome told = diff("a.golden.json b.json");
-    EXPECT_EQ(told.status, 0);
-    EXPECT_THAT(told.out, HasSubstr("a.gcc.golden.json is accepted besides a.golden.json\n"));
+    EXPECT_THAT(diff("a.golden.json b.json"),
+                Prints(HasSubstr("a.gcc.golden.json is accepted besides a.golden.json\n")));
     // None of another name.
     shell("mv a.gcc.golden.json ab.golden.json; cp b.json a.golden.gcc.json");
     EXPECT_EQ(diff("a.golden.json b.json").status, 1);

@@ -3,17 +3,12 @@
 
 #include "program.h"
 
-#include <gmock/gmock.h>
 #include <nlohmann/json.hpp>
 
 #include <string>
 
 namespace rastertrace {
 namespace {
-
-using ::testing::AllOf;
-using ::testing::HasSubstr;
-using ::testing::Not;
 
 class DiffFoldersTest : public ProgramTest {
 protected:
@@ -27,15 +22,12 @@ protected:
 
     /// Lets a trace of b begin a row one pixel later, in the way of a cast instead of `floor`.
     void change(const std::string& file) const {
-        shell("$rastertrace trace $examples/t0-fill/first-triangle.json --rounding truncate -o b/" +
-              file);
+        run("trace $examples/t0-fill/first-triangle.json --rounding truncate -o b/" + file);
     }
 };
 
 TEST_F(DiffFoldersTest, EqualFoldersHaveNoDifference) {
-    const Outcome told = diff("a b");
-    EXPECT_EQ(told.status, 0) << told.err;
-    EXPECT_EQ(told.out, "3 compared, 0 differ\n");
+    EXPECT_THAT(diff("a b"), Prints("3 compared, 0 differ\n"));
     EXPECT_EQ(diff("a/ a").out, "3 compared, 0 differ\n");
     EXPECT_EQ(diff("a b --language pt").out, "3 comparados, 0 diferem\n");
     EXPECT_EQ(diff("a b --json").out, "{\"compared\":3,\"differ\":0,\"unread\":0,\"files\":[]}\n");
@@ -43,28 +35,27 @@ TEST_F(DiffFoldersTest, EqualFoldersHaveNoDifference) {
 
 TEST_F(DiffFoldersTest, TheFirstDifferenceIsToldBelowTheNameOfItsFile) {
     change("deep/first.jsonl");
-    const Outcome told = diff("a b --ignore header");
-    EXPECT_EQ(told.status, 1);
-    EXPECT_EQ(told.out,
-              "deep/first.jsonl: 8 steps differ, 4 pixels differ\n"
-              "    a: a/deep/first.jsonl\n"
-              "    b: b/deep/first.jsonl\n"
-              "    8 steps differ\n"
-              "\n"
-              "    the first difference, in ABC\n"
-              "    a   step 13 (line 14): pixel (2, 3)   row y=3: 0 to 2\n"
-              "    a > step 14 (line 15): scanline y=2   left AB: x = 2 + 3/4 (2 - 5) = -1/4 -> "
-              "floor -> -1   right AC: x = 2 - 3/8 (2 - 5) = 25/8 -> floor -> 3\n"
-              "    a   step 15 (line 16): pixel (-1, 2)   row y=2: -1 to 3\n"
-              "    b   step 13 (line 14): pixel (2, 3)   row y=3: 0 to 2\n"
-              "    b > step 14 (line 15): scanline y=2   left AB: x = 2 + 3/4 (2 - 5) = -1/4 -> "
-              "truncate -> 0   right AC: x = 2 - 3/8 (2 - 5) = 25/8 -> truncate -> 3\n"
-              "    b   step 15 (line 16): pixel (0, 2)   row y=2: 0 to 3\n"
-              "        from: -1 in a, 0 in b, 1 apart\n"
-              "        1 pixel differs because of it\n"
-              "            only in a: (-1, 2)\n"
-              "\n"
-              "3 compared, 1 differs\n");
+    EXPECT_THAT(
+        diff("a b --ignore header"),
+        Ends(1, "deep/first.jsonl: 8 steps differ, 4 pixels differ\n"
+                "    a: a/deep/first.jsonl\n"
+                "    b: b/deep/first.jsonl\n"
+                "    8 steps differ\n"
+                "\n"
+                "    the first difference, in ABC\n"
+                "    a   step 13 (line 14): pixel (2, 3)   row y=3: 0 to 2\n"
+                "    a > step 14 (line 15): scanline y=2   left AB: x = 2 + 3/4 (2 - 5) = -1/4 -> "
+                "floor -> -1   right AC: x = 2 - 3/8 (2 - 5) = 25/8 -> floor -> 3\n"
+                "    a   step 15 (line 16): pixel (-1, 2)   row y=2: -1 to 3\n"
+                "    b   step 13 (line 14): pixel (2, 3)   row y=3: 0 to 2\n"
+                "    b > step 14 (line 15): scanline y=2   left AB: x = 2 + 3/4 (2 - 5) = -1/4 -> "
+                "truncate -> 0   right AC: x = 2 - 3/8 (2 - 5) = 25/8 -> truncate -> 3\n"
+                "    b   step 15 (line 16): pixel (0, 2)   row y=2: 0 to 3\n"
+                "        from: -1 in a, 0 in b, 1 apart\n"
+                "        1 pixel differs because of it\n"
+                "            only in a: (-1, 2)\n"
+                "\n"
+                "3 compared, 1 differs\n"));
     change("first.jsonl");
     EXPECT_THAT(diff("a b").out, HasSubstr("\n3 compared, 2 differ\n"));
 }
@@ -85,23 +76,19 @@ TEST_F(DiffFoldersTest, OptionsAreThoseOfEachPair) {
 
 TEST_F(DiffFoldersTest, AFileOfOneSideIsADifference) {
     shell("rm a/tie.json b/deep/first.jsonl");
-    const Outcome told = diff("a b");
-    EXPECT_EQ(told.status, 1);
-    EXPECT_EQ(told.out, "deep/first.jsonl: only in a\n"
-                        "tie.json: only in b\n"
-                        "3 compared, 2 differ\n");
+    EXPECT_THAT(diff("a b"), Ends(1, "deep/first.jsonl: only in a\n"
+                                     "tie.json: only in b\n"
+                                     "3 compared, 2 differ\n"));
 }
 
 TEST_F(DiffFoldersTest, WithoutFilesOfOneNameNothingIsCompared) {
     shell("mkdir none; mkdir page; cp a/page.md page; mkdir other; cp a/tie.json other/knot.json");
-    for (const std::string folders : {"none none", "a none", "none a", "page page", "a other"}) {
-        const Outcome told = diff(folders);
-        EXPECT_EQ(told.status, 2) << folders;
-        EXPECT_EQ(told.out, "");
-        EXPECT_EQ(told.err, "rastertrace: diff: nothing to compare: the folders have no file of "
-                            "one name\nhint: compared are files that end in .json, .jsonl, .png, "
-                            ".ppm, .pgm, .pbm, .tga\n");
-    }
+    for (const std::string folders : {"none none", "a none", "none a", "page page", "a other"})
+        EXPECT_THAT(diff(folders), Ends(2, "",
+                                        "rastertrace: diff: nothing to compare: the folders have "
+                                        "no file of one name\nhint: compared are files that end in "
+                                        ".json, .jsonl, .png, .ppm, .pgm, .pbm, .tga\n"))
+            << folders;
     EXPECT_EQ(diff("a missing").err, "rastertrace: missing: expected a folder of traces, found "
                                      "that it cannot be read: No such file or directory\n");
     EXPECT_EQ(diff("a a/tie.json").status, 2);
@@ -111,14 +98,14 @@ TEST_F(DiffFoldersTest, WithoutFilesOfOneNameNothingIsCompared) {
 TEST_F(DiffFoldersTest, OtherFilesAreComparedAlthoughOneCannotBeRead) {
     change("first.jsonl");
     shell("head -c 1000 a/tie.json > b/tie.json; echo nothing > b/deep/first.jsonl");
-    const Outcome told = diff("a b");
-    EXPECT_EQ(told.status, 2);
-    EXPECT_THAT(told.out,
-                AllOf(HasSubstr("deep/first.jsonl: cannot be read\n"),
-                      HasSubstr("tie.json: cannot be read\n"), HasSubstr("first.jsonl: 8 steps"),
-                      HasSubstr("\n3 compared, 1 differs, 2 cannot be read\n")));
-    EXPECT_THAT(told.err, AllOf(HasSubstr("rastertrace: b/deep/first.jsonl:1:1: "),
-                                HasSubstr("rastertrace: b/tie.json:"), HasSubstr("truncated")));
+    EXPECT_THAT(
+        diff("a b"),
+        Ends(2,
+             AllOf(HasSubstr("deep/first.jsonl: cannot be read\n"),
+                   HasSubstr("tie.json: cannot be read\n"), HasSubstr("first.jsonl: 8 steps"),
+                   HasSubstr("\n3 compared, 1 differs, 2 cannot be read\n")),
+             AllOf(HasSubstr("rastertrace: b/deep/first.jsonl:1:1: "),
+                   HasSubstr("rastertrace: b/tie.json:"), HasSubstr("truncated"))));
 }
 
 TEST_F(DiffFoldersTest, JsonHasTheSame) {
@@ -140,12 +127,10 @@ TEST_F(DiffFoldersTest, PicturesAreComparedToo) {
     shell("rm -r a b; mkdir a b; $rastertrace figure $examples/t0-fill/first-triangle.json --bare "
           "-o a/first.png; cp a/first.png b");
     EXPECT_EQ(diff("a b").out, "1 compared, 0 differ\n");
-    shell("$rastertrace figure $examples/t0-fill/first-triangle.json --bare --rounding truncate -o "
-          "b/first.png");
-    const Outcome told = diff("a b");
-    EXPECT_EQ(told.status, 1);
-    EXPECT_THAT(told.out, AllOf(HasSubstr("first.png: "), Not(HasSubstr("cannot be read")),
-                                HasSubstr("\n1 compared, 1 differs\n")));
+    run("figure $examples/t0-fill/first-triangle.json --bare --rounding truncate -o b/first.png");
+    EXPECT_THAT(diff("a b"),
+                Ends(1, AllOf(HasSubstr("first.png: "), Not(HasSubstr("cannot be read")),
+                              HasSubstr("\n1 compared, 1 differs\n"))));
 }
 
 } // namespace

@@ -6,7 +6,6 @@
 #include <rastertrace/trace/text/text.h>
 
 #include <fmt/core.h>
-#include <gmock/gmock.h>
 
 #include <algorithm>
 #include <array>
@@ -16,17 +15,13 @@
 namespace rastertrace {
 namespace {
 
-using ::testing::AllOf;
-using ::testing::HasSubstr;
-using ::testing::Not;
-
 using Rows = std::vector<std::string>;
 
 class DiffPictureTest : public ProgramTest {
 protected:
     /// The picture of a scene, as rows.
     Rows rows_of(const std::string& arguments) const {
-        Rows rows = split_at(shell("$rastertrace show " + arguments + " --last --bare").out, '\n');
+        Rows rows = split_at(run("show " + arguments + " --last --bare").out, '\n');
         rows.pop_back();
         return rows;
     }
@@ -54,9 +49,7 @@ TEST_F(DiffPictureTest, TheSameInEveryFormat) {
     write_rows("rows.txt", rows);
     write_ppm("colors.ppm", rows, {0, 0, 0});
     for (const char* const file : {"rows.txt", "colors.ppm"}) {
-        const Outcome told = diff(triangle + " " + file);
-        EXPECT_EQ(told.status, 0) << told.out << told.err;
-        EXPECT_THAT(told.out, HasSubstr("the same\n"));
+        EXPECT_THAT(diff(triangle + " " + file), Prints(HasSubstr("the same\n")));
         EXPECT_EQ(diff(std::string(file) + " " + triangle).status, 0);
     }
     EXPECT_THAT(diff(triangle + " colors.ppm").out, HasSubstr("b: what is #ffffff is not drawn\n"));
@@ -67,26 +60,23 @@ TEST_F(DiffPictureTest, EachPixelThatDiffersIsCountedAndTheFirstExplained) {
     rows[5][7] = '.'; // (-1, 2)
     rows[0][0] = '#'; // (-8, 7)
     write_rows("mine.txt", rows);
-    const Outcome told = diff(triangle + " mine.txt");
-    EXPECT_EQ(told.status, 1);
-    EXPECT_THAT(told.out, AllOf(HasSubstr("the pictures: 1 pixel only in a, 1 pixel only in b\n"),
-                                HasSubstr(" 2  .......!####.....\n"), HasSubstr(" 7  ?......"),
-                                HasSubstr("pixel (-8, 7): not drawn: ABC does not cover it\n")));
+    EXPECT_THAT(diff(triangle + " mine.txt"),
+                Ends(1, AllOf(HasSubstr("the pictures: 1 pixel only in a, 1 pixel only in b\n"),
+                              HasSubstr(" 2  .......!####.....\n"), HasSubstr(" 7  ?......"),
+                              HasSubstr("pixel (-8, 7): not drawn: ABC does not cover it\n"))));
     // The other way round a is the picture.
     EXPECT_THAT(diff("mine.txt " + triangle).out, HasSubstr(" 2  .......?####.....\n"));
     // As a claim, and by itself.
-    EXPECT_THAT(shell("$rastertrace check " + triangle + " mine.txt").out,
+    EXPECT_THAT(run("check " + triangle + " mine.txt").out,
                 HasSubstr("picture: 1 too many, 1 missing"));
-    EXPECT_THAT(shell("$rastertrace stats mine.txt").out,
-                HasSubstr("pixels      49 of 238 on the canvas"));
+    EXPECT_THAT(run("stats mine.txt").out, HasSubstr("pixels      49 of 238 on the canvas"));
 }
 
 TEST_F(DiffPictureTest, ColorsMayBeNear) {
     const Rows rows = rows_of(triangle);
     write_ppm("near.ppm", rows, {3, 0, 2});
-    const Outcome told = diff(triangle + " near.ppm");
-    EXPECT_EQ(told.status, 1);
-    EXPECT_THAT(told.out, HasSubstr("the pictures: 49 pixels in another color\n"));
+    EXPECT_THAT(diff(triangle + " near.ppm"),
+                Ends(1, HasSubstr("the pictures: 49 pixels in another color\n")));
     EXPECT_EQ(diff("--tolerance pixel.color=2 " + triangle + " near.ppm").status, 1);
     EXPECT_EQ(diff("--tolerance pixel.color=3 " + triangle + " near.ppm").status, 0);
     EXPECT_EQ(diff("--ignore pixel.color " + triangle + " near.ppm").status, 0);
@@ -131,9 +121,8 @@ TEST_F(DiffPictureTest, APictureThatIsDrawnAllOverIsNotTakenForEmpty) {
     write_ppm("full.ppm", {"###", "###"}, {255, 0, 0});
     EXPECT_EQ(diff("full.json full.ppm").status, 0) << diff("full.json full.ppm").out;
     write_ppm("hole.ppm", {"#.#", "###"}, {255, 0, 0});
-    const Outcome hole = diff("full.json hole.ppm");
-    EXPECT_EQ(hole.status, 1);
-    EXPECT_THAT(hole.out, HasSubstr("the pictures: 1 pixel in another color\n"));
+    EXPECT_THAT(diff("full.json hole.ppm"),
+                Ends(1, HasSubstr("the pictures: 1 pixel in another color\n")));
     EXPECT_THAT(diff("--background '#ffffff' full.json hole.ppm").out,
                 HasSubstr("the pictures: 1 pixel only in a\n"));
 }
@@ -152,16 +141,14 @@ TEST_F(DiffPictureTest, WhoDrewThePixelsIsToldOfTheScene) {
         if (const std::size_t at = row.find_first_not_of('.'); at != std::string::npos)
             row[at] = '.';
     write_rows("mine.txt", rows);
-    const Outcome told = diff(scene + " mine.txt");
-    EXPECT_EQ(told.status, 1) << told.err;
-    EXPECT_THAT(told.out, AllOf(HasSubstr("who drew them, a\n"), HasSubstr("A "), HasSubstr("B ")));
+    EXPECT_THAT(diff(scene + " mine.txt"),
+                Ends(1, AllOf(HasSubstr("who drew them, a\n"), HasSubstr("A "), HasSubstr("B "))));
 }
 
 TEST_F(DiffPictureTest, BadPicturesAreRefused) {
     write("small.txt", "...\n.#.\n");
-    const Outcome small = diff(triangle + " small.txt");
-    EXPECT_EQ(small.status, 2);
-    EXPECT_THAT(small.err, HasSubstr("small.txt: expected a picture of 17x14 pixels"));
+    EXPECT_THAT(diff(triangle + " small.txt"),
+                Refused(HasSubstr("small.txt: expected a picture of 17x14 pixels")));
     write("cut.ppm", "P6\n17 14\n255\nabc");
     EXPECT_EQ(diff(triangle + " cut.ppm").status, 2);
     write("bomb.ppm", "P6\n99999 99999\n255\n");

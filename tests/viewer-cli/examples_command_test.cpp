@@ -3,65 +3,54 @@
 
 #include "program.h"
 
-#include <gmock/gmock.h>
-
 #include <string>
 
 namespace rastertrace {
 namespace {
 
-using testing::AllOf;
-using testing::HasSubstr;
-using testing::MatchesRegex;
-using testing::Not;
-using testing::StartsWith;
-
 using ExamplesTest = ProgramTest;
 
 TEST_F(ExamplesTest, AreListedWithTheirTitles) {
-    const std::string all = shell("$rastertrace examples").out;
+    const std::string all = run("examples").out;
     EXPECT_THAT(all, HasSubstr("\nt0-fill/first-triangle.json                  First triangle\n"));
     EXPECT_THAT(all, HasSubstr("\nclaims/t0-rows.claims                        T0, the triangle "));
     EXPECT_THAT(all, HasSubstr("\nmodels/cube.obj\n"));
-    EXPECT_EQ(shell("$rastertrace examples | wc -l").out,
-              shell("find $examples -type f | wc -l").out);
-    const std::string some = shell("$rastertrace examples First-Triangle").out;
+    EXPECT_EQ(run("examples | wc -l").out, shell("find $examples -type f | wc -l").out);
+    const std::string some = run("examples First-Triangle").out;
     EXPECT_THAT(some, AllOf(HasSubstr("t0-fill/first-triangle.json"), Not(HasSubstr("models/"))));
-    const Outcome none = shell("$rastertrace examples teapot");
-    EXPECT_EQ(none.status, 2);
-    EXPECT_THAT(none.err, HasSubstr("found \"teapot\""));
+    EXPECT_THAT(run("examples teapot"), Refused(HasSubstr("found \"teapot\"")));
 }
 
 TEST_F(ExamplesTest, AreCopiedWithoutLoss) {
-    EXPECT_EQ(shell("$rastertrace examples -o here/mine").status, 0);
+    EXPECT_EQ(run("examples -o here/mine").status, 0);
     EXPECT_EQ(shell("diff -r here/mine $examples").out, "");
     const std::string count =
         std::to_string(std::stoul(shell("find $examples -type f | wc -l").out));
     write("here/mine/t0-fill/first-triangle.json", "my own");
-    EXPECT_EQ(shell("$rastertrace examples -o here/mine").out,
+    EXPECT_EQ(run("examples -o here/mine").out,
               "0 of " + count + " files copied to here/mine; the others are there already\n");
     EXPECT_EQ(content("here/mine/t0-fill/first-triangle.json"), "my own");
-    EXPECT_EQ(shell("$rastertrace examples cube -o more").status, 2);
+    EXPECT_EQ(run("examples cube -o more").status, 2);
     write("file", "");
-    const Outcome refused = shell("$rastertrace examples -o file");
+    const Outcome refused = run("examples -o file");
     EXPECT_NE(refused.status, 0);
     EXPECT_THAT(refused.err, StartsWith("rastertrace: file"));
 }
 
 TEST_F(ExamplesTest, AreNamedWhereTheyAreMissing) {
-    EXPECT_THAT(shell("$rastertrace show examples/t0-fill/first-triangle.json").err,
+    EXPECT_THAT(run("show examples/t0-fill/first-triangle.json").err,
                 HasSubstr("hint: rastertrace examples -o examples copies the examples\n"));
     shell("mkdir examples");
-    EXPECT_THAT(shell("$rastertrace show examples/none.json").err, Not(HasSubstr("hint")));
+    EXPECT_THAT(run("show examples/none.json").err, Not(HasSubstr("hint")));
 }
 
 TEST_F(ExamplesTest, TheVersionTellsHowTheProgramWasBuilt) {
-    const std::string version = shell("$rastertrace --version").out;
+    const std::string version = run("--version").out;
     EXPECT_THAT(version, MatchesRegex("rastertrace [0-9]+\\.[0-9]+\\.[0-9]+\n"));
-    const std::string verbose = shell("$rastertrace --version --verbose").out;
+    const std::string verbose = run("--version --verbose").out;
     EXPECT_THAT(verbose, AllOf(StartsWith(version), HasSubstr("-ffp-contract=off"),
                                HasSubstr("GMP "), HasSubstr("/examples\n")));
-    EXPECT_EQ(shell("$rastertrace --verbose").status, 2);
+    EXPECT_EQ(run("--verbose").status, 2);
 }
 
 } // namespace

@@ -5,6 +5,7 @@
 #include "load.h"
 
 #include "frame_text.h"
+#include "picture.h"
 
 #include <rastertrace/testing.h>
 #include <rastertrace/trace/audit/stats.h>
@@ -23,9 +24,9 @@ namespace {
 
 using matchers::ShowsPicture;
 
-/// An example, drawn by its own method or another one.
-matchers::TestedTrace example(const std::string& name, const MethodOverrides& method = {}) {
-    return matchers::trace_in(std::string(RASTERTRACE_EXAMPLES) + "/" + name + ".json", method);
+/// An example, drawn by its own method.
+matchers::TestedTrace example(const std::string& name) {
+    return matchers::trace_in(std::string(RASTERTRACE_EXAMPLES) + "/" + name + ".json");
 }
 
 /// The last frame of an example, only the grid.
@@ -63,25 +64,13 @@ TEST(Examples, Points) {
                                                          "....#\n"));
 }
 
-TEST(Examples, Bresenham) {
-    EXPECT_THAT(example("t2-lines/bresenham"), ShowsPicture("........\n"
-                                                            "....##..\n"
-                                                            "..##....\n"
-                                                            "##......\n"));
-}
-
-TEST(Examples, Naive) {
-    EXPECT_THAT(example("t2-lines/naive"), ShowsPicture(".......#\n"
-                                                        ".....##.\n"
-                                                        ".##.#...\n"
-                                                        "#..#....\n"));
-}
-
-TEST(Examples, Dda) {
-    EXPECT_THAT(example("t2-lines/dda"), ShowsPicture("......##\n"
-                                                      "....##..\n"
-                                                      "..##....\n"
-                                                      "##......\n"));
+TEST(Examples, BresenhamNaiveAndDda) {
+    EXPECT_EQ(side_by_side({picture("t2-lines/bresenham"), picture("t2-lines/naive"),
+                            picture("t2-lines/dda")}),
+              "........  .......#  ......##\n"
+              "....##..  .....##.  ....##..\n"
+              "..##....  .##.#...  ..##....\n"
+              "##......  #..#....  ##......\n");
 }
 
 TEST(Examples, Octants) {
@@ -98,21 +87,23 @@ TEST(Examples, Octants) {
                                                           "...#...#...\n"));
 }
 
-TEST(Examples, OutlineOnFill) {
-    EXPECT_THAT(example("t2-lines/outline"), ShowsPicture(".................\n"
-                                                          ".................\n"
-                                                          "..........#......\n"
-                                                          ".........##......\n"
-                                                          "........####.....\n"
-                                                          ".......#####.....\n"
-                                                          ".......######....\n"
-                                                          "......#######....\n"
-                                                          ".....########....\n"
-                                                          "....##########...\n"
-                                                          "....##########...\n"
-                                                          ".................\n"
-                                                          ".................\n"
-                                                          ".................\n"));
+TEST(Examples, FirstTriangleWithItsOutlineByWeightsAndByTheFan) {
+    EXPECT_EQ(side_by_side({picture("t2-lines/outline"), picture("t3-sweep-and-box/barycentric"),
+                            picture("t4-fan/first-triangle")}),
+              ".................  .................  .................\n"
+              ".................  .................  .................\n"
+              "..........#......  ..........#......  ..........#......\n"
+              ".........##......  ..........#......  .........##......\n"
+              "........####.....  .........##......  ........#.##.....\n"
+              ".......#####.....  ........####.....  ........####.....\n"
+              ".......######....  .......#####.....  .......#.###.....\n"
+              "......#######....  .......#####.....  ......#######....\n"
+              ".....########....  ......#######....  .....########....\n"
+              "....##########...  .....########....  .....#########...\n"
+              "....##########...  ....##########...  ....##########...\n"
+              ".................  .................  .................\n"
+              ".................  .................  .................\n"
+              ".................  .................  .................\n");
 }
 
 TEST(Examples, TwoHalves) {
@@ -129,23 +120,6 @@ TEST(Examples, TwoHalves) {
                                                                      ".............\n"));
 }
 
-TEST(Examples, Barycentric) {
-    EXPECT_THAT(example("t3-sweep-and-box/barycentric"), ShowsPicture(".................\n"
-                                                                      ".................\n"
-                                                                      "..........#......\n"
-                                                                      "..........#......\n"
-                                                                      ".........##......\n"
-                                                                      "........####.....\n"
-                                                                      ".......#####.....\n"
-                                                                      ".......#####.....\n"
-                                                                      "......#######....\n"
-                                                                      ".....########....\n"
-                                                                      "....##########...\n"
-                                                                      ".................\n"
-                                                                      ".................\n"
-                                                                      ".................\n"));
-}
-
 TEST(Examples, TopLeft) {
     EXPECT_THAT(example("t3-sweep-and-box/top-left"), ShowsPicture("..........\n"
                                                                    ".########.\n"
@@ -159,54 +133,21 @@ TEST(Examples, TopLeft) {
                                                                    "..........\n"));
 }
 
-TEST(Examples, Fan) {
-    EXPECT_THAT(example("t4-fan/fan"), ShowsPicture(".........................\n"
-                                                    ".############............\n"
-                                                    "..#######################\n"
-                                                    "....####################.\n"
-                                                    ".....###################.\n"
-                                                    ".......################..\n"
-                                                    "........###########.##...\n"
-                                                    "..........###########....\n"
-                                                    "...........#.#####.##....\n"
-                                                    "............########.....\n"
-                                                    "..............#.###......\n"
-                                                    "...............##.#......\n"
-                                                    ".................#.......\n"));
-}
-
-TEST(Examples, FanOfTheFirstTriangle) {
-    EXPECT_THAT(example("t4-fan/first-triangle"), ShowsPicture(".................\n"
-                                                               ".................\n"
-                                                               "..........#......\n"
-                                                               ".........##......\n"
-                                                               "........#.##.....\n"
-                                                               "........####.....\n"
-                                                               ".......#.###.....\n"
-                                                               "......#######....\n"
-                                                               ".....########....\n"
-                                                               ".....#########...\n"
-                                                               "....##########...\n"
-                                                               ".................\n"
-                                                               ".................\n"
-                                                               ".................\n"));
-}
-
 TEST(Examples, TopLeftHasNoHolesWhereTheFanHas) {
-    EXPECT_THAT(example("t4-fan/fan", {{"fill", "top-left"}}),
-                ShowsPicture(".........................\n"
-                             "..##########.............\n"
-                             "...#####################.\n"
-                             ".....##################..\n"
-                             "......################...\n"
-                             "........##############...\n"
-                             ".........############....\n"
-                             "..........##########.....\n"
-                             "............#######......\n"
-                             ".............######......\n"
-                             "...............###.......\n"
-                             "................#........\n"
-                             ".........................\n"));
+    EXPECT_EQ(side_by_side({picture("t4-fan/fan"), picture("t4-fan/fan", {{"fill", "top-left"}})}),
+              ".........................  .........................\n"
+              ".############............  ..##########.............\n"
+              "..#######################  ...#####################.\n"
+              "....####################.  .....##################..\n"
+              ".....###################.  ......################...\n"
+              ".......################..  ........##############...\n"
+              "........###########.##...  .........############....\n"
+              "..........###########....  ..........##########.....\n"
+              "...........#.#####.##....  ............#######......\n"
+              "............########.....  .............######......\n"
+              "..............#.###......  ...............###.......\n"
+              "...............##.#......  ................#........\n"
+              ".................#.......  .........................\n");
 }
 
 // The corners by hand: A (20, 10/3), B (28, 6), C (20, 14), D (100/3, 50/3), each to the nearest
@@ -259,74 +200,39 @@ TEST(Examples, BehindTheEye) {
                              ".................................\n"));
 }
 
-// The front face from (-4, 3) to (3, -4), the back one from (-2, 2) to (2, -2), as floors.
+// The front face from (-4, 3) to (3, -4), the back one from (-2, 2) to (2, -2), as floors; the text's
+// figure cuts toward zero.
 TEST(Examples, CubeOfT0) {
-    EXPECT_THAT(example("t0-projection/cube"), ShowsPicture("..........\n"
-                                                            "..........\n"
-                                                            ".########.\n"
-                                                            ".#######..\n"
-                                                            ".#######..\n"
-                                                            ".#####.#..\n"
-                                                            ".####..#..\n"
-                                                            ".#######..\n"
-                                                            ".##.....#.\n"
-                                                            ".#......#.\n"));
-    // The text's figure cuts toward zero.
-    EXPECT_THAT(example("t0-projection/cube", {{"snap", "truncate"}}),
-                ShowsPicture("..........\n"
-                             "..........\n"
-                             "..#######.\n"
-                             "..######..\n"
-                             "..######..\n"
-                             "..####.#..\n"
-                             "..###..#..\n"
-                             "..######..\n"
-                             "..#.....#.\n"
-                             "..........\n"));
+    EXPECT_EQ(side_by_side({picture("t0-projection/cube"),
+                            picture("t0-projection/cube", {{"snap", "truncate"}})}),
+              "..........  ..........\n"
+              "..........  ..........\n"
+              ".########.  ..#######.\n"
+              ".#######..  ..######..\n"
+              ".#######..  ..######..\n"
+              ".#####.#..  ..####.#..\n"
+              ".####..#..  ..###..#..\n"
+              ".#######..  ..######..\n"
+              ".##.....#.  ..#.....#.\n"
+              ".#......#.  ..........\n");
 }
 
-// The front face alone, as its two triangles; their diagonal goes to the one drawn first.
-TEST(Examples, CubeCulledAndCubeWithDepth) {
-    const std::string front = "..........\n"
-                              "..........\n"
-                              ".aaaaaaaa.\n"
-                              ".baaaaaaa.\n"
-                              ".bbaaaaaa.\n"
-                              ".bbbaaaaa.\n"
-                              ".bbbbaaaa.\n"
-                              ".bbbbbaaa.\n"
-                              ".bbbbbbaa.\n"
-                              ".bbbbbbba.\n";
-    EXPECT_EQ(owners("t0-hidden/cube-culled"), front);
-    EXPECT_EQ(owners("t0-hidden/cube-inverse-z"), front);
-}
-
-// In the order of the list, what is drawn last stays: the back face (k, l) and the sides.
-TEST(Examples, CubeByDrawOrder) {
-    EXPECT_EQ(owners("t0-hidden/cube-draw-order"), "..........\n"
-                                                   "..........\n"
-                                                   ".hhhhhhhh.\n"
-                                                   ".cclllllf.\n"
-                                                   ".cdkllllf.\n"
-                                                   ".cdkklllf.\n"
-                                                   ".cdkkkllf.\n"
-                                                   ".ddkkkklf.\n"
-                                                   ".djjjiiif.\n"
-                                                   ".jiiiiiii.\n");
-}
-
-// The painter draws the front face last; its diagonal goes to the triangle drawn last.
-TEST(Examples, CubeByThePainter) {
-    EXPECT_EQ(owners("t0-hidden/cube-painter"), "..........\n"
-                                                "..........\n"
-                                                ".lkkkkkkk.\n"
-                                                ".llkkkkkk.\n"
-                                                ".lllkkkkk.\n"
-                                                ".llllkkkk.\n"
-                                                ".lllllkkk.\n"
-                                                ".llllllkk.\n"
-                                                ".lllllllk.\n"
-                                                ".llllllll.\n");
+// The front face alone, as its two triangles; their diagonal goes to the one drawn first. In the order
+// of the list, what is drawn last stays: the back face (k, l) and the sides. The painter draws the front
+// face last; its diagonal goes to the triangle drawn last.
+TEST(Examples, CubeCulledWithDepthInDrawOrderAndByThePainter) {
+    EXPECT_EQ(side_by_side({owners("t0-hidden/cube-culled"), owners("t0-hidden/cube-inverse-z"),
+                            owners("t0-hidden/cube-draw-order"), owners("t0-hidden/cube-painter")}),
+              "..........  ..........  ..........  ..........\n"
+              "..........  ..........  ..........  ..........\n"
+              ".aaaaaaaa.  .aaaaaaaa.  .hhhhhhhh.  .lkkkkkkk.\n"
+              ".baaaaaaa.  .baaaaaaa.  .cclllllf.  .llkkkkkk.\n"
+              ".bbaaaaaa.  .bbaaaaaa.  .cdkllllf.  .lllkkkkk.\n"
+              ".bbbaaaaa.  .bbbaaaaa.  .cdkklllf.  .llllkkkk.\n"
+              ".bbbbaaaa.  .bbbbaaaa.  .cdkkkllf.  .lllllkkk.\n"
+              ".bbbbbaaa.  .bbbbbaaa.  .ddkkkklf.  .llllllkk.\n"
+              ".bbbbbbaa.  .bbbbbbaa.  .djjjiiif.  .lllllllk.\n"
+              ".bbbbbbba.  .bbbbbbba.  .jiiiiiii.  .llllllll.\n");
 }
 
 /// How many pixels two primitives in a row have written: the halves of a square face.
@@ -363,40 +269,24 @@ TEST(Examples, EightFaces) {
 // A solid like a U on its side: culling keeps the near wall (a, b) and the inside of the far one
 // (i, j) with its floor (g, h); drawn later, the far one covers the near one.
 TEST(Examples, ConcaveSolidNeedsDepth) {
-    EXPECT_EQ(owners("t3-light/concave-culled"), ".................\n"
-                                                 "aaaaaaaaaaaaaaab.\n"
-                                                 "aaaiiiiiiiijjabb.\n"
-                                                 "aaaiiiiiiijjjbbb.\n"
-                                                 "aaaiiiiiijjjjbbb.\n"
-                                                 "aaaiiiiijjjjjbbb.\n"
-                                                 "aaaiiiijjjjjjbbb.\n"
-                                                 "aaaiiijjjjjjjbbb.\n"
-                                                 "aaaiijjjjjjjjbbb.\n"
-                                                 "aaaijjjjjjjjjbbb.\n"
-                                                 "aaajjjjjjjjjjbbb.\n"
-                                                 "aaghhhhhhhhhhhhb.\n"
-                                                 "aaaabbbbbbbbbbbb.\n"
-                                                 "aaabbbbbbbbbbbbb.\n"
-                                                 "aabbbbbbbbbbbbbb.\n"
-                                                 "abbbbbbbbbbbbbbb.\n"
-                                                 ".................\n");
-    EXPECT_EQ(owners("t3-light/concave-depth"), ".................\n"
-                                                "aaaaaaaaaaaaaaaa.\n"
-                                                "aaaaaaaaaaaaaaab.\n"
-                                                "aaaaaaaaaaaaaabb.\n"
-                                                "aaaaaaaaaaaaabbb.\n"
-                                                "aaaaaaaaaaaabbbb.\n"
-                                                "aaaaaaaaaaabbbbb.\n"
-                                                "aaaaaaaaaabbbbbb.\n"
-                                                "aaaaaaaaabbbbbbb.\n"
-                                                "aaaaaaaabbbbbbbb.\n"
-                                                "aaaaaaabbbbbbbbb.\n"
-                                                "aaaaaabbbbbbbbbb.\n"
-                                                "aaaaabbbbbbbbbbb.\n"
-                                                "aaaabbbbbbbbbbbb.\n"
-                                                "aaabbbbbbbbbbbbb.\n"
-                                                "aabbbbbbbbbbbbbb.\n"
-                                                ".................\n");
+    EXPECT_EQ(side_by_side({owners("t3-light/concave-culled"), owners("t3-light/concave-depth")}),
+              ".................  .................\n"
+              "aaaaaaaaaaaaaaab.  aaaaaaaaaaaaaaaa.\n"
+              "aaaiiiiiiiijjabb.  aaaaaaaaaaaaaaab.\n"
+              "aaaiiiiiiijjjbbb.  aaaaaaaaaaaaaabb.\n"
+              "aaaiiiiiijjjjbbb.  aaaaaaaaaaaaabbb.\n"
+              "aaaiiiiijjjjjbbb.  aaaaaaaaaaaabbbb.\n"
+              "aaaiiiijjjjjjbbb.  aaaaaaaaaaabbbbb.\n"
+              "aaaiiijjjjjjjbbb.  aaaaaaaaaabbbbbb.\n"
+              "aaaiijjjjjjjjbbb.  aaaaaaaaabbbbbbb.\n"
+              "aaaijjjjjjjjjbbb.  aaaaaaaabbbbbbbb.\n"
+              "aaajjjjjjjjjjbbb.  aaaaaaabbbbbbbbb.\n"
+              "aaghhhhhhhhhhhhb.  aaaaaabbbbbbbbbb.\n"
+              "aaaabbbbbbbbbbbb.  aaaaabbbbbbbbbbb.\n"
+              "aaabbbbbbbbbbbbb.  aaaabbbbbbbbbbbb.\n"
+              "aabbbbbbbbbbbbbb.  aaabbbbbbbbbbbbb.\n"
+              "abbbbbbbbbbbbbbb.  aabbbbbbbbbbbbbb.\n"
+              ".................  .................\n");
 }
 
 // numerics.md Z10 and Z2, as scenes.

@@ -5,8 +5,6 @@
 
 #include <nlohmann/json.hpp>
 
-#include <gmock/gmock.h>
-
 #include <string>
 #include <utility>
 #include <vector>
@@ -14,27 +12,23 @@
 namespace rastertrace {
 namespace {
 
-using ::testing::HasSubstr;
-
 class ExplainTest : public ProgramTest {
 protected:
     Outcome explain(const std::string& arguments) const {
-        return shell("$rastertrace explain $examples/t0-fill/first-triangle.json " + arguments);
+        return run("explain $examples/t0-fill/first-triangle.json " + arguments);
     }
 };
 
 TEST_F(ExplainTest, APixelThatIsNotDrawn) {
-    const Outcome told = explain("--pixel 4,2");
-    EXPECT_EQ(told.status, 0);
-    EXPECT_EQ(told.out,
-              "First triangle\n"
-              "pixel (4, 2): not drawn: ABC does not cover it\n"
-              "\n"
-              "not drawn by\n"
-              "  ABC  outside  AC ends row y=2 at x = 25/8 -> floor -> 3; x = 4 lies beyond it by "
-              "7/8\n"
-              "      right AC: x = (x2 - x1)/(y2 - y1) (y - y1) + x1 = (5 - 2)/(-3 - 5) (2 - 5) + "
-              "2 = (-3/8) (-3) + 2 = 25/8 -> floor -> 3\n");
+    EXPECT_THAT(explain("--pixel 4,2"),
+                Prints("First triangle\n"
+                       "pixel (4, 2): not drawn: ABC does not cover it\n"
+                       "\n"
+                       "not drawn by\n"
+                       "  ABC  outside  AC ends row y=2 at x = 25/8 -> floor -> 3; x = 4 lies "
+                       "beyond it by 7/8\n"
+                       "      right AC: x = (x2 - x1)/(y2 - y1) (y - y1) + x1 = (5 - 2)/(-3 - 5) "
+                       "(2 - 5) + 2 = (-3/8) (-3) + 2 = 25/8 -> floor -> 3\n"));
 }
 
 TEST_F(ExplainTest, AnswersInPortuguese) {
@@ -144,23 +138,16 @@ TEST_F(ExplainTest, BadInput) {
         {"--pixel 1,1 --format csv",
          "rastertrace: --format: expected text or json, found \"csv\"\n"},
     };
-    for (const auto& [arguments, message] : cases) {
-        const Outcome told = explain(arguments);
-        EXPECT_EQ(told.status, 2) << arguments;
-        EXPECT_EQ(told.out, "") << arguments;
-        EXPECT_EQ(told.err, message) << arguments;
-    }
+    for (const auto& [arguments, message] : cases)
+        EXPECT_THAT(explain(arguments), Ends(2, "", message)) << arguments;
 }
 
 TEST_F(ExplainTest, ATraceIsDrawnAlready) {
-    shell("$rastertrace trace $examples/t0-fill/first-triangle.json -o t.json");
-    EXPECT_EQ(shell("$rastertrace explain t.json --pixel 4,2").out, explain("--pixel 4,2").out);
-    const Outcome against =
-        shell("$rastertrace explain t.json --pixel 4,2 --against rounding=truncate");
-    EXPECT_EQ(against.status, 2);
-    EXPECT_EQ(against.err,
-              "rastertrace: t.json: expected a scene to draw with --rounding truncate, "
-              "found a trace, which is drawn already\n");
+    run("trace $examples/t0-fill/first-triangle.json -o t.json");
+    EXPECT_EQ(run("explain t.json --pixel 4,2").out, explain("--pixel 4,2").out);
+    EXPECT_THAT(run("explain t.json --pixel 4,2 --against rounding=truncate"),
+                Refused("rastertrace: t.json: expected a scene to draw with --rounding truncate, "
+                        "found a trace, which is drawn already\n"));
 }
 
 } // namespace

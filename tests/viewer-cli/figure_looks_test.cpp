@@ -3,8 +3,6 @@
 
 #include "program.h"
 
-#include <gmock/gmock.h>
-
 #include <algorithm>
 #include <cstddef>
 #include <regex>
@@ -13,14 +11,11 @@
 namespace rastertrace {
 namespace {
 
-using ::testing::HasSubstr;
-using ::testing::Not;
-
 class FigureLooks : public ProgramTest {
 protected:
     /// Of the first triangle.
     Outcome figure(const std::string& arguments) const {
-        return shell("$rastertrace figure $examples/t0-fill/first-triangle.json " + arguments);
+        return run("figure $examples/t0-fill/first-triangle.json " + arguments);
     }
 
     /// The message of a figure that is refused.
@@ -49,8 +44,8 @@ TEST_F(FigureLooks, ThePictureInSpaceHasNoPixels) {
               "rastertrace: --view space: expected no --region, found one\n" + beside);
     EXPECT_EQ(refusal("--view space --bare -o x.svg"),
               "rastertrace: --view space: expected no --bare, found one\n" + beside);
-    EXPECT_EQ(shell("$rastertrace figure $examples/t4-pipeline/six-spaces.json --view space --with "
-                    "row -o x.svg")
+    EXPECT_EQ(run("figure $examples/t4-pipeline/six-spaces.json --view space --with "
+                  "row -o x.svg")
                   .err,
               "rastertrace: --with row: expected title, step, caption or working in the picture in "
               "space, found a part of pixels\n"
@@ -84,10 +79,8 @@ TEST_F(FigureLooks, FramesOfAStepInSpaceStandOnASheet) {
               "rastertrace: --sheet ears: expected a triangulate step, found another\n");
     EXPECT_EQ(refusal("--sheet ears -o x.txt").substr(0, 46),
               "rastertrace: --sheet: expected a format of dra");
-    const Outcome told = shell("$rastertrace figure $examples/faces/arrow.json --sheet ears "
-                               "--format svg -o -");
-    EXPECT_EQ(told.status, 0);
-    EXPECT_THAT(told.out, HasSubstr(">5. EFA: what is left</text>"));
+    EXPECT_THAT(run("figure $examples/faces/arrow.json --sheet ears --format svg -o -"),
+                Prints(HasSubstr(">5. EFA: what is left</text>")));
 }
 
 // --- sizes --------------------------------------------------------------------------------------
@@ -140,8 +133,7 @@ TEST_F(FigureLooks, LettersOfATexHaveTheRoomThatTheyTake) {
         EXPECT_GT(number_by("\\[x=([0-9.]+)mm", figure("--format tex -o - " + wide).out),
                   0.85 * mm_per_unit)
             << wide;
-    const Outcome ears =
-        shell("$rastertrace figure $examples/faces/arrow.json --sheet ears --format tex -o -");
+    const Outcome ears = run("figure $examples/faces/arrow.json --sheet ears --format tex -o -");
     EXPECT_NEAR(number_by("\\[x=([0-9.]+)mm", ears.out), mm_per_unit, 0.01);
     // What the author chose stays.
     EXPECT_LT(
@@ -214,7 +206,7 @@ TEST_F(FigureLooks, FormulasOfAnAuthorStayInLatex) {
 
 TEST_F(FigureLooks, WordsAreInTheLanguageThatWasChosen) {
     const auto in_portuguese = [this](const std::string& arguments) {
-        return shell("$rastertrace figure --language pt --format svg -o - " + arguments).out;
+        return run("figure --language pt --format svg -o - " + arguments).out;
     };
     const std::string in_space = in_portuguese(
         "$examples/t4-pipeline/six-spaces.json --view space --step 'vertex name=C space=clip'");

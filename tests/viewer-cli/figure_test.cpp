@@ -8,7 +8,6 @@
 
 #include <rastertrace/trace/record/frame.h>
 
-#include <gmock/gmock.h>
 #include <png.h>
 
 #include <algorithm>
@@ -23,16 +22,13 @@
 namespace rastertrace {
 namespace {
 
-using ::testing::HasSubstr;
-using ::testing::StartsWith;
-
 constexpr std::array<std::string_view, 6> endings{".svg", ".png", ".tex", ".txt", ".gif", ".html"};
 
 class FigureTest : public ProgramTest {
 protected:
     /// Of the first triangle.
     Outcome figure(const std::string& arguments) const {
-        return shell("$rastertrace figure $examples/t0-fill/first-triangle.json " + arguments);
+        return run("figure $examples/t0-fill/first-triangle.json " + arguments);
     }
 
     /// The message of a figure that is refused, and that it left no file.
@@ -61,14 +57,14 @@ TEST_F(FigureTest, AnUnknownEndingIsToldWithThoseThatAreKnown) {
 
 TEST_F(FigureTest, OtherCommandsTellWhoWritesAFigure) {
     const std::string scene = " $examples/t0-fill/first-triangle.json -o ";
-    EXPECT_EQ(shell("$rastertrace trace" + scene + "x.svg").err,
+    EXPECT_EQ(run("trace" + scene + "x.svg").err,
               "rastertrace: x.svg: expected a name that ends in .json or .jsonl, found .svg\n"
               "hint: rastertrace figure writes .svg\n");
-    EXPECT_EQ(shell("$rastertrace report" + scene + "x.png").err,
+    EXPECT_EQ(run("report" + scene + "x.png").err,
               "rastertrace: x.png: expected a name that ends in .svg, .html, .json, .csv or .txt, "
               "found .png\n"
               "hint: rastertrace figure writes .png\n");
-    EXPECT_EQ(shell("$rastertrace report" + scene + "x.webp").err,
+    EXPECT_EQ(run("report" + scene + "x.webp").err,
               "rastertrace: x.webp: expected a name that ends in .svg, .html, .json, .csv or .txt, "
               "found .webp\n"
               "hint: --format says what to write\n");
@@ -79,18 +75,16 @@ TEST_F(FigureTest, WhatIsNoPlaceForAFile) {
     shell("mkdir folder.svg");
     EXPECT_EQ(refusal("-o folder.svg"),
               "rastertrace: folder.svg: expected a file to write, found a folder\n");
-    const Outcome missing = figure("-o none/x.svg");
-    EXPECT_EQ(missing.status, 3);
-    EXPECT_EQ(missing.err,
-              "rastertrace: none/x.svg: could not be created: No such file or directory\n");
+    EXPECT_THAT(
+        figure("-o none/x.svg"),
+        Ends(3, _, "rastertrace: none/x.svg: could not be created: No such file or directory\n"));
     for (const std::string_view ending : endings) {
         const std::string format = "--format " + std::string(ending.substr(1));
         for (const std::string& to :
-             {std::string(" -o /dev/full"), std::string(" -o - >/dev/full")}) {
-            const Outcome full = figure(format + to);
-            EXPECT_EQ(full.status, 3) << format << to;
-            EXPECT_THAT(full.err, HasSubstr("could not be written: No space left on device\n"));
-        }
+             {std::string(" -o /dev/full"), std::string(" -o - >/dev/full")})
+            EXPECT_THAT(figure(format + to),
+                        Ends(3, _, HasSubstr("could not be written: No space left on device\n")))
+                << format << to;
     }
 }
 
@@ -169,8 +163,8 @@ TEST_F(FigureTest, PartsThatTheSceneCannotHave) {
               "rastertrace: --with weights: expected a fill that tests samples by weights, found "
               "none\n"
               "hint: --fill barycentric\n");
-    EXPECT_EQ(shell("$rastertrace figure $examples/t0-hidden/two-depths.json --with plot --step "
-                    "\"scanline in=DEF y=1\" -o x.svg")
+    EXPECT_EQ(run("figure $examples/t0-hidden/two-depths.json --with plot --step "
+                  "\"scanline in=DEF y=1\" -o x.svg")
                   .err,
               "rastertrace: --with plot: expected a frame with two depths along a row or a side, "
               "found fewer\n"
@@ -187,8 +181,8 @@ TEST_F(FigureTest, PartsThatTheSceneCannotHave) {
     EXPECT_EQ(refusal("--with half-planes --until 1 -o x.svg"),
               "rastertrace: --with half-planes: expected a frame of a triangle, found another\n"
               "hint: --step \"primitive ...\", or another step of a triangle\n");
-    EXPECT_EQ(shell("$rastertrace figure $examples/t2-lines/bresenham.json --every decide --with "
-                    "half-planes -o x.svg")
+    EXPECT_EQ(run("figure $examples/t2-lines/bresenham.json --every decide --with "
+                  "half-planes -o x.svg")
                   .err,
               "rastertrace: --with half-planes: expected a scene with triangles on the screen, "
               "found none\n");
@@ -264,9 +258,10 @@ TEST_F(FigureTest, TheSmallestAndALargeCanvasInEveryFormat) {
             if (ending == ".html" && side > 1024)
                 continue; // refused, see APageHasLimits
             const std::string file = "x" + std::string(ending);
-            const Outcome told = shell("$rastertrace figure scene.json -o " + file +
-                                       (ending == ".gif" ? " --step last" : ""));
-            EXPECT_EQ(told.status, 0) << side << ending << told.err;
+            EXPECT_THAT(
+                run("figure scene.json -o " + file + (ending == ".gif" ? " --step last" : "")),
+                Ends(0))
+                << side << ending;
             EXPECT_GT(content(file).size(), 100U) << side << ending;
         }
     }
@@ -278,18 +273,15 @@ TEST_F(FigureTest, WhatIsTooMuchForAFormatIsTold) {
 "vertices": {"A": [0, 0], "B": [599, 0], "C": [599, 599], "D": [0, 599]},
 "triangles": ["ABC", "ACD"], "colors": {"A": "#ff0000", "B": "#00ff00", "C": "#0000ff", "D": "#ffffff"},
 "method": {"scalar": "double", "fill": "barycentric", "shade": "interpolate"}})");
-    shell("$rastertrace trace scene.json --only primitive,pixel -o trace.jsonl");
+    run("trace scene.json --only primitive,pixel -o trace.jsonl");
     const std::string draw = "$rastertrace figure trace.jsonl --view shade ";
-    const Outcome svg = shell(draw + "-o x.svg");
-    EXPECT_EQ(svg.status, 2);
-    EXPECT_THAT(svg.err, testing::MatchesRegex("rastertrace: expected at most 200000 shapes in an "
-                                               "SVG, found [0-9]+\n"
-                                               "hint: a .png holds any picture; --region takes a "
-                                               "part of it\n"));
-    const Outcome tex = shell(draw + "-o x.tex");
-    EXPECT_EQ(tex.status, 2);
-    EXPECT_THAT(tex.err,
-                HasSubstr("hint: a .png holds any picture; --region takes a part of it\n"));
+    EXPECT_THAT(
+        shell(draw + "-o x.svg"),
+        Refused(MatchesRegex("rastertrace: expected at most 200000 shapes in an SVG, found [0-9]+\n"
+                             "hint: a .png holds any picture; --region takes a part of it\n")));
+    EXPECT_THAT(
+        shell(draw + "-o x.tex"),
+        Refused(HasSubstr("hint: a .png holds any picture; --region takes a part of it\n")));
     EXPECT_EQ(shell(draw + "--region 0,0,99,99 -o x.svg").status, 0);
 
     EXPECT_EQ(refusal("--cell 1000 -o x.png"),
@@ -313,17 +305,17 @@ TEST_F(FigureTest, FramesOfOneSizeAreDrawnOnceAsFarAsThereIsRoom) {
         }
     };
     all_of(of_one_size(4, draw));
-    EXPECT_THAT(drawn, testing::ElementsAre(0, 1, 2, 3));
+    EXPECT_THAT(drawn, ElementsAre(0, 1, 2, 3));
     drawn.clear();
     // Room for two.
     all_of(of_one_size(4, draw, 2 * memory_of(draw(0)) + 1));
-    EXPECT_THAT(drawn, testing::ElementsAre(0, 0, 1, 2, 3, 2, 3));
+    EXPECT_THAT(drawn, ElementsAre(0, 0, 1, 2, 3, 2, 3));
 }
 
 TEST_F(FigureTest, WhatMovesIsAFilmOfRowsPixelsOfLinesAndVertices) {
     /// The first lines of the sentences of a film's frames, with the signs of a keyboard.
     const auto frames = [this](const std::string& scene) {
-        EXPECT_EQ(shell("$rastertrace figure " + scene + " --animate -o film.svg").err, "");
+        EXPECT_EQ(run("figure " + scene + " --animate -o film.svg").err, "");
         std::string film = content("film.svg");
         constexpr std::string_view minus = "\u2212";
         for (std::size_t at = film.find(minus); at != std::string::npos; at = film.find(minus))
@@ -338,7 +330,6 @@ TEST_F(FigureTest, WhatMovesIsAFilmOfRowsPixelsOfLinesAndVertices) {
         }
         return captions;
     };
-    using ::testing::ElementsAre;
     // Nine rows; of a box that is gone through sample by sample, too.
     const auto rows = frames("$examples/t0-fill/first-triangle.json");
     EXPECT_THAT(rows, ElementsAre("scanline y=5", "scanline y=4", "scanline y=3", "scanline y=2",
@@ -346,9 +337,8 @@ TEST_F(FigureTest, WhatMovesIsAFilmOfRowsPixelsOfLinesAndVertices) {
                                   "scanline y=-3"));
     const auto samples = frames("$examples/t3-sweep-and-box/barycentric.json");
     EXPECT_EQ(samples.size(), 9U);
-    EXPECT_THAT(samples, testing::Each(StartsWith("sample of (-4, ")));
-    EXPECT_THAT(frames("$examples/t4-fan/fan.json"),
-                testing::Each(StartsWith("a line begins at ")));
+    EXPECT_THAT(samples, Each(StartsWith("sample of (-4, ")));
+    EXPECT_THAT(frames("$examples/t4-fan/fan.json"), Each(StartsWith("a line begins at ")));
     // Pixels of lines, not of what is filled.
     write("both.json", R"({"canvas": {"width": 5, "height": 4, "origin": "top-left"},
 "vertices": {"A": [0, 0], "B": [3, 0], "C": [0, 1], "D": [1, 3], "E": [3, 3]},
@@ -371,8 +361,8 @@ TEST_F(FigureTest, WhatMovesIsAFilmOfRowsPixelsOfLinesAndVertices) {
     }
     EXPECT_EQ(figure("--step last --animate -o x.svg").status, 0);
     EXPECT_EQ(shell("grep -c 'class=\"frame' x.svg").out, "0\n");
-    EXPECT_EQ(shell("$rastertrace figure $examples/t0-projection/turning.json --animate -o x.svg; "
-                    "grep -c 'class=\"frame' x.svg")
+    EXPECT_EQ(run("figure $examples/t0-projection/turning.json --animate -o x.svg; "
+                  "grep -c 'class=\"frame' x.svg")
                   .out,
               "6\n")
         << "the frames of the sequence";
@@ -382,30 +372,26 @@ TEST_F(FigureTest, AFilmOfALargeCanvasNamesRegion) {
     // The rows of ABC are 301, of 2^24 pixels each.
     write("scene.json", scene_of_size(4096));
     for (const std::string output : {"x.gif", "x.svg --animate"}) {
-        const Outcome told = shell("$rastertrace figure scene.json -o " + output);
-        EXPECT_EQ(told.status, 2);
-        EXPECT_EQ(told.err,
-                  "rastertrace: expected at most 67108864 pixels of the canvas in a film, "
-                  "found 301 frames of 16777216\n"
-                  "hint: --region takes a part of the canvas; --every chooses what is a "
-                  "frame, like --every primitive; --step shows one step\n");
-        EXPECT_EQ(shell("$rastertrace figure scene.json --region 0,0,9,9 -o " + output).status, 0);
+        EXPECT_THAT(run("figure scene.json -o " + output),
+                    Refused("rastertrace: expected at most 67108864 pixels of the canvas in a "
+                            "film, found 301 frames of 16777216\n"
+                            "hint: --region takes a part of the canvas; --every chooses what is a "
+                            "frame, like --every primitive; --step shows one step\n"));
+        EXPECT_EQ(run("figure scene.json --region 0,0,9,9 -o " + output).status, 0);
     }
 }
 
 TEST_F(FigureTest, AFilmOfMoreThan500FramesNamesEvery) {
     write("rows.json", R"({"canvas": {"width": 2, "height": 501, "origin": "top-left"},
 "vertices": {"A": [0, 0], "B": [1, 0], "C": [0, 500]}, "triangles": ["ABC"]})");
-    for (const std::string output : {"x.gif", "x.svg --animate"}) {
-        const Outcome told = shell("$rastertrace figure rows.json -o " + output);
-        EXPECT_EQ(told.status, 2);
-        EXPECT_EQ(told.err, "rastertrace: expected at most 500 rows, pixels of lines and vertices "
+    for (const std::string output : {"x.gif", "x.svg --animate"})
+        EXPECT_THAT(run("figure rows.json -o " + output),
+                    Refused("rastertrace: expected at most 500 rows, pixels of lines and vertices "
                             "to film, found more\n"
                             "hint: --every chooses what is a frame, like --every primitive; --step "
-                            "shows one step\n");
-    }
+                            "shows one step\n"));
     EXPECT_EQ(visible_files(), 1U);
-    EXPECT_EQ(shell("$rastertrace figure rows.json --every scanline -o x.gif").status, 0);
+    EXPECT_EQ(run("figure rows.json --every scanline -o x.gif").status, 0);
 }
 
 TEST_F(FigureTest, BarePixelsThatAreNoneAreToldWithTheOptionThatLeavesThemOut) {
@@ -414,7 +400,7 @@ TEST_F(FigureTest, BarePixelsThatAreNoneAreToldWithTheOptionThatLeavesThemOut) {
     const std::string remark =
         "rastertrace: remark: expected pixels for --bare, found none drawn\n";
     const auto told = [this](const std::string& arguments) {
-        const Outcome outcome = shell("$rastertrace figure " + arguments + " --bare -o x.png");
+        const Outcome outcome = run("figure " + arguments + " --bare -o x.png");
         EXPECT_EQ(outcome.status, 0) << arguments;
         return outcome.err;
     };
@@ -436,14 +422,12 @@ TEST_F(FigureTest, BarePixelsThatAreNoneAreToldWithTheOptionThatLeavesThemOut) {
 TEST_F(FigureTest, AnAnimationOfTooManyFramesIsRefusedBeforeItIsDrawn) {
     write("scene.json", R"({"canvas": {"width": 400, "height": 400, "origin": "top-left"},
 "vertices": {"A": [0, 0], "B": [399, 0], "C": [0, 399]}, "triangles": ["ABC"]})");
-    for (const std::string output : {"x.gif", "x.svg --animate"}) {
-        const Outcome told = shell("$rastertrace figure scene.json --every pixel -o " + output);
-        EXPECT_EQ(told.status, 2);
-        EXPECT_EQ(told.err, "rastertrace: expected at most 10000 frames that follow one another, "
-                            "found 80200\n"
-                            "hint: --every with a rarer step, like scanline or \"pixel y=2\", "
-                            "makes fewer\n");
-    }
+    for (const std::string output : {"x.gif", "x.svg --animate"})
+        EXPECT_THAT(
+            run("figure scene.json --every pixel -o " + output),
+            Refused(
+                "rastertrace: expected at most 10000 frames that follow one another, found 80200\n"
+                "hint: --every with a rarer step, like scanline or \"pixel y=2\", makes fewer\n"));
     EXPECT_EQ(visible_files(), 1U);
 }
 
@@ -495,11 +479,11 @@ TEST_F(FigureTest, APageHasTheModuleThatIsNamed) {
 
 TEST_F(FigureTest, APageHasLimits) {
     write("scene.json", scene_of_size(1025));
-    EXPECT_EQ(shell("$rastertrace figure scene.json -o x.html").err,
+    EXPECT_EQ(run("figure scene.json -o x.html").err,
               "rastertrace: expected at most 1048576 pixels for a page, found 1025 x 1025\n"
               "hint: a .png or .svg shows it, or a page of the scene on a smaller canvas\n");
     write("scene.json", scene_of_size(400));
-    EXPECT_EQ(shell("$rastertrace figure scene.json --vary /vertices/A/0=0:1:9 -o x.html").err,
+    EXPECT_EQ(run("figure scene.json --vary /vertices/A/0=0:1:9 -o x.html").err,
               "rastertrace: expected at most 200000 steps for a page, found more in the first 5 "
               "frames\n"
               "hint: --frame N makes a page of one frame\n");
@@ -509,18 +493,15 @@ TEST_F(FigureTest, APageHasLimits) {
 // --- damaged traces -----------------------------------------------------------------------------
 
 TEST_F(FigureTest, OfATraceThatIsCutShortWhatIsThere) {
-    shell("$rastertrace trace $examples/t0-fill/first-triangle.json -o whole.jsonl;"
-          "head -n 19 whole.jsonl > cut.jsonl; head -n 20 whole.jsonl | tail -n 1 | head -c 18 >> "
-          "cut.jsonl");
+    run("trace $examples/t0-fill/first-triangle.json -o whole.jsonl;head -n 19 whole.jsonl > "
+        "cut.jsonl; head -n 20 whole.jsonl | tail -n 1 | head -c 18 >> cut.jsonl");
     for (const std::string_view ending : endings) {
         const std::string file = "x" + std::string(ending);
-        const Outcome told = shell("$rastertrace figure cut.jsonl -o " + file);
-        EXPECT_EQ(told.status, 2) << ending;
-        EXPECT_EQ(told.err,
-                  "rastertrace: cut.jsonl:20:1: expected the rest of the trace, found the "
-                  "end of the file: the trace is truncated after 18 whole steps\n"
-                  "{\"step\":\"pixel\",\"x\n"
-                  "^\n")
+        EXPECT_THAT(run("figure cut.jsonl -o " + file),
+                    Refused("rastertrace: cut.jsonl:20:1: expected the rest of the trace, found "
+                            "the end of the file: the trace is truncated after 18 whole steps\n"
+                            "{\"step\":\"pixel\",\"x\n"
+                            "^\n"))
             << ending;
         EXPECT_GT(content(file).size(), 100U) << ending;
     }
@@ -560,8 +541,7 @@ TEST_F(FigureTest, TheSameSceneGivesTheSameBytes) {
         write("scene.json", scene.text);
         for (const std::string_view ending : endings) {
             const std::string format = " --format " + std::string(ending.substr(1)) + " -o ";
-            shell("$rastertrace figure scene.json" + format + "a; $rastertrace figure scene.json" +
-                  format + "b");
+            run("figure scene.json" + format + "a; $rastertrace figure scene.json" + format + "b");
             EXPECT_GT(content("a").size(), 0U) << ending << scene.text;
             EXPECT_EQ(content("a"), content("b")) << ending << scene.text;
         }
@@ -575,7 +555,7 @@ TEST_F(FigureTest, AnSvgPaintsAsManyPixelsAsTheTraceHas) {
     for (const DrawnScene& scene : drawn_scenes(40)) {
         write("scene.json", scene.text);
         const std::string svg =
-            shell("$rastertrace figure scene.json --view plotted --cell 3 --format svg -o -").out;
+            run("figure scene.json --view plotted --cell 3 --format svg -o -").out;
         std::size_t area = 0;
         for (std::sregex_iterator areas(svg.begin(), svg.end(), path), end; areas != end; ++areas) {
             const std::string data = (*areas)[1];
@@ -621,31 +601,27 @@ TEST_F(FigureTest, ABarePictureWithoutColorsFollowsTheTheme) {
     EXPECT_EQ(pixel_in("--theme dark"), (Color{0xf4, 0xf4, 0xf4}));
     const std::string svg = figure("--bare --format svg -o -").out;
     EXPECT_THAT(svg, HasSubstr(".ink{fill:#000000;"));
-    EXPECT_THAT(svg,
-                testing::ContainsRegex(
-                    "\\(prefers-color-scheme:dark\\)\\{\n\\.r[0-9a-f]+ \\.ink\\{fill:#f4f4f4;"));
+    EXPECT_THAT(
+        svg,
+        ContainsRegex("\\(prefers-color-scheme:dark\\)\\{\n\\.r[0-9a-f]+ \\.ink\\{fill:#f4f4f4;"));
     // What has a color, or is on a background, keeps it.
     const auto in_dark = [this](const std::string& scene) {
         write("scene.json", scene);
-        return read_png(
-                   shell("$rastertrace figure scene.json --bare --theme dark --format png -o -")
-                       .out)
-            .colors;
+        return read_png(run("figure scene.json --bare --theme dark --format png -o -").out).colors;
     };
     const std::string points = R"("canvas": {"width": 2, "height": 1, "origin": "top-left"},
                                   "vertices": {"A": [0, 0], "B": [1, 0]}, "points": ["A", )";
     EXPECT_THAT(in_dark("{" + points + R"({"vertices": "B", "color": "#ff0000"}]})"),
-                testing::ElementsAre(Color{0, 0, 0}, Color{255, 0, 0}));
+                ElementsAre(Color{0, 0, 0}, Color{255, 0, 0}));
     EXPECT_THAT(in_dark(R"({"background": "#ffffff", )" + points + R"("B"]})"),
-                testing::ElementsAre(Color{0, 0, 0}, Color{0, 0, 0}));
+                ElementsAre(Color{0, 0, 0}, Color{0, 0, 0}));
 }
 
 TEST_F(FigureTest, ABarePngIsThePictureOfTheTrace) {
     const Color paper{255, 255, 255};
     for (const DrawnScene& scene : drawn_scenes(40)) {
         write("scene.json", scene.text);
-        const PngPixels png =
-            read_png(shell("$rastertrace figure scene.json --bare --format png -o -").out);
+        const PngPixels png = read_png(run("figure scene.json --bare --format png -o -").out);
         const Canvas& canvas = scene.trace.canvas;
         ASSERT_EQ(png.width, static_cast<std::size_t>(canvas.width)) << scene.text;
         ASSERT_EQ(png.height, static_cast<std::size_t>(canvas.height)) << scene.text;

@@ -4,8 +4,6 @@
 #include "effort.h"
 #include "program.h"
 
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
 #include <cstddef>
@@ -15,8 +13,6 @@
 
 namespace rastertrace {
 namespace {
-
-using testing::HasSubstr;
 
 using Json = nlohmann::json;
 
@@ -37,7 +33,7 @@ TEST_F(FlatMemoryTest, DoesNotGrowWithTheTrace) {
     write("scene.json", R"({"canvas":{"width":800,"height":800},"method":{"fill":"barycentric"},
                             "vertices":{"A":[-390,-390],"B":[390,-390],"C":[0,390]},
                             "triangles":["ABC"]})");
-    EXPECT_LT(shell("$rastertrace trace scene.json --flat -o flat.jsonl").peak_memory, 48'000'000);
+    EXPECT_LT(run("trace scene.json --flat -o flat.jsonl").peak_memory, 48'000'000);
     EXPECT_GT(fs::file_size(folder_ / "flat.jsonl"), 70'000'000u);
 }
 
@@ -84,13 +80,11 @@ TEST_F(FlatTest, StepsOfOthersAreLinesToo) {
 {"x":3,"y":"4","step":"shaded"}
 {"end":{}}
 )");
-    const Outcome flat = shell("$rastertrace trace foreign.jsonl --flat");
-    EXPECT_EQ(flat.status, 0) << flat.err;
-    EXPECT_EQ(flat.out, R"({"n":1,"step":"pixel","x":0,"y":0}
+    EXPECT_THAT(run("trace foreign.jsonl --flat"), Prints(R"({"n":1,"step":"pixel","x":0,"y":0}
 {"n":2,"in":"=A\"é","step":"primitive", "kind":"triangle","name":"=A\"é","code":"raster.cpp:1"}
 {"n":3,"in":"B","name":"B","step":"primitive","kind":"triangle"}
 {"n":4,"in":"B","x":3,"y":"4","step":"shaded"}
-)");
+)"));
 }
 
 TEST_F(FlatTest, ItDoesNotMatterHowTheTraceIsLaidOut) {
@@ -107,20 +101,17 @@ TEST_F(FlatTest, ItDoesNotMatterHowTheTraceIsLaidOut) {
 }
 
 TEST_F(FlatTest, ADamagedTraceIsRefusedAndNoFileIsLeft) {
-    shell("$rastertrace trace $examples/t0-fill/first-triangle.json -o whole.jsonl; "
-          "head -n 20 whole.jsonl >cut.jsonl; "
-          "sed '9s/\"y\":[0-9]*/\"y\":\"?\"/' whole.jsonl >damaged.jsonl; "
-          "sed 's/\"steps\":62/\"steps\":63/' whole.jsonl >miscounted.jsonl");
+    run("trace $examples/t0-fill/first-triangle.json -o whole.jsonl; head -n 20 whole.jsonl "
+        ">cut.jsonl; sed '9s/\"y\":[0-9]*/\"y\":\"?\"/' whole.jsonl >damaged.jsonl; sed "
+        "'s/\"steps\":62/\"steps\":63/' whole.jsonl >miscounted.jsonl");
     for (const std::string name :
          {"none.jsonl", "cut.jsonl", "damaged.jsonl", "miscounted.jsonl"}) {
         const Outcome refused =
-            shell("$rastertrace trace " + name + " --flat -o out; s=$?; test ! -e out && exit $s");
+            run("trace " + name + " --flat -o out; s=$?; test ! -e out && exit $s");
         EXPECT_EQ(refused.status, 2) << name;
-        EXPECT_EQ(refused.err, shell("$rastertrace stats " + name).err);
+        EXPECT_EQ(refused.err, run("stats " + name).err);
     }
-    const Outcome outcome = shell("$rastertrace trace whole.jsonl --flat --format json");
-    EXPECT_EQ(outcome.status, 2);
-    EXPECT_THAT(outcome.err, HasSubstr("--format"));
+    EXPECT_THAT(run("trace whole.jsonl --flat --format json"), Refused(HasSubstr("--format")));
 }
 
 } // namespace

@@ -5,7 +5,6 @@
 #include "program.h"
 
 #include <fmt/core.h>
-#include <gmock/gmock.h>
 
 #include <array>
 #include <regex>
@@ -15,16 +14,11 @@
 namespace rastertrace {
 namespace {
 
-using ::testing::AllOf;
-using ::testing::ContainsRegex;
-using ::testing::HasSubstr;
-using ::testing::StartsWith;
-
 class FuzzTest : public ProgramTest {
 protected:
     Outcome fuzz(const std::string& options, const std::string& words = "{triangles}") const {
-        return shell("$rastertrace fuzz --fill top-left --scalar exact " + options + " -- " +
-                     std::string(RASTERTRACE_DRIVEN) + " " + words);
+        return run("fuzz --fill top-left --scalar exact " + options + " -- " +
+                   std::string(RASTERTRACE_DRIVEN) + " " + words);
     }
 };
 
@@ -71,21 +65,18 @@ TEST_F(FuzzTest, FindsEachOfTwentyMistakesAndShrinksIt) {
                 EXPECT_EQ(failing.status, 1) << failing.out << failing.err;
             }
             shell(fmt::format(R"(sed -i 's/ {}\( depth\)\? > / 0\1 > /' fuzz/seed-*.sh)", mistake));
-            const Outcome mended = shell(script);
-            EXPECT_EQ(mended.status, 0) << mended.out << mended.err << shell("cat fuzz/*.sh").out;
+            EXPECT_THAT(shell(script), Ends(0)) << shell("cat fuzz/*.sh").out;
             shell("rm -r fuzz");
         }
 }
 
 TEST_F(FuzzTest, ARasterizerWithoutMistakesPasses) {
-    for (const std::string kind : {"2d", "lines", "depth"}) {
-        const Outcome told = fuzz(fmt::format("--runs {} --kinds {}{}", random_cases(700), kind,
-                                              kind == "depth" ? " --depth linear-z" : ""),
-                                  kind == "depth" ? "{triangles} 0 depth" : "{triangles}");
-        EXPECT_EQ(told.status, 0) << told.out << told.err;
-        EXPECT_EQ(told.out,
-                  fmt::format("{0} runs, seeds 1 to {0}: no difference\n", random_cases(700)));
-    }
+    for (const std::string kind : {"2d", "lines", "depth"})
+        EXPECT_THAT(
+            fuzz(fmt::format("--runs {} --kinds {}{}", random_cases(700), kind,
+                             kind == "depth" ? " --depth linear-z" : ""),
+                 kind == "depth" ? "{triangles} 0 depth" : "{triangles}"),
+            Prints(fmt::format("{0} runs, seeds 1 to {0}: no difference\n", random_cases(700))));
     EXPECT_EQ(visible_files(), 0U);
 }
 
@@ -102,16 +93,13 @@ TEST_F(FuzzTest, AnswersMayBePicturesAndFiles) {
                          std::string(RASTERTRACE_PROGRAM) +
                          " show mine.jsonl --last --bare > \"$3\"\n");
     const auto with = [&](const std::string& mistake) {
-        return shell(
-            "$rastertrace fuzz --runs 60 --jobs 1 --shrink 40 --fill top-left --scalar exact "
-            "-- sh rows.sh {triangles} " +
-            mistake + " {out}");
+        return run("fuzz --runs 60 --jobs 1 --shrink 40 --fill top-left --scalar exact -- sh "
+                   "rows.sh {triangles} " +
+                   mistake + " {out}");
     };
     EXPECT_EQ(with("0").status, 0) << with("0").out;
-    const Outcome told = with("11");
-    EXPECT_EQ(told.status, 1) << told.err;
-    EXPECT_THAT(told.out, AllOf(HasSubstr("decides otherwise"), HasSubstr("pixel ("),
-                                HasSubstr("the pictures: ")));
+    EXPECT_THAT(with("11"), Ends(1, AllOf(HasSubstr("decides otherwise"), HasSubstr("pixel ("),
+                                          HasSubstr("the pictures: "))));
 }
 
 // A picture that is drawn nearly all over, and the options that the written test needs.
@@ -123,14 +111,13 @@ TEST_F(FuzzTest, PicturesWithColorsAndTheOptionsOfTheTest) {
               " show mine.jsonl --last --bare | tr '.#' '01' | sed 's/./& /g' >> mine.pgm; "
               "cat mine.pgm\n");
     const auto with = [&](const std::string& options, const std::string& mistake) {
-        return shell("$rastertrace fuzz --largest 4 --runs 60 --jobs 1 --shrink 40 --fill top-left "
-                     "--scalar exact " +
-                     options + " -- sh ppm.sh {triangles} " + mistake);
+        return run(
+            "fuzz --largest 4 --runs 60 --jobs 1 --shrink 40 --fill top-left --scalar exact " +
+            options + " -- sh ppm.sh {triangles} " + mistake);
     };
     EXPECT_EQ(with("", "0").status, 0) << with("", "0").out;
     EXPECT_EQ(with("", "11").status, 1);
-    const Outcome told = fuzz("--only pixel --tolerance 2ulp -o found", "{triangles} 3");
-    EXPECT_EQ(told.status, 1);
+    EXPECT_THAT(fuzz("--only pixel --tolerance 2ulp -o found", "{triangles} 3"), Ends(1));
     EXPECT_THAT(shell("cat found/*.sh").out, HasSubstr("--only pixel"));
     EXPECT_THAT(shell("cat found/*.sh").out, HasSubstr("--tolerance 2ulp"));
 }
@@ -141,28 +128,26 @@ TEST_F(FuzzTest, OurProgramAgreesWithItself) {
          {"--kinds 2d,lines,depth,clip -- $rastertrace trace {scene}",
           "--kinds clip --convention direct3d -- $rastertrace trace {scene}",
           "--kinds 2d,clip -- $rastertrace trace {triangles}",
-          "--kinds 2d,lines --line dda -- $rastertrace trace --line dda {triangles}"}) {
-        const Outcome told = shell("$rastertrace fuzz --runs 40 " + options);
-        EXPECT_EQ(told.status, 0) << options << told.out << told.err;
-    }
+          "--kinds 2d,lines --line dda -- $rastertrace trace --line dda {triangles}"})
+        EXPECT_THAT(run("fuzz --runs 40 " + options), Ends(0)) << options;
 }
 
 // The text that is written is read by every command.
 TEST_F(FuzzTest, TheTextOfTrianglesIsAScene) {
     fuzz("-o found --kinds 2d", "{triangles} 11");
     fuzz("-o found --kinds lines", "{triangles} 20");
-    const Outcome told = shell("for f in found/*.txt; do $rastertrace diff --fill top-left "
-                               "--scalar exact --ignore header,primitive.color,pixel.color,"
-                               "primitive.vertices,edge,scanline.left_edge,scanline.right_edge "
-                               "--common ${f%.txt}.golden.jsonl $f || exit; done");
-    EXPECT_EQ(told.status, 0) << told.out << told.err;
+    EXPECT_THAT(
+        shell("for f in found/*.txt; do $rastertrace diff --fill top-left --scalar exact --ignore "
+              "header,primitive.color,pixel.color,primitive.vertices,edge,scanline.left_edge,"
+              "scanline.right_edge --common ${f%.txt}.golden.jsonl $f || exit; done"),
+        Ends(0));
     for (const auto& [text, problem] :
          {std::pair("canvas 4 4\ntri A 0 0 0 1 x 0 1 0 0\n",
                     "bad.txt:2:15: expected a number, found \"x\""),
           std::pair("canvas 4 4\ntri A 0 0 0 1 0\n", "expected a name and 9 numbers behind tri"),
           std::pair("canvas 4\n", "bad.txt:1:9: expected 2 words behind canvas, found 1")}) {
         write("bad.txt", text);
-        EXPECT_THAT(shell("$rastertrace show bad.txt").err, HasSubstr(problem));
+        EXPECT_THAT(run("show bad.txt").err, HasSubstr(problem));
     }
 }
 
@@ -174,12 +159,9 @@ TEST_F(FuzzTest, BadInput) {
           std::pair("--runs 0 -- true {scene}", "--runs: expected a whole number from 1"),
           std::pair("-- true {scene} {triangles}", "expected one text of the scene")})
         EXPECT_THAT(shell(std::string("$rastertrace fuzz ") + words).err, HasSubstr(problem));
-    EXPECT_EQ(shell("$rastertrace fuzz -- true").status, 2);
-    const Outcome silent = shell("$rastertrace fuzz -- true {scene}");
-    EXPECT_EQ(silent.status, 1);
-    EXPECT_THAT(silent.out, StartsWith("seed 1: true gives no answer"));
-    const Outcome failing =
-        shell("$rastertrace fuzz -- sh -c 'echo no triangle >&2; exit 7' {scene}");
+    EXPECT_EQ(run("fuzz -- true").status, 2);
+    EXPECT_THAT(run("fuzz -- true {scene}"), Ends(1, StartsWith("seed 1: true gives no answer")));
+    const Outcome failing = run("fuzz -- sh -c 'echo no triangle >&2; exit 7' {scene}");
     EXPECT_THAT(failing.out, HasSubstr("exit status 7: no triangle"));
 }
 

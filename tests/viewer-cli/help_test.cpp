@@ -5,8 +5,6 @@
 
 #include <rastertrace/trace/text/text.h>
 
-#include <gmock/gmock.h>
-
 #include <regex>
 #include <set>
 #include <string>
@@ -15,17 +13,10 @@
 namespace rastertrace {
 namespace {
 
-using testing::Contains;
-using testing::ElementsAre;
-using testing::HasSubstr;
-using testing::IsEmpty;
-using testing::Not;
-using testing::StartsWith;
-
 class HelpTest : public ProgramTest {
 protected:
     std::vector<std::string> completions(const std::string& words) const {
-        const Outcome told = shell("$rastertrace help --complete -- " + words);
+        const Outcome told = run("help --complete -- " + words);
         EXPECT_EQ(told.status, 0) << words;
         EXPECT_EQ(told.err, "") << words;
         std::vector<std::string> lines = split_at(told.out, '\n');
@@ -47,7 +38,7 @@ TEST_F(HelpTest, HelpHas80Columns) {
     for (const std::string& command : completions("''"))
         for (const std::string& call :
              {command + " -h", command + " --help", std::string("--help"), "help " + command}) {
-            const Outcome help = shell("$rastertrace " + call);
+            const Outcome help = run(call);
             EXPECT_EQ(help.status, 0) << call;
             EXPECT_EQ(help.err, "") << call;
             for (const std::string& line : split_at(help.out, '\n'))
@@ -58,9 +49,9 @@ TEST_F(HelpTest, HelpHas80Columns) {
 TEST_F(HelpTest, EveryOptionIsInTheManualAndIsCompleted) {
     std::size_t options = 0;
     for (const std::string& command : completions("''")) {
-        const std::string whole = shell("$rastertrace help " + command).out;
+        const std::string whole = run("help " + command).out;
         const auto names = found_in(whole, "\n  (?:-[a-zA-Z], )?(--[a-z0-9-]+)");
-        const std::string manual = shell("$rastertrace help --man " + command).out;
+        const std::string manual = run("help --man " + command).out;
         const auto completed = completions(command + " -");
         EXPECT_THAT(names, Contains("--help")) << command;
         for (const std::string& name : names) {
@@ -72,23 +63,23 @@ TEST_F(HelpTest, EveryOptionIsInTheManualAndIsCompleted) {
         for (const std::string& one : completed)
             EXPECT_TRUE(one.size() == 2 || names.contains(one)) << command << " " << one;
         options += names.size();
-        EXPECT_THAT(whole, StartsWith(shell("$rastertrace " + command + " --help").out));
+        EXPECT_THAT(whole, StartsWith(run(command + " --help").out));
     }
     EXPECT_GT(options, 300U);
 }
 
 TEST_F(HelpTest, TheShortHelpLeavesOutWhatManyCommandsHave) {
-    const std::string brief = shell("$rastertrace show -h").out;
+    const std::string brief = run("show -h").out;
     EXPECT_THAT(brief, HasSubstr("  --every STEP "));
     EXPECT_THAT(brief, Not(HasSubstr("--rounding")));
     EXPECT_THAT(brief, HasSubstr("More with --help: Method, instead of what the scene says ("));
-    EXPECT_THAT(shell("$rastertrace show --help").out, HasSubstr("  --rounding NAME "));
+    EXPECT_THAT(run("show --help").out, HasSubstr("  --rounding NAME "));
 }
 
 // A line that begins with a point is a command of roff, and each is one that the pages of manuals have.
 TEST_F(HelpTest, PagesOfTheManualAreRoff) {
     for (const std::string& command : completions("''")) {
-        const std::string page = shell("$rastertrace help --man " + command).out;
+        const std::string page = run("help --man " + command).out;
         EXPECT_THAT(page, StartsWith(".TH ")) << command;
         for (const std::string& macro : found_in(page, "\n(\\.[^\n ]*)"))
             EXPECT_THAT((std::set<std::string>{".SH", ".SS", ".TP", ".PP", ".nf", ".fi", ".nh"}),
@@ -97,7 +88,7 @@ TEST_F(HelpTest, PagesOfTheManualAreRoff) {
         for (const std::string section : {"NAME", "SYNOPSIS", "OPTIONS", "EXAMPLES", "EXIT STATUS"})
             EXPECT_THAT(page, HasSubstr("\n.SH " + section + "\n")) << command;
     }
-    EXPECT_THAT(shell("$rastertrace help --man").out, HasSubstr("\\fBrastertrace\\-show\\fR(1)"));
+    EXPECT_THAT(run("help --man").out, HasSubstr("\\fBrastertrace\\-show\\fR(1)"));
 }
 
 TEST_F(HelpTest, WordsAreCompleted) {
@@ -132,7 +123,7 @@ TEST_F(HelpTest, WordsAreCompleted) {
     EXPECT_THAT(completions("--v"), ElementsAre("--version"));
     EXPECT_THAT(completions("help figu"), ElementsAre("figure"));
     EXPECT_THAT(completions("nothing --x"), IsEmpty());
-    EXPECT_THAT(shell("$rastertrace help --complete").out, "");
+    EXPECT_THAT(run("help --complete").out, "");
 }
 
 TEST_F(HelpTest, BashCompletesWords) {
@@ -147,16 +138,16 @@ TEST_F(HelpTest, BashCompletesWords) {
     };
     EXPECT_EQ(by_bash("rastertrace sh"), "show sheet\n");
     EXPECT_EQ(by_bash("rastertrace show x --view sh"), "shade\n");
-    EXPECT_EQ(shell("$rastertrace help --completion csh").err,
+    EXPECT_EQ(run("help --completion csh").err,
               "rastertrace: --completion: expected one of bash, zsh, fish, found \"csh\"\n"
               "hint: did you mean zsh?\n");
 }
 
 TEST_F(HelpTest, EveryCommandHasAnExampleThatWorks) {
-    EXPECT_THAT(shell("$rastertrace --version").out, StartsWith("rastertrace "));
+    EXPECT_THAT(run("--version").out, StartsWith("rastertrace "));
     for (const std::string command :
          {"trace", "show", "figure", "stats", "plan", "stress", "report", "renew"}) {
-        const std::string help = shell("$rastertrace " + command + " --help").out;
+        const std::string help = run(command + " --help").out;
         const std::size_t example = help.find("Example:\n  rastertrace ");
         ASSERT_NE(example, std::string::npos) << command;
         std::string line = help.substr(example + 23);

@@ -3,9 +3,7 @@
 
 #include "effort.h"
 #include "program.h"
-
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
+#include "told_problem.h"
 
 #include <cstddef>
 #include <filesystem>
@@ -18,89 +16,65 @@
 namespace rastertrace {
 namespace {
 
-using testing::AllOf;
-using testing::EndsWith;
-using testing::HasSubstr;
-using testing::Not;
-using testing::StartsWith;
-
 TEST_F(ProgramTest, ErrorsHaveFileLineColumnAndCaret) {
     write("bad.json", "{\"vertices\": {\"A\": [2, 5]},\n \"trinagles\": [\"AAA\"]}\n");
-    const Outcome outcome = shell("$rastertrace trace bad.json -o t.json");
-    EXPECT_EQ(outcome.status, 2);
-    EXPECT_EQ(outcome.out, "");
-    EXPECT_EQ(outcome.err,
-              "rastertrace: bad.json:2:2: expected a key out of title, canvas, "
-              "background, vertices, colors, triangles, "
-              "polygons, outlines, lines, circles, points, meshes, model, camera, projection, "
-              "viewport, light, convention, method, keep, vary, found \"trinagles\"\n"
-              " \"trinagles\": [\"AAA\"]}\n"
-              " ^\n"
-              "hint: did you mean \"triangles\"?\n");
+    EXPECT_THAT(
+        run("trace bad.json -o t.json"),
+        Ends(
+            2, "",
+            "rastertrace: bad.json:2:2: expected a key out of title, canvas, background, vertices, "
+            "colors, triangles, polygons, outlines, lines, circles, points, meshes, model, camera, "
+            "projection, viewport, light, convention, method, keep, vary, found \"trinagles\"\n"
+            " \"trinagles\": [\"AAA\"]}\n"
+            " ^\n"
+            "hint: did you mean \"triangles\"?\n"));
     EXPECT_EQ(visible_files(), 1u) << "nothing was written";
 }
 
 TEST_F(ProgramTest, HintsSayHowJsonWritesIt) {
-    const std::vector<std::pair<std::string, std::string>> slips{
-        {R"({"A": [2, 5,]})", "13: expected a value, found ']'\n"
-                              "{\"A\": [2, 5,]}\n"
-                              "            ^\n"
-                              "hint: JSON has no comma behind the last value\n"},
-        {R"({"A": [2, 5], })", "15: expected a key in double quotes, found '}'\n"
-                               "{\"A\": [2, 5], }\n"
-                               "              ^\n"
-                               "hint: JSON has no comma behind the last value\n"},
-        {R"({'A': [2, 5]})", "2: expected a key in double quotes or '}', found '''\n"
-                             "{'A': [2, 5]}\n"
-                             " ^\n"
-                             "hint: JSON has double quotes: \"A\"\n"},
-        {R"({"triangles": ['ABC']})", "16: expected a value or ']', found '''\n"
-                                      "{\"triangles\": ['ABC']}\n"
-                                      "               ^\n"
-                                      "hint: JSON has double quotes: \"A\"\n"},
-        {R"({"A": [25/8, 5]})", "10: expected ',' or ']', found '/'\n"
-                                "{\"A\": [25/8, 5]}\n"
-                                "         ^\n"
-                                "hint: a fraction is written \"25/8\", in quotes\n"},
-        {R"({"A": (2, 5)})", "7: expected a value, found '('\n"
-                             "{\"A\": (2, 5)}\n"
-                             "      ^\n"
-                             "hint: JSON has square brackets: [2, 5]\n"},
-        {R"({"A": [2, 5]} // a)", "15: expected the end of the file, found '/'\n"
-                                  "{\"A\": [2, 5]} // a\n"
-                                  "              ^\n"
-                                  "hint: JSON has no comments\n"},
-        {R"({"A": [2, /* x */ 5]})", "11: expected a value, found '/'\n"
-                                     "{\"A\": [2, /* x */ 5]}\n"
-                                     "          ^\n"
-                                     "hint: JSON has no comments\n"},
-        {R"(# the first triangle)", "1: expected a JSON value, found '#'\n"
-                                    "# the first triangle\n"
-                                    "^\n"
-                                    "hint: JSON has no comments\n"},
+    struct Slip {
+        std::string text, message, hint;
     };
-    for (const auto& [text, message] : slips) {
+    const std::vector<Slip> slips{
+        {R"({"A": [2, 5,]})", "13: expected a value, found ']'",
+         "JSON has no comma behind the last value"},
+        {R"({"A": [2, 5], })", "15: expected a key in double quotes, found '}'",
+         "JSON has no comma behind the last value"},
+        {R"({'A': [2, 5]})", "2: expected a key in double quotes or '}', found '''",
+         "JSON has double quotes: \"A\""},
+        {R"({"triangles": ['ABC']})", "16: expected a value or ']', found '''",
+         "JSON has double quotes: \"A\""},
+        {R"({"A": [25/8, 5]})", "10: expected ',' or ']', found '/'",
+         "a fraction is written \"25/8\", in quotes"},
+        {R"({"A": (2, 5)})", "7: expected a value, found '('", "JSON has square brackets: [2, 5]"},
+        {R"({"A": [2, 5]} // a)", "15: expected the end of the file, found '/'",
+         "JSON has no comments"},
+        {R"({"A": [2, /* x */ 5]})", "11: expected a value, found '/'", "JSON has no comments"},
+        {R"(# the first triangle)", "1: expected a JSON value, found '#'", "JSON has no comments"},
+    };
+    for (const auto& [text, message, hint] : slips) {
         write("scene.json", text);
-        const Outcome outcome = shell("$rastertrace show scene.json");
-        EXPECT_EQ(outcome.status, 2) << text;
-        EXPECT_EQ(outcome.err, "rastertrace: scene.json:1:" + message);
+        EXPECT_THAT(
+            run("show scene.json"),
+            Refused("rastertrace: " + told_problem(text, "scene.json:1:" + message, hint) + "\n"))
+            << text;
     }
 }
 
 TEST_F(ProgramTest, HintsSayWhereAKeyOfTheMethodBelongs) {
     write("root.json", R"({"rounding": "floor"})");
-    EXPECT_THAT(shell("$rastertrace show root.json").err,
+    EXPECT_THAT(run("show root.json").err,
                 AllOf(StartsWith("rastertrace: root.json:1:2: expected a key out of title, "),
                       EndsWith(", found \"rounding\"\n"
                                "{\"rounding\": \"floor\"}\n"
                                " ^\n"
                                "hint: \"rounding\" belongs in \"method\": {\"rounding\": ...}\n")));
     write("line.json", R"({"line": ["AB"]})");
-    EXPECT_THAT(shell("$rastertrace show line.json").err,
+    EXPECT_THAT(run("show line.json").err,
                 EndsWith("hint: \"line\" belongs in \"method\": {\"line\": ...}; did you mean "
                          "\"lines\"?\n"));
     write("canvas.json", R"({"vertices": {"A": [0, 0]}, "points": ["A"], "canvas": {"fill": 1}})");
-    EXPECT_THAT(shell("$rastertrace show canvas.json").err,
+    EXPECT_THAT(run("show canvas.json").err,
                 EndsWith("hint: \"fill\" belongs in \"method\": {\"fill\": ...}\n"));
 }
 
@@ -108,50 +82,41 @@ TEST_F(ProgramTest, ADecimalCommaIsRemarkedOn) {
     write("scene.json", "{\"vertices\": {\"A\": [2, 5], \"B\": [-4, -3],\n"
                         "              \"C\": [5,5, -3]},\n"
                         " \"triangles\": [\"ABC\"]}");
-    const Outcome outcome = shell("$rastertrace show scene.json");
-    EXPECT_EQ(outcome.status, 0);
-    EXPECT_EQ(outcome.err,
-              "rastertrace: scene.json:2:20: remark: expected [x, y] as of other vertices, found "
-              "three numbers; nothing in this scene uses z\n"
-              "              \"C\": [5,5, -3]},\n"
-              "                   ^\n"
-              "hint: a decimal comma? JSON has a point: 5.5\n");
-    EXPECT_EQ(shell("$rastertrace show scene.json --cull back").err, "");
-    EXPECT_EQ(shell("$rastertrace show scene.json --depth linear-z").err, "");
+    EXPECT_THAT(run("show scene.json"),
+                Ends(0, _,
+                     "rastertrace: scene.json:2:20: remark: expected [x, y] as of other vertices, "
+                     "found three numbers; nothing in this scene uses z\n"
+                     "              \"C\": [5,5, -3]},\n"
+                     "                   ^\n"
+                     "hint: a decimal comma? JSON has a point: 5.5\n"));
+    EXPECT_EQ(run("show scene.json --cull back").err, "");
+    EXPECT_EQ(run("show scene.json --depth linear-z").err, "");
     write("all.json", R"({"vertices": {"A": [2, 5, 1], "B": [4, 3, 1]}, "lines": ["AB"]})");
-    EXPECT_EQ(shell("$rastertrace show all.json").err, "");
+    EXPECT_EQ(run("show all.json").err, "");
 }
 
 TEST_F(ProgramTest, FilesThatCannotBeRead) {
-    EXPECT_EQ(
-        shell("$rastertrace show no-such-file.json").err,
-        "rastertrace: no-such-file.json: expected a file that can be read, found: No such file "
-        "or directory\n");
-    EXPECT_EQ(shell("$rastertrace show no-such-file.json").status, 2);
-    EXPECT_EQ(shell("$rastertrace show .").err,
-              "rastertrace: .: expected a file, found a folder\n");
-    EXPECT_EQ(shell("$rastertrace show .").status, 2);
-    EXPECT_EQ(shell("$rastertrace show - <&-").status, 3);
+    EXPECT_THAT(run("show no-such-file.json"),
+                Refused("rastertrace: no-such-file.json: expected a file that can be read, found: "
+                        "No such file or directory\n"));
+    EXPECT_THAT(run("show ."), Refused("rastertrace: .: expected a file, found a folder\n"));
+    EXPECT_EQ(run("show - <&-").status, 3);
     EXPECT_EQ(shell("head -c 3000 $rastertrace >binary; $rastertrace show binary").status, 2);
 }
 
 // What stands behind a zero byte would go unseen.
 TEST_F(ProgramTest, AZeroByteIsRefusedInEveryFile) {
     write("scene.json", R"({"vertices":{"A":[1,1]},"points":["A"]})" + std::string("\0?", 2));
-    EXPECT_EQ(shell("$rastertrace trace scene.json").err,
+    EXPECT_EQ(run("trace scene.json").err,
               "rastertrace: scene.json:1:40: expected text, found a zero byte\n"
               "{\"vertices\":{\"A\":[1,1]},\"points\":[\"A\"]}<U+0000>?\n" +
                   std::string(39, ' ') + "^\n");
-    shell("$rastertrace trace $examples/t0-fill/first-triangle.json -o t.jsonl; "
-          "printf '\\000?' >> t.jsonl");
-    const Outcome trace = shell("$rastertrace show t.jsonl");
-    EXPECT_EQ(trace.status, 2);
-    EXPECT_THAT(trace.err, HasSubstr("expected text, found a zero byte"));
+    run("trace $examples/t0-fill/first-triangle.json -o t.jsonl; printf '\\000?' >> t.jsonl");
+    EXPECT_THAT(run("show t.jsonl"), Refused(HasSubstr("expected text, found a zero byte")));
     write("a.obj", std::string("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n# \0\nf 9 9 9\n", 44));
     write("mesh.json", R"({"canvas":{"width":9,"height":9},"meshes":[{"obj":"a.obj"}]})");
-    const Outcome mesh = shell("$rastertrace trace mesh.json");
-    EXPECT_EQ(mesh.status, 2);
-    EXPECT_THAT(mesh.err, HasSubstr("a.obj:5:3: expected text, found a zero byte"));
+    EXPECT_THAT(run("trace mesh.json"),
+                Refused(HasSubstr("a.obj:5:3: expected text, found a zero byte")));
 }
 
 TEST_F(ProgramTest, ATraceThatContradictsItselfIsTold) {
@@ -159,32 +124,27 @@ TEST_F(ProgramTest, ATraceThatContradictsItselfIsTold) {
 {"step":"pixel","x":0,"y":0}
 ],
 "end":{"steps":1,"pixels":99}})");
-    for (const std::string command : {"show", "stats"}) {
-        const Outcome told = shell("$rastertrace " + command + " t.json");
-        EXPECT_EQ(told.status, 2);
-        EXPECT_EQ(told.err,
-                  "rastertrace: t.json:4:7: expected 99 pixels as the end record says, found 1\n"
-                  "\"end\":{\"steps\":1,\"pixels\":99}}\n"
-                  "      ^\n");
-    }
+    for (const std::string command : {"show", "stats"})
+        EXPECT_THAT(
+            run(command + " t.json"),
+            Refused("rastertrace: t.json:4:7: expected 99 pixels as the end record says, found 1\n"
+                    "\"end\":{\"steps\":1,\"pixels\":99}}\n"
+                    "      ^\n"));
 }
 
 TEST_F(ProgramTest, WhatNeverEndsIsRefusedAtOnce) {
     EXPECT_EQ(shell("timeout 20 $rastertrace show /dev/zero").err.substr(0, 64),
               "rastertrace: /dev/zero:1:1: expected text, found a zero byte\n<U+");
-    const Outcome random = shell("timeout 20 $rastertrace plan /dev/urandom");
-    EXPECT_EQ(random.status, 2);
-    EXPECT_THAT(random.err, StartsWith("rastertrace: /dev/urandom:"));
-    const Outcome words = shell("yes word | timeout 20 $rastertrace stats -");
-    EXPECT_EQ(words.status, 2);
-    EXPECT_EQ(words.err, "rastertrace: standard input:1:1: expected a JSON value, found 'word'\n"
-                         "word\n"
-                         "^\n");
-    const Outcome blanks = shell("yes '' | timeout 20 $rastertrace show - --max-input 1MB");
-    EXPECT_EQ(blanks.status, 2);
-    EXPECT_EQ(blanks.err,
-              "rastertrace: standard input: expected a file of at most 1 MB, found a larger one\n"
-              "hint: --max-input SIZE raises the limit\n");
+    EXPECT_THAT(shell("timeout 20 $rastertrace plan /dev/urandom"),
+                Refused(StartsWith("rastertrace: /dev/urandom:")));
+    EXPECT_THAT(shell("yes word | timeout 20 $rastertrace stats -"),
+                Refused("rastertrace: standard input:1:1: expected a JSON value, found 'word'\n"
+                        "word\n"
+                        "^\n"));
+    EXPECT_THAT(
+        shell("yes '' | timeout 20 $rastertrace show - --max-input 1MB"),
+        Refused("rastertrace: standard input: expected a file of at most 1 MB, found a larger one\n"
+                "hint: --max-input SIZE raises the limit\n"));
     EXPECT_EQ(shell("mkfifo pipe; cat $examples/t0-fill/first-triangle.json >pipe & "
                     "timeout 20 $rastertrace show pipe")
                   .status,
@@ -195,23 +155,22 @@ TEST_F(ProgramTest, TheLimitOnInputCanBeRaised) {
     const std::string scene = R"({"canvas":{"width":9,"height":9},"meshes":[{"obj":"a.obj"}]})";
     write("scene.json", std::string(1500, ' ') + scene);
     write("a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n" + std::string(2500, '#'));
-    const Outcome whole = shell("$rastertrace plan scene.json");
-    EXPECT_EQ(whole.status, 0) << whole.err;
-    const Outcome refused = shell("$rastertrace plan scene.json --max-input 1kB");
-    EXPECT_EQ(refused.status, 2);
-    EXPECT_EQ(refused.err,
-              "rastertrace: scene.json: expected a file of at most 1000 bytes, found a larger one\n"
-              "hint: --max-input SIZE raises the limit\n");
-    EXPECT_THAT(shell("$rastertrace plan scene.json --max-input 2kB").err,
+    EXPECT_THAT(run("plan scene.json"), Ends(0));
+    EXPECT_THAT(
+        run("plan scene.json --max-input 1kB"),
+        Refused(
+            "rastertrace: scene.json: expected a file of at most 1000 bytes, found a larger one\n"
+            "hint: --max-input SIZE raises the limit\n"));
+    EXPECT_THAT(run("plan scene.json --max-input 2kB").err,
                 HasSubstr("expected a file of at most 2000 bytes, found a larger one (a.obj)"));
-    EXPECT_EQ(shell("$rastertrace plan scene.json --max-input 3kB").status, 0);
+    EXPECT_EQ(run("plan scene.json --max-input 3kB").status, 0);
 
     // A trace may have any size.
-    EXPECT_EQ(shell("$rastertrace trace scene.json -o t.json; $rastertrace stats t.json "
-                    "--max-input 1kB")
+    EXPECT_EQ(run("trace scene.json -o t.json; $rastertrace stats t.json "
+                  "--max-input 1kB")
                   .status,
               0);
-    EXPECT_EQ(shell("$rastertrace show scene.json --max-input lots").err,
+    EXPECT_EQ(run("show scene.json --max-input lots").err,
               "rastertrace: --max-input: expected a size in kB, MB or GB, like 512MB, found "
               "\"lots\"\n");
 }
@@ -226,21 +185,19 @@ TEST_F(ProgramTest, StepsThatAreHeldHaveALimitThatCanBeRaised) {
     for (const std::string words :
          {"show scene.json", "stats scene.json", "explain scene.json --step last",
           "figure scene.json -o o.png", "figure scene.json -o o.html", "play scene.json",
-          "diff scene.json --against scalar=exact"}) {
-        const Outcome refused = shell("$rastertrace " + words + " --max-steps 50");
-        EXPECT_EQ(refused.status, 2) << words;
-        EXPECT_EQ(refused.err,
-                  "rastertrace: scene.json: expected at most 50 steps to hold, found more\n" + hint)
+          "diff scene.json --against scalar=exact"})
+        EXPECT_THAT(
+            run(words + " --max-steps 50"),
+            Ends(2, "",
+                 "rastertrace: scene.json: expected at most 50 steps to hold, found more\n" + hint))
             << words;
-        EXPECT_EQ(refused.out, "") << words;
-    }
     EXPECT_EQ(shell("ls").out, "scene.json\n");
 
-    EXPECT_EQ(shell("$rastertrace show scene.json --max-steps 500").status, 0);
-    EXPECT_EQ(shell("$rastertrace trace scene.json -o t.jsonl").status, 0);
-    EXPECT_EQ(shell("$rastertrace stats t.jsonl --max-steps 50").err,
+    EXPECT_EQ(run("show scene.json --max-steps 500").status, 0);
+    EXPECT_EQ(run("trace scene.json -o t.jsonl").status, 0);
+    EXPECT_EQ(run("stats t.jsonl --max-steps 50").err,
               "rastertrace: t.jsonl: expected at most 50 steps to hold, found more\n" + hint);
-    EXPECT_EQ(shell("$rastertrace show scene.json --max-steps few").err,
+    EXPECT_EQ(run("show scene.json --max-steps few").err,
               "rastertrace: --max-steps: expected a number of steps, from 1, found \"few\"\n");
 }
 
@@ -256,11 +213,9 @@ TEST_F(ProgramTest, ALineOfATraceHasAnEnd) {
 
 // The largest file that the file system makes has no byte on the disk.
 TEST_F(ProgramTest, AFileOfAnySizeIsReadBlockByBlock) {
-    const Outcome huge = shell("for size in 9223372036854775807 17592186040320 1099511627776; do "
-                               "truncate -s $size huge 2>/dev/null && break; done; "
-                               "$rastertrace show huge");
-    EXPECT_EQ(huge.status, 2);
-    EXPECT_THAT(huge.err, StartsWith("rastertrace: huge:1:1: expected text, found a zero byte\n"));
+    EXPECT_THAT(shell("for size in 9223372036854775807 17592186040320 1099511627776; do truncate "
+                      "-s $size huge 2>/dev/null && break; done; $rastertrace show huge"),
+                Refused(StartsWith("rastertrace: huge:1:1: expected text, found a zero byte\n")));
 }
 
 // 8 bytes for each byte of input, and what the program itself needs.
@@ -269,7 +224,7 @@ TEST_F(ProgramTest, ReadingTakesLittleMemory) {
         GTEST_SKIP() << "the sanitizer needs memory of its own";
     constexpr long of_program = 16'000'000;
     const auto peak = [this](const std::string& name) {
-        const Outcome outcome = shell("$rastertrace plan " + name);
+        const Outcome outcome = run("plan " + name);
         EXPECT_LE(outcome.peak_memory,
                   8 * static_cast<long>(fs::file_size(folder_ / name)) + of_program)
             << name;
@@ -317,7 +272,7 @@ TEST_F(ProgramTest, ALargeCanvasTakesBytesForItsPixelsAndNotForItsSteps) {
     for (const auto& [command, bytes] : {std::pair("stats scene.json", frame),
                                          {"explain scene.json --pair ABC,ADC", frame},
                                          {"figure scene.json -o o.png --cell 1", frame + bitmap}}) {
-        const Outcome outcome = shell(std::string("$rastertrace ") + command);
+        const Outcome outcome = run(command);
         EXPECT_EQ(outcome.status, 0) << command << outcome.err;
         EXPECT_LE(outcome.peak_memory, bytes * width * height + 256'000'000) << command;
     }
@@ -336,33 +291,29 @@ TEST_F(ProgramTest, AnObjFileLiesInTheFolderOfItsScene) {
     for (const std::string path : {"models/inside.obj", "alias.obj", "models/../models/inside.obj",
                                    "../scenes/models/inside.obj"}) {
         write("scenes/scene.json", scene(path));
-        const Outcome drawn = shell("$rastertrace plan scenes/scene.json");
-        EXPECT_EQ(drawn.status, 0) << path << drawn.err;
+        EXPECT_THAT(run("plan scenes/scene.json"), Ends(0)) << path;
         EXPECT_EQ(shell("cd scenes; $rastertrace plan - <scene.json").status, 0) << path;
     }
     const std::string absolute = folder_ / "outside.obj";
     for (const std::string& path :
          {std::string("../outside.obj"), std::string("models/link.obj"), absolute}) {
         write("scenes/scene.json", scene(path));
-        const Outcome refused = shell("$rastertrace plan scenes/scene.json");
-        EXPECT_EQ(refused.status, 2) << path;
-        EXPECT_THAT(refused.err, HasSubstr("expected an OBJ file in the scene's folder or below, "
-                                           "found \""))
+        EXPECT_THAT(run("plan scenes/scene.json"),
+                    Refused(AllOf(
+                        HasSubstr("expected an OBJ file in the scene's folder or below, found \""),
+                        EndsWith("hint: --allow-outside lets it lie anywhere\n"))))
             << path;
-        EXPECT_THAT(refused.err, EndsWith("hint: --allow-outside lets it lie anywhere\n")) << path;
         for (const std::string command : {"plan", "trace", "show", "stats", "stress"}) {
-            const Outcome allowed =
-                shell("$rastertrace " + command + " scenes/scene.json --allow-outside");
-            EXPECT_EQ(allowed.status, 0) << path << allowed.err;
+            EXPECT_THAT(run(command + " scenes/scene.json --allow-outside"), Ends(0)) << path;
         }
     }
     write("scenes/scene.json", scene("../no-such-file.obj"));
-    EXPECT_THAT(shell("$rastertrace plan scenes/scene.json").err, HasSubstr("or below, found"))
+    EXPECT_THAT(run("plan scenes/scene.json").err, HasSubstr("or below, found"))
         << "nothing is told about files outside";
 
     write("scenes/shadow", "root:$6$secret:19000:0:99999:7:::\n");
     write("scenes/scene.json", scene("shadow"));
-    EXPECT_EQ(shell("$rastertrace plan scenes/scene.json").err,
+    EXPECT_EQ(run("plan scenes/scene.json").err,
               "rastertrace: scenes/shadow:1:1: expected an OBJ file, found a line that is none of "
               "it\n"
               "hint: its statements are v, vt, vn, f, l, p, g, o, s, usemtl, mtllib\n");
@@ -371,7 +322,7 @@ TEST_F(ProgramTest, AnObjFileLiesInTheFolderOfItsScene) {
 TEST_F(ProgramTest, CaretsAndTitlesCountColumns) {
     write("scene.json", "{\"title\":\"三e\u0301\", \"tile\":1}");
     EXPECT_EQ(
-        shell("$rastertrace plan scene.json").err,
+        run("plan scene.json").err,
         "rastertrace: scene.json:1:17: expected a key out of title, canvas, background, "
         "vertices, colors, "
         "triangles, polygons, outlines, lines, circles, points, meshes, model, camera, projection, "
@@ -386,7 +337,7 @@ TEST_F(ProgramTest, CaretsAndTitlesCountColumns) {
                                 "\":[1,1]},\"points\":[[\"" + name +
                                 "\"]],"
                                 "\"canvas\":{\"width\":5,\"height\":5}}");
-        std::string out = shell("$rastertrace show scene.json --last").out;
+        std::string out = run("show scene.json --last").out;
         EXPECT_THAT(out, HasSubstr("\n\n* " + name + " (1, 1)\n"));
         return out.substr(0, out.find("* ")).replace(0, title.size(), "TITLE");
     };
@@ -395,7 +346,7 @@ TEST_F(ProgramTest, CaretsAndTitlesCountColumns) {
 
 TEST_F(ProgramTest, NamesThatDifferLookDifferent) {
     write("scene.json", "{\"vertices\":{\"A\":[1,1]},\"points\":[[\"A\u200B\"]]}");
-    EXPECT_EQ(shell("$rastertrace plan scene.json").err,
+    EXPECT_EQ(run("plan scene.json").err,
               "rastertrace: scene.json:1:36: expected the name of a vertex, found \"A<U+200B>\"\n"
               "{\"vertices\":{\"A\":[1,1]},\"points\":[[\"A<U+200B>\"]]}\n"
               "                                   ^\n"
@@ -433,10 +384,9 @@ TEST_F(ProgramTest, LackOfMemoryIsAMessage) {
         "triangles": ["ABC"], "keep": ["depth"],
         "method": {"scalar": "exact", "depth": "linear-z", "fill": "top-left"}})");
     write("old.json", "old");
-    const Outcome outcome = shell("ulimit -c 0; ulimit -v 80000; $rastertrace trace deep.json "
-                                  "--only primitive -o old.json");
-    EXPECT_EQ(outcome.status, 3);
-    EXPECT_EQ(outcome.err, "rastertrace: out of memory\n");
+    EXPECT_THAT(shell("ulimit -c 0; ulimit -v 80000; $rastertrace trace deep.json --only primitive "
+                      "-o old.json"),
+                Ends(3, _, "rastertrace: out of memory\n"));
     EXPECT_EQ(content("old.json"), "old");
     EXPECT_EQ(visible_files(), 2u);
 }
@@ -468,12 +418,10 @@ TEST_F(ProgramTest, ManyUnknownKindsOfStepAreCountedQuickly) {
     write("many.jsonl", R"({"rastertrace":1,"canvas":{"width":1,"height":1}})"
                         "\n" +
                             steps + R"({"end":{"steps":200000}})" + "\n");
-    const Outcome stats = shell("ulimit -t 20; $rastertrace stats many.jsonl");
-    EXPECT_EQ(stats.status, 0) << stats.err;
-    EXPECT_THAT(stats.out, HasSubstr("  kind199999 1\n"));
-    const Outcome show = shell("ulimit -t 20; $rastertrace show many.jsonl --every kind");
-    EXPECT_EQ(show.status, 2);
-    EXPECT_THAT(show.err, HasSubstr("(kind0, kind1, kind2, "));
+    EXPECT_THAT(shell("ulimit -t 20; $rastertrace stats many.jsonl"),
+                Prints(HasSubstr("  kind199999 1\n")));
+    EXPECT_THAT(shell("ulimit -t 20; $rastertrace show many.jsonl --every kind"),
+                Refused(HasSubstr("(kind0, kind1, kind2, ")));
 }
 
 TEST_F(ProgramTest, AModelOfManyLongNumbersIsRefusedAtOnce) {
@@ -488,11 +436,10 @@ TEST_F(ProgramTest, AModelOfManyLongNumbersIsRefusedAtOnce) {
                text + "]}";
     };
     write("long.json", model(64));
-    const Outcome refused = shell("ulimit -t 20; $rastertrace plan long.json");
-    EXPECT_EQ(refused.status, 2);
-    EXPECT_THAT(refused.err,
-                StartsWith("rastertrace: long.json:34:1: expected a model whose numbers have "
-                           "at most 32768 bits as fractions, all together; found more\n"));
+    EXPECT_THAT(
+        shell("ulimit -t 20; $rastertrace plan long.json"),
+        Refused(StartsWith("rastertrace: long.json:34:1: expected a model whose numbers have at "
+                           "most 32768 bits as fractions, all together; found more\n")));
 }
 
 TEST_F(ProgramTest, AFanWiderThanEveryCanvasIsRefusedAtOnce) {
@@ -501,14 +448,13 @@ TEST_F(ProgramTest, AFanWiderThanEveryCanvasIsRefusedAtOnce) {
                R"(,1],"C":[1,9]},"triangles":["ABC"],"method":{"fill":"fan"}})";
     };
     write("wide.json", fan("16384"));
-    EXPECT_EQ(shell("$rastertrace stats wide.json").status, 0);
+    EXPECT_EQ(run("stats wide.json").status, 0);
     write("wider.json", fan("16385"));
-    const Outcome refused = shell("$rastertrace trace wider.json -o wider.trace.json");
-    EXPECT_EQ(refused.status, 2);
-    EXPECT_THAT(refused.err,
-                StartsWith("rastertrace: wider.json:1:58: expected edges of at most 16384 "
-                           "pixels for the fan, which draws a line for each, found vertex A at "
-                           "(0, 0) and vertex B at (16385, 1)\n"));
+    EXPECT_THAT(
+        run("trace wider.json -o wider.trace.json"),
+        Refused(StartsWith(
+            "rastertrace: wider.json:1:58: expected edges of at most 16384 pixels for the fan, "
+            "which draws a line for each, found vertex A at (0, 0) and vertex B at (16385, 1)\n")));
 }
 
 // A large trace is looked at in its file. The program waits for the reader of the pipe when the file is emptied.
@@ -516,9 +462,9 @@ TEST_F(ProgramTest, ATraceThatIsCutShortWhileItIsReadIsToldOf) {
     write("scene.json", R"({"canvas":{"width":200,"height":200,"origin":"top-left"},
         "vertices":{"A":[0,0],"B":[199,0],"C":[0,199]},"triangles":["ABC"],
         "method":{"fill":"barycentric"}})");
-    ASSERT_EQ(shell("$rastertrace trace scene.json -o t.jsonl").status, 0);
+    ASSERT_EQ(run("trace scene.json -o t.jsonl").status, 0);
     ASSERT_GT(content("t.jsonl").size(), 1'000'000u);
-    const Outcome whole = shell("$rastertrace show --all --bare t.jsonl | wc -c");
+    const Outcome whole = run("show --all --bare t.jsonl | wc -c");
     const Outcome cut = shell("($rastertrace show --all --bare t.jsonl; echo $? > status) | "
                               "(read line; : > t.jsonl; cat > rest); cat status");
     EXPECT_EQ(cut.out, "3\n");

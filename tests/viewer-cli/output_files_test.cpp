@@ -3,9 +3,6 @@
 
 #include "program.h"
 
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-
 #include <fcntl.h>
 #include <spawn.h>
 #include <sys/ioctl.h>
@@ -23,23 +20,16 @@
 namespace rastertrace {
 namespace {
 
-using testing::EndsWith;
-using testing::StartsWith;
-
 TEST_F(ProgramTest, AFullDiskLeavesNoHalfFile) {
-    EXPECT_EQ(shell("$rastertrace trace $examples/t0-fill/first-triangle.json >/dev/full").status,
-              3);
-    const Outcome device =
-        shell("$rastertrace trace $examples/t0-fill/first-triangle.json -o /dev/full");
-    EXPECT_EQ(device.status, 3);
-    EXPECT_EQ(device.err,
-              "rastertrace: /dev/full: could not be written: No space left on device\n");
+    EXPECT_EQ(run("trace $examples/t0-fill/first-triangle.json >/dev/full").status, 3);
+    EXPECT_THAT(
+        run("trace $examples/t0-fill/first-triangle.json -o /dev/full"),
+        Ends(3, _, "rastertrace: /dev/full: could not be written: No space left on device\n"));
     // A limit of one block of 512 bytes.
     write("old.json", "old");
-    const Outcome limited = shell("ulimit -f 1; $rastertrace trace "
-                                  "$examples/t0-fill/first-triangle.json -o old.json");
-    EXPECT_EQ(limited.status, 3);
-    EXPECT_THAT(limited.err, StartsWith("rastertrace: old.json: could not be written: "));
+    EXPECT_THAT(
+        shell("ulimit -f 1; $rastertrace trace $examples/t0-fill/first-triangle.json -o old.json"),
+        Ends(3, _, StartsWith("rastertrace: old.json: could not be written: ")));
     EXPECT_EQ(content("old.json"), "old");
     EXPECT_EQ(visible_files(), 1u);
 }
@@ -65,10 +55,9 @@ TEST_F(ProgramTest, NothingThatWasReadIsOverwritten) {
           "report --quick --format csv - -o scene.json <scene.json",
           "report --quick --format csv $examples/t0-fill/first-triangle.json scene.json "
           "-o out.csv -o scene.json"}) {
-        const Outcome outcome = shell("$rastertrace " + arguments);
-        EXPECT_EQ(outcome.status, 2) << arguments;
-        EXPECT_THAT(outcome.err, EndsWith(": expected another file than those that are read, "
-                                          "found one of them\n"))
+        EXPECT_THAT(run(arguments),
+                    Refused(EndsWith(
+                        ": expected another file than those that are read, found one of them\n")))
             << arguments;
         EXPECT_EQ(content("scene.json"), scene) << arguments;
         EXPECT_EQ(content("models/c.obj"), model) << arguments;
@@ -81,8 +70,7 @@ TEST_F(ProgramTest, NothingThatAFigureHasReadIsOverwritten) {
     const std::string model = "v 0 0 0\nv 3 0 0\nv 0 3 0\nf 1 2 3\n";
     write("c-1.obj", model);
     write("scene.json", R"({"canvas": {"width": 9, "height": 9}, "meshes": [{"obj": "c-1.obj"}]})");
-    ASSERT_EQ(shell("$rastertrace trace scene.json -o other-2.json; ln other-2.json hard").status,
-              0);
+    ASSERT_EQ(run("trace scene.json -o other-2.json; ln other-2.json hard").status, 0);
     const std::string other = content("other-2.json");
     for (const std::string arguments :
          {"--format svg -o c-1.obj", "--format html -o c-1.obj", "-o - --format svg >>c-1.obj",
@@ -92,10 +80,9 @@ TEST_F(ProgramTest, NothingThatAFigureHasReadIsOverwritten) {
           "--against other-2.json --every scanline --format png -o other.json"}) {
         write("scene.json", R"({"canvas": {"width": 9, "height": 9},
             "meshes": [{"obj": "c-1.obj", "model": [{"translate": [0, 0, 0]}]}]})");
-        const Outcome outcome = shell("$rastertrace figure scene.json " + std::string(arguments));
-        EXPECT_EQ(outcome.status, 2) << arguments;
-        EXPECT_THAT(outcome.err, EndsWith(": expected another file than those that are read, "
-                                          "found one of them\n"))
+        EXPECT_THAT(run("figure scene.json " + std::string(arguments)),
+                    Refused(EndsWith(
+                        ": expected another file than those that are read, found one of them\n")))
             << arguments;
         EXPECT_EQ(content("c-1.obj"), model) << arguments;
         EXPECT_EQ(content("other-2.json"), other) << arguments;
@@ -118,15 +105,14 @@ TEST_F(ProgramTest, SeveralFilesGetTheirNamesTogether) {
                      figures);
     };
     // Not one before all are on the disk.
-    const Outcome unsynced = failing("FAIL_CALL=fsync FAIL_AT=3");
-    EXPECT_EQ(unsynced.status, 3);
-    EXPECT_EQ(unsynced.err, "rastertrace: f-03.txt: could not be written: Input/output error\n");
+    EXPECT_THAT(failing("FAIL_CALL=fsync FAIL_AT=3"),
+                Ends(3, _, "rastertrace: f-03.txt: could not be written: Input/output error\n"));
     EXPECT_EQ(visible_files(), 1u);
 
-    const Outcome unnamed = failing("FAIL_CALL=rename FAIL_AT=3 FAIL_ALWAYS=1");
-    EXPECT_EQ(unnamed.status, 3);
-    EXPECT_EQ(unnamed.err, "rastertrace: f-03.txt: could not be given its name: Input/output "
-                           "error\nhint: new by then: f-01.txt, f-02.txt\n");
+    EXPECT_THAT(failing("FAIL_CALL=rename FAIL_AT=3 FAIL_ALWAYS=1"),
+                Ends(3, _,
+                     "rastertrace: f-03.txt: could not be given its name: Input/output "
+                     "error\nhint: new by then: f-01.txt, f-02.txt\n"));
     EXPECT_EQ(shell("ls f-*.txt").out, "f-01.txt\nf-02.txt\n");
     EXPECT_THAT(failing("FAIL_CALL=rename FAIL_AT=1 FAIL_ALWAYS=1").err,
                 EndsWith("\nhint: none of the other files is new\n"));
@@ -170,10 +156,10 @@ TEST_F(ProgramTest, WritesTheFileThatALinkLeadsTo) {
     EXPECT_TRUE(fs::is_symlink(folder_ / "folder/link2.json"));
     EXPECT_THAT(content("real.json"), StartsWith("{\"rastertrace\":1,"));
     shell("ln -s loop.json loop.json");
-    const Outcome loop = shell(trace + "loop.json");
-    EXPECT_EQ(loop.status, 3);
-    EXPECT_EQ(loop.err, "rastertrace: loop.json: could not be created: Too many levels of symbolic "
-                        "links\n");
+    EXPECT_THAT(
+        shell(trace + "loop.json"),
+        Ends(3, _,
+             "rastertrace: loop.json: could not be created: Too many levels of symbolic links\n"));
 }
 
 TEST_F(ProgramTest, WritesNamesAsLongAsTheSystemTakes) {
@@ -182,9 +168,8 @@ TEST_F(ProgramTest, WritesNamesAsLongAsTheSystemTakes) {
     EXPECT_EQ(shell(trace + name).status, 0);
     EXPECT_EQ(shell(trace + name).status, 0) << "once more, over the first";
     EXPECT_THAT(content(name), StartsWith("{\"rastertrace\":1,"));
-    const Outcome longer = shell(trace + "n" + name);
-    EXPECT_EQ(longer.status, 3);
-    EXPECT_THAT(longer.err, EndsWith(".json: could not be created: File name too long\n"));
+    EXPECT_THAT(shell(trace + "n" + name),
+                Ends(3, _, EndsWith(".json: could not be created: File name too long\n")));
 }
 
 TEST_F(ProgramTest, KeepsTheModeOfTheFileThatItReplaces) {
@@ -199,15 +184,14 @@ TEST_F(ProgramTest, KeepsTheModeOfTheFileThatItReplaces) {
 
 TEST_F(ProgramTest, AFileInAFolderThatTakesNoneIsNotWritten) {
     // Whoever runs the tests may write anywhere; nobody may not.
-    const Outcome outcome = shell(
-        "cp $rastertrace rastertrace; cp $examples/t0-fill/first-triangle.json .; mkdir folder; "
-        "echo old >folder/old.json; chmod 666 folder/old.json; chmod 555 folder; chmod 755 .; "
-        "as_nobody=; test $(id -u) != 0 || "
-        "as_nobody='setpriv --reuid=65534 --regid=65534 --clear-groups'; "
-        "$as_nobody ./rastertrace trace first-triangle.json -o folder/old.json");
-    EXPECT_EQ(outcome.status, 3);
-    EXPECT_EQ(outcome.err, "rastertrace: folder/old.json: may be written, but its folder takes no "
-                           "new file to replace it by: Permission denied\n");
+    EXPECT_THAT(shell("cp $rastertrace rastertrace; cp $examples/t0-fill/first-triangle.json .; "
+                      "mkdir folder; echo old >folder/old.json; chmod 666 folder/old.json; chmod "
+                      "555 folder; chmod 755 .; as_nobody=; test $(id -u) != 0 || "
+                      "as_nobody='setpriv --reuid=65534 --regid=65534 --clear-groups'; $as_nobody "
+                      "./rastertrace trace first-triangle.json -o folder/old.json"),
+                Ends(3, _,
+                     "rastertrace: folder/old.json: may be written, but its folder takes no new "
+                     "file to replace it by: Permission denied\n"));
     EXPECT_EQ(content("folder/old.json"), "old\n");
     shell("chmod 755 folder");
 }
@@ -215,7 +199,7 @@ TEST_F(ProgramTest, AFileInAFolderThatTakesNoneIsNotWritten) {
 TEST_F(ProgramTest, WaitsForAPipeThatIsFull) {
     write("big.json", R"({"canvas": {"width": 100, "height": 100},
         "vertices": {"A": [-50, -50], "B": [50, -50], "C": [0, 50]}, "triangles": ["ABC"]})");
-    const std::string whole = shell("$rastertrace trace big.json").out;
+    const std::string whole = run("trace big.json").out;
 
     // A pipe that says EAGAIN as long as it is full. It is read once it is, or once the program ends.
     std::array<int, 2> pipe{};

@@ -3,19 +3,13 @@
 
 #include "program.h"
 
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-
 #include <string>
 
 namespace rastertrace {
 namespace {
 
-using testing::EndsWith;
-using testing::HasSubstr;
-
 TEST_F(ProgramTest, PlanSaysWhichStagesAreNeededAndWhy) {
-    EXPECT_EQ(shell("$rastertrace plan $examples/t4-pipeline/camera-points.json").out,
+    EXPECT_EQ(run("plan $examples/t4-pipeline/camera-points.json").out,
               "Three points seen by T4's camera\n"
               "stage        plan      why; what it saves\n"
               "model        left out  no model moves anything; saves 4 steps\n"
@@ -34,23 +28,21 @@ TEST_F(ProgramTest, PlanSaysWhichStagesAreNeededAndWhy) {
               "perspective  left out  no colors are mixed in a perspective\n"
               "colors       left out  no colors are mixed\n");
     const std::string triangle = "$examples/t0-fill/first-triangle.json";
-    EXPECT_THAT(shell("$rastertrace plan --full " + triangle).out,
+    EXPECT_THAT(run("plan --full " + triangle).out,
                 HasSubstr("model        kept      asked to be kept; no model moves anything\n"));
     EXPECT_THAT(
-        shell("$rastertrace plan --json --keep divide " + triangle).out,
+        run("plan --json --keep divide " + triangle).out,
         HasSubstr(R"({"stage":"divide","kept":true,"why":"asked to be kept; w is 1 at every )"
                   R"(vertex","saves":{"bytes":0,"steps":0,"pixels":0}})"));
-    EXPECT_THAT(shell("$rastertrace show " + triangle + " --rounding truncate --full").out,
+    EXPECT_THAT(run("show " + triangle + " --rounding truncate --full").out,
                 EndsWith("\nstages: model, view, divide, canvas\n"));
-    const Outcome unknown = shell("$rastertrace plan --keep dept " + triangle);
-    EXPECT_EQ(unknown.status, 2);
-    EXPECT_EQ(unknown.err,
-              "rastertrace: --keep: expected stages out of model,view,clip,divide,order,cull,light,"
-              "canvas,depth,perspective,colors, found \"dept\"\nhint: did you mean depth?\n");
-    const Outcome nobody = shell("$rastertrace trace --primitive ABD " + triangle);
-    EXPECT_EQ(nobody.status, 2);
-    EXPECT_THAT(nobody.err, HasSubstr("expected a primitive of the scene, found ABD\n"
-                                      "hint: did you mean ABC?\n"));
+    EXPECT_THAT(run("plan --keep dept " + triangle),
+                Refused("rastertrace: --keep: expected stages out of "
+                        "model,view,clip,divide,order,cull,light,canvas,depth,perspective,colors, "
+                        "found \"dept\"\nhint: did you mean depth?\n"));
+    EXPECT_THAT(run("trace --primitive ABD " + triangle),
+                Refused(HasSubstr("expected a primitive of the scene, found ABD\n"
+                                  "hint: did you mean ABC?\n")));
 }
 
 } // namespace

@@ -34,7 +34,6 @@ namespace rastertrace {
 namespace {
 
 using ::testing::HasSubstr;
-using ::testing::Not;
 
 Player player_of(const Scene& scene, const PlayerOptions& options = {}) {
     return Player({.open = [scene](std::size_t) { return GrowingTrace(trace_of(scene)); }},
@@ -69,6 +68,11 @@ void play_on(Player& player) {
 std::size_t step_after(Player& player, const std::vector<std::string>& keys) {
     press(player, keys);
     return player.playback().step();
+}
+
+std::string message_after(Player& player, const std::vector<std::string>& keys) {
+    press(player, keys);
+    return player.message();
 }
 
 std::string screen_text(const Player& player, TextSize size = {80, 24}) {
@@ -112,14 +116,11 @@ TEST(Player, FindsRowsKindsAndPrimitives) {
     press(player, {"3", "j"});
     EXPECT_EQ(y_in(step_of(player)), 2);
     const std::size_t row = player.playback().step();
-    press(player, {"Right", "]"});
-    EXPECT_EQ(player.playback().step(), row + 2); // its second pixel
-    press(player, {"["});
-    EXPECT_EQ(player.playback().step(), row + 1);
+    EXPECT_EQ(step_after(player, {"Right", "]"}), row + 2); // its second pixel
+    EXPECT_EQ(step_after(player, {"["}), row + 1);
     press(player, {"{"});
     EXPECT_EQ(step_of(player).kind(), StepKind::primitive);
-    press(player, {"{"});
-    EXPECT_EQ(player.message(), "no primitive begins that way");
+    EXPECT_EQ(message_after(player, {"{"}), "no primitive begins that way");
     EXPECT_EQ(step_of(player).kind(), StepKind::primitive);
 }
 
@@ -141,8 +142,7 @@ TEST(Player, FindsTheStepsOfThePixelUnderTheCursor) {
         player_of(scene_in(R"({"canvas":{"width":9,"height":9},"method":{"depth":"linear-z"},
         "vertices":{"A":[0,3,5],"B":[-3,-2,5],"C":[3,-2,5],"D":[0,3,2],"E":[-3,-2,2],"F":[3,-2,2]},
         "triangles":["ABC","DEF"]})"));
-    press(player, {"."});
-    EXPECT_EQ(player.message(), "there is no cursor: c sets it, or a click");
+    EXPECT_EQ(message_after(player, {"."}), "there is no cursor: c sets it, or a click");
     press(player, {"c"}); // the middle: nothing is drawn yet
     EXPECT_EQ(player.cursor(), (Pixel{0, 0}));
     std::vector<std::string> kinds;
@@ -185,21 +185,17 @@ TEST(Player, SearchesForSteps) {
     EXPECT_EQ(player.playback().step(), 14U);
     EXPECT_EQ(step_after(player, {"n"}), 14U);
     EXPECT_EQ(player.message(), "no other step that way is scanline y=2");
-    press(player, {"/"});
-    type(player, "scanline");
+    type(player, "/scanline");
     EXPECT_EQ(y_in(step_of(player)), 1);
     press(player, {"N", "N"});
     EXPECT_EQ(y_in(step_of(player)), 3);
-    press(player, {"/"});
-    type(player, "scanline y=200");
+    type(player, "/scanline y=200");
     EXPECT_EQ(player.message(),
               "expected a step of the trace, found none with y=200; scanline has y: 5, "
               "4, 3, 2, 1, ...");
-    press(player, {"/"});
-    type(player, "scanlines");
+    type(player, "/scanlines");
     EXPECT_THAT(player.message(), HasSubstr("found scanlines; did you mean scanline?"));
-    press(player, {"/"});
-    type(player, "31");
+    type(player, "/31");
     EXPECT_EQ(player.playback().step(), 31U);
     press(player, {"/", "x", "Backspace", "Backspace"});
     EXPECT_EQ(player.prompt(), std::nullopt);
@@ -240,13 +236,10 @@ TEST(Player, ShowsEveryFrameOfASequence) {
                        },
                    .label = [](std::size_t frame) { return std::to_string(frame) + " of 3"; }},
                   {});
-    press(player, {"1", "4", "G", "f"});
-    EXPECT_EQ(player.playback().step(), 14U);
+    EXPECT_EQ(step_after(player, {"1", "4", "G", "f"}), 14U);
     EXPECT_THAT(screen_text(player), HasSubstr("frame 2 of 3"));
-    press(player, {"f", "f"});
-    EXPECT_EQ(player.message(), "this is the last frame");
-    press(player, {"F", "F", "F"});
-    EXPECT_EQ(player.message(), "this is the first frame");
+    EXPECT_EQ(message_after(player, {"f", "f"}), "this is the last frame");
+    EXPECT_EQ(message_after(player, {"F", "F", "F"}), "this is the first frame");
     EXPECT_EQ(opened, (std::vector<std::size_t>{1, 2, 3, 2, 1}));
 }
 
@@ -268,8 +261,7 @@ TEST(Player, ChangesWhatIsLookedAt) {
     press(player, {"o", "w"});
     EXPECT_TRUE(player.is_overview());
     EXPECT_FALSE(player.has_working());
-    press(player, {"x"});
-    EXPECT_EQ(player.message(), "x does nothing; ? lists the keys");
+    EXPECT_EQ(message_after(player, {"x"}), "x does nothing; ? lists the keys");
 }
 
 TEST(Player, BeginsWithTheViewAndTheStepThatWereAskedFor) {
@@ -293,8 +285,7 @@ TEST(Player, DoesWhatANumberInFrontSays) {
     EXPECT_EQ(player.cursor(), (Pixel{5, 2}));
     EXPECT_EQ(step_after(player, {"0", "]"}), 1U); // not at all makes no sense: once
     EXPECT_EQ(step_after(player, {"1", "2", "Backspace", "4", "G"}), 14U);
-    press(player, {"9", "9", "j"});
-    EXPECT_EQ(player.message(), "no row begins that way");
+    EXPECT_EQ(message_after(player, {"9", "9", "j"}), "no row begins that way");
     EXPECT_EQ(y_in(step_of(player)), -3); // the last one
 }
 

@@ -5,9 +5,10 @@
 //
 //     TEST_F(ProgramTest, ...) {
 //         write("scene.json", ...);
-//         EXPECT_EQ(shell("$rastertrace plan scene.json").out, ...);
+//         EXPECT_THAT(run("plan scene.json"), Prints(...));
 //     }
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <fcntl.h>
@@ -20,6 +21,7 @@
 #include <cstddef>
 #include <filesystem>
 #include <fstream>
+#include <ostream>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -30,6 +32,20 @@ namespace rastertrace {
 
 namespace fs = std::filesystem;
 
+using testing::_;
+using testing::AllOf;
+using testing::AnyOf;
+using testing::Contains;
+using testing::ContainsRegex;
+using testing::Each;
+using testing::ElementsAre;
+using testing::EndsWith;
+using testing::HasSubstr;
+using testing::IsEmpty;
+using testing::MatchesRegex;
+using testing::Not;
+using testing::StartsWith;
+
 /// How a command ended, and what it printed.
 struct Outcome {
     int status = -1; ///< as the shell tells it: 128 + signal if it was killed
@@ -37,6 +53,27 @@ struct Outcome {
     std::string err;
     long peak_memory = 0; ///< of the largest program that ran, in bytes
 };
+
+inline std::ostream& operator<<(std::ostream& to, const Outcome& outcome) {
+    return to << "status " << outcome.status << ", out:\n"
+              << outcome.out << "err:\n"
+              << outcome.err;
+}
+
+/// What a command prints, in full or by a matcher.
+using Text = testing::Matcher<const std::string&>;
+
+inline testing::Matcher<const Outcome&> Ends(int status, const Text& out = _, const Text& err = _) {
+    return AllOf(testing::Field("status", &Outcome::status, status),
+                 testing::Field("out", &Outcome::out, out),
+                 testing::Field("err", &Outcome::err, err));
+}
+inline testing::Matcher<const Outcome&> Prints(const Text& out) {
+    return Ends(0, out);
+}
+inline testing::Matcher<const Outcome&> Refused(const Text& err) {
+    return Ends(2, _, err);
+}
 
 class ProgramTest : public testing::Test {
 protected:
@@ -77,9 +114,9 @@ protected:
         return {WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status), content(".out"),
                 content(".err"), 1024 * usage.ru_maxrss};
     }
-    Outcome diff(const std::string& arguments) const {
-        return shell("$rastertrace diff " + arguments);
-    }
+    /// Runs the program with these arguments, and what a shell does behind them.
+    Outcome run(const std::string& arguments) const { return shell("$rastertrace " + arguments); }
+    Outcome diff(const std::string& arguments) const { return run("diff " + arguments); }
 
     void write(const std::string& name, const std::string& text) const {
         std::ofstream(folder_ / name) << text;

@@ -3,8 +3,6 @@
 
 #include "program.h"
 
-#include <gmock/gmock.h>
-
 #include <algorithm>
 #include <cstddef>
 #include <filesystem>
@@ -14,9 +12,6 @@
 
 namespace rastertrace {
 namespace {
-
-using ::testing::EndsWith;
-using ::testing::HasSubstr;
 
 class ReadmeTest : public ProgramTest {
 protected:
@@ -69,7 +64,7 @@ TEST_F(ReadmeTest, EveryCommandOfTheReadmeRunsAsItStands) {
         }
     EXPECT_GE(count, 10U);
     const auto lines = lines_of("README.md");
-    EXPECT_THAT(lines, testing::Contains("export PATH=$PWD/build/release/viewer-cli:$PATH"));
+    EXPECT_THAT(lines, Contains("export PATH=$PWD/build/release/viewer-cli:$PATH"));
     EXPECT_LE(lines.size(), 100U) << "two screens";
 }
 

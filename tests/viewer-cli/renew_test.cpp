@@ -3,17 +3,11 @@
 
 #include "program.h"
 
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-
 #include <csignal>
 #include <string>
 
 namespace rastertrace {
 namespace {
-
-using testing::HasSubstr;
-using testing::StartsWith;
 
 class RenewTest : public ProgramTest {
 protected:
@@ -46,16 +40,14 @@ const std::string fresh =
 
 TEST_F(RenewTest, OutputsArePutOnThePage) {
     write("page.md", stale);
-    const Outcome first = shell("$rastertrace renew page.md");
-    EXPECT_EQ(first.status, 0) << first.err;
-    EXPECT_EQ(first.out, "page.md: 2 commands, 2 renewed\n");
+    EXPECT_THAT(run("renew page.md"), Prints("page.md: 2 commands, 2 renewed\n"));
     EXPECT_EQ(content("page.md"), fresh);
     EXPECT_EQ(visible_files(), 3u);
 
-    const Outcome second = shell("$rastertrace renew page.md");
+    const Outcome second = run("renew page.md");
     EXPECT_EQ(second.out, "page.md: 2 commands, 0 renewed\n");
     EXPECT_EQ(content("page.md"), fresh);
-    const Outcome check = shell("$rastertrace renew --check page.md");
+    const Outcome check = run("renew --check page.md");
     EXPECT_EQ(check.status, 0);
     EXPECT_EQ(check.out + check.err, "");
 }
@@ -63,19 +55,19 @@ TEST_F(RenewTest, OutputsArePutOnThePage) {
 TEST_F(RenewTest, CheckTellsTheFirstLineThatDiffers) {
     write("page.md", stale);
     write("fresh.md", fresh);
-    const Outcome check = shell("$rastertrace renew --check page.md fresh.md");
-    EXPECT_EQ(check.status, 1);
-    EXPECT_EQ(check.out, "page.md:4:3: expected \"...\", found \"..#\"\n"
-                         "..#\n"
-                         "  ^\n"
-                         "hint: line 3 is rastertrace show scene.json --bare\n"
-                         "page.md:7:1: expected \"rastertrace: bad.json:1:14: expected vertices by "
-                         "name, like {\"A\": [2, 5]}, found 1\", found the end of the output\n"
-                         "```\n"
-                         "^\n"
-                         "hint: line 6 is rastertrace show bad.json   # exit 2\n"
-                         "to renew: rastertrace renew page.md\n");
-    EXPECT_EQ(check.err, "");
+    EXPECT_THAT(run("renew --check page.md fresh.md"),
+                Ends(1,
+                     "page.md:4:3: expected \"...\", found \"..#\"\n"
+                     "..#\n"
+                     "  ^\n"
+                     "hint: line 3 is rastertrace show scene.json --bare\n"
+                     "page.md:7:1: expected \"rastertrace: bad.json:1:14: expected vertices by "
+                     "name, like {\"A\": [2, 5]}, found 1\", found the end of the output\n"
+                     "```\n"
+                     "^\n"
+                     "hint: line 6 is rastertrace show bad.json   # exit 2\n"
+                     "to renew: rastertrace renew page.md\n",
+                     ""));
     EXPECT_EQ(content("page.md"), stale);
 }
 
@@ -84,25 +76,24 @@ TEST_F(RenewTest, CheckTellsWhichFilesAreStaleAndWritesNone) {
                      "```console\n"
                      "$ rastertrace figure scene.json -o dots.svg\n"
                      "```\n");
-    EXPECT_EQ(shell("$rastertrace renew page.md").status, 0);
+    EXPECT_EQ(run("renew page.md").status, 0);
     const std::string figure = content("dots.svg");
     EXPECT_THAT(figure, StartsWith("<svg"));
-    EXPECT_EQ(shell("$rastertrace renew --check page.md").status, 0);
+    EXPECT_EQ(run("renew --check page.md").status, 0);
 
     write("dots.svg", "old");
-    const Outcome old = shell("$rastertrace renew --check page.md");
-    EXPECT_EQ(old.status, 1);
-    EXPECT_EQ(old.out, "page.md:3:1: expected dots.svg as this command writes it, found another "
-                       "file, or none\n"
-                       "$ rastertrace figure scene.json -o dots....\n"
-                       "^\n"
-                       "to renew: rastertrace renew page.md\n");
+    EXPECT_THAT(run("renew --check page.md"),
+                Ends(1, "page.md:3:1: expected dots.svg as this command writes it, found another "
+                        "file, or none\n"
+                        "$ rastertrace figure scene.json -o dots....\n"
+                        "^\n"
+                        "to renew: rastertrace renew page.md\n"));
     EXPECT_EQ(content("dots.svg"), "old");
 
     shell("rm dots.svg");
-    EXPECT_EQ(shell("$rastertrace renew --check page.md").status, 1);
+    EXPECT_EQ(run("renew --check page.md").status, 1);
     EXPECT_EQ(shell("ls dots.svg").status, 2) << "there still is none";
-    EXPECT_EQ(shell("$rastertrace renew page.md").status, 0);
+    EXPECT_EQ(run("renew page.md").status, 0);
     EXPECT_EQ(content("dots.svg"), figure);
 }
 
@@ -110,23 +101,20 @@ TEST_F(RenewTest, EachFileOfASequenceIsChecked) {
     write("page.md", "```console\n"
                      "$ rastertrace trace scene.json --vary /vertices/A/0=0:1:2 -o dots.json\n"
                      "```\n");
-    EXPECT_EQ(shell("$rastertrace renew page.md").status, 0);
-    EXPECT_EQ(shell("$rastertrace renew --check page.md").status, 0);
+    EXPECT_EQ(run("renew page.md").status, 0);
+    EXPECT_EQ(run("renew --check page.md").status, 0);
     write("dots-2.json", "old");
-    EXPECT_THAT(shell("$rastertrace renew --check page.md").out,
-                HasSubstr("expected dots-2.json as"));
+    EXPECT_THAT(run("renew --check page.md").out, HasSubstr("expected dots-2.json as"));
 }
 
 TEST_F(RenewTest, CheckChangesNoFileThatACommandWritesBeforeItFails) {
-    write("cut.json",
-          shell("$rastertrace trace $examples/t0-fill/first-triangle.json").out.substr(0, 2000));
+    write("cut.json", run("trace $examples/t0-fill/first-triangle.json").out.substr(0, 2000));
     write("page.md", "```\n$ rastertrace figure cut.json -o figure.txt # exit 2\n```\n");
-    ASSERT_EQ(shell("$rastertrace renew page.md").status, 0);
+    ASSERT_EQ(run("renew page.md").status, 0);
     write("figure.txt", "old");
-    const Outcome check = shell("$rastertrace renew --check page.md");
-    EXPECT_EQ(check.status, 1);
-    EXPECT_THAT(check.out, StartsWith("page.md:2:1: expected figure.txt as this command writes "
-                                      "it, found another file, or none\n"));
+    EXPECT_THAT(run("renew --check page.md"),
+                Ends(1, StartsWith("page.md:2:1: expected figure.txt as this command writes it, "
+                                   "found another file, or none\n")));
     EXPECT_EQ(content("figure.txt"), "old");
 }
 
@@ -170,9 +158,8 @@ TEST_F(RenewTest, APageMayLieAnywhere) {
                                " --bare\n"
                                "$ rastertrace show link.json --bare\n"
                                "$ rastertrace trace scene.json -o ../inside/new.json\n```\n");
-    const Outcome renew = shell("cd inside; $rastertrace renew ../pages/page.md");
-    EXPECT_EQ(renew.status, 0) << renew.err;
-    EXPECT_EQ(renew.out, "../pages/page.md: 4 commands, 3 renewed\n");
+    EXPECT_THAT(shell("cd inside; $rastertrace renew ../pages/page.md"),
+                Prints("../pages/page.md: 4 commands, 3 renewed\n"));
     EXPECT_THAT(content("inside/new.json"), StartsWith("{\"rastertrace\":1,"));
     const Outcome check = shell("cd inside; $rastertrace renew --check ../pages/page.md");
     EXPECT_EQ(check.status, 0);
@@ -181,57 +168,53 @@ TEST_F(RenewTest, APageMayLieAnywhere) {
 
 TEST_F(RenewTest, ACommandThatFailsIsAProblem) {
     write("page.md", "```\n$ rastertrace show bad.json\nold\n```\n");
-    const Outcome failed = shell("$rastertrace renew page.md");
-    EXPECT_EQ(failed.status, 2);
-    EXPECT_EQ(failed.err, "rastertrace: page.md:2:1: expected a command that succeeds, found exit "
-                          "status 2\n"
-                          "$ rastertrace show bad.json\n"
-                          "^\n"
-                          "hint: it says: rastertrace: bad.json:1:14: expected vertices by name, "
-                          "like {\"A\": [2, 5]}, found 1\n");
+    EXPECT_THAT(
+        run("renew page.md"),
+        Refused("rastertrace: page.md:2:1: expected a command that succeeds, found exit status 2\n"
+                "$ rastertrace show bad.json\n"
+                "^\n"
+                "hint: it says: rastertrace: bad.json:1:14: expected vertices by name, like "
+                "{\"A\": [2, 5]}, found 1\n"));
     EXPECT_EQ(content("page.md"), "```\n$ rastertrace show bad.json\nold\n```\n");
     write("page.md", "```\n$ rastertrace show scene.json # exit 1\n```\n");
-    EXPECT_THAT(shell("$rastertrace renew page.md").err,
+    EXPECT_THAT(run("renew page.md").err,
                 HasSubstr("page.md:2:1: expected exit status 1, found success\n"));
     // The system's failure is no mistake of the page.
     write("page.md", "```\n$ rastertrace trace scene.json -o no-folder/t.json\n```\n");
-    EXPECT_EQ(shell("$rastertrace renew page.md").status, 3);
+    EXPECT_EQ(run("renew page.md").status, 3);
 }
 
 // Commands that nobody sees: those of a block in a comment of the page.
 TEST_F(RenewTest, ABlockInACommentIsHiddenAndRenewed) {
     write("page.md", "<!--\n```\n$ rastertrace --version\n```\n-->\n");
-    EXPECT_EQ(shell("$rastertrace renew page.md").status, 0);
-    EXPECT_THAT(content("page.md"), ::testing::HasSubstr("rastertrace 0."));
+    EXPECT_EQ(run("renew page.md").status, 0);
+    EXPECT_THAT(content("page.md"), HasSubstr("rastertrace 0."));
 }
 
 TEST_F(RenewTest, APageWithAMistakeLeavesAllAsTheyWere) {
     write("page.md", stale);
     write("other.md", "```\n$ rastertrace show scene.json > out.txt\n```\n");
-    const Outcome refused = shell("$rastertrace renew page.md other.md");
-    EXPECT_EQ(refused.status, 2);
-    EXPECT_EQ(refused.err, "rastertrace: other.md:2:31: expected a command that needs no shell, "
-                           "found >\n"
-                           "$ rastertrace show scene.json > out.txt\n"
-                           "                              ^\n"
-                           "hint: quote it if it is part of a word\n");
+    EXPECT_THAT(
+        run("renew page.md other.md"),
+        Refused("rastertrace: other.md:2:31: expected a command that needs no shell, found >\n"
+                "$ rastertrace show scene.json > out.txt\n"
+                "                              ^\n"
+                "hint: quote it if it is part of a word\n"));
     EXPECT_EQ(content("page.md"), stale);
     EXPECT_EQ(visible_files(), 4u);
 }
 
 TEST_F(RenewTest, PagesAreFiles) {
-    EXPECT_EQ(shell("$rastertrace renew no.md").err,
-              "rastertrace: no.md: expected a file that can be read, found: No such file or "
-              "directory\n");
-    EXPECT_EQ(shell("$rastertrace renew no.md").status, 2);
-    EXPECT_EQ(shell("$rastertrace renew /dev/zero").status, 2);
+    EXPECT_THAT(run("renew no.md"), Refused("rastertrace: no.md: expected a file that can be read, "
+                                            "found: No such file or directory\n"));
+    EXPECT_EQ(run("renew /dev/zero").status, 2);
     write("page.md", "```\n$ rastertrace renew page.md\n```\n");
-    EXPECT_EQ(shell("$rastertrace renew page.md").err,
+    EXPECT_EQ(run("renew page.md").err,
               "rastertrace: page.md:2:1: expected a command that shows something, found renew\n"
               "$ rastertrace renew page.md\n"
               "^\n");
     write("text.md", stale);
-    EXPECT_THAT(shell("$rastertrace renew text.md >>text.md").err,
+    EXPECT_THAT(run("renew text.md >>text.md").err,
                 HasSubstr("expected another file than those that are read"));
     EXPECT_EQ(content("text.md"), stale);
 }
@@ -242,14 +225,14 @@ TEST_F(RenewTest, BytesModesAndLinksSurvive) {
                      "$ rastertrace show 'scene.json' \"--bare\"\n"
                      "```");
     shell("chmod 640 real.md; ln -s real.md page.md");
-    EXPECT_EQ(shell("$rastertrace renew page.md").status, 0);
+    EXPECT_EQ(run("renew page.md").status, 0);
     EXPECT_EQ(content("real.md"), "caf\xC3\xA9 \xFF\r\n"
                                   "```\n"
                                   "$ rastertrace show 'scene.json' \"--bare\"\n"
                                   "...\n"
                                   ".#.\n"
                                   "```");
-    EXPECT_EQ(shell("$rastertrace renew page.md").out, "page.md: 1 command, 0 renewed\n");
+    EXPECT_EQ(run("renew page.md").out, "page.md: 1 command, 0 renewed\n");
     EXPECT_TRUE(fs::is_symlink(folder_ / "page.md"));
     EXPECT_EQ(shell("stat -c %a real.md").out, "640\n");
 }
@@ -271,10 +254,9 @@ TEST_F(RenewTest, AnOutputHasAnEnd) {
                             "vertices": {"A": [0, 0], "B": [599, 0], "C": [0, 599]},
                             "triangles": ["ABC"]})");
     write("page.md", "```\n$ rastertrace trace large.json\n```\n");
-    const Outcome refused = shell("$rastertrace renew page.md");
-    EXPECT_EQ(refused.status, 2);
-    EXPECT_THAT(refused.err, StartsWith("rastertrace: page.md:2:1: expected a command that prints "
-                                        "at most 4 MB, found more\n"));
+    EXPECT_THAT(run("renew page.md"),
+                Refused(StartsWith("rastertrace: page.md:2:1: expected a command that prints at "
+                                   "most 4 MB, found more\n")));
 }
 
 } // namespace

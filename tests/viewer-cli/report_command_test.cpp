@@ -3,47 +3,39 @@
 
 #include "program.h"
 
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-
 #include <string>
 
 namespace rastertrace {
 namespace {
-
-using testing::EndsWith;
-using testing::HasSubstr;
-using testing::StartsWith;
 
 TEST_F(ProgramTest, ReportWritesNoFileTwice) {
     write("old.csv", "old");
     shell("ln -s old.csv link.csv; ln -s new.csv dangling.csv; mkdir folder");
     for (const std::string files : {"-o a.csv -o a.csv", "-o a.csv -o folder/../a.csv",
                                     "-o old.csv -o link.csv", "-o new.csv -o dangling.csv"}) {
-        const Outcome outcome = shell("$rastertrace report --quick --jobs edge "
-                                      "$examples/t0-fill/first-triangle.json " +
-                                      files);
-        EXPECT_EQ(outcome.status, 2) << files;
-        EXPECT_THAT(outcome.err, HasSubstr("expected files to write that differ, found the file"))
+        EXPECT_THAT(
+            run("report --quick --jobs edge $examples/t0-fill/first-triangle.json " + files),
+            Refused(HasSubstr("expected files to write that differ, found the file")))
             << files;
         EXPECT_EQ(content("old.csv"), "old") << files;
         EXPECT_EQ(visible_files(), 4u) << files;
     }
-    EXPECT_EQ(shell("$rastertrace report --quick --jobs edge "
-                    "$examples/t0-fill/first-triangle.json --format csv -o /dev/null -o /dev/null")
+    EXPECT_EQ(run("report --quick --jobs edge "
+                  "$examples/t0-fill/first-triangle.json --format csv -o /dev/null -o /dev/null")
                   .status,
               0);
 }
 
 TEST_F(ProgramTest, ReportMeasuresErrorAgainstRunTime) {
     const std::string report = "$rastertrace report --quick $examples/t0-fill/first-triangle.json";
-    const Outcome table = shell(report);
-    EXPECT_EQ(table.status, 0) << table.err;
-    EXPECT_EQ(table.err, "") << "progress is for terminals";
-    EXPECT_THAT(table.out, HasSubstr("\nFirst triangle\n==============\n"));
-    EXPECT_THAT(table.out, HasSubstr("\nx += a, float (begun anew every so many rows)\n"));
-    EXPECT_THAT(table.out, HasSubstr("\ndepth: nothing to measure: the scene has no depth\n"));
-    EXPECT_THAT(table.out, HasSubstr("\n-> wrong pixels / perimeter pixels: Choose "));
+    EXPECT_THAT(shell(report),
+                Ends(0,
+                     AllOf(HasSubstr("\nFirst triangle\n==============\n"),
+                           HasSubstr("\nx += a, float (begun anew every so many rows)\n"),
+                           HasSubstr("\ndepth: nothing to measure: the scene has no depth\n"),
+                           HasSubstr("\n-> wrong pixels / perimeter pixels: Choose ")),
+                     ""))
+        << "progress is for terminals";
 
     EXPECT_EQ(shell(report + " -o r.svg -o r.html -o r.csv -o r.json").out, "");
     EXPECT_EQ(visible_files(), 4u);
@@ -58,9 +50,7 @@ TEST_F(ProgramTest, ReportMeasuresErrorAgainstRunTime) {
 TEST_F(ProgramTest, ReportQuotesTitlesForEveryFormat) {
     write("scene.json", "{\"title\":\"=1+1\uFFFE\uFFFF\",\"vertices\":{\"A\":[0,0],\"B\":[5,0],"
                         "\"C\":[0,5]},\"triangles\":[\"ABC\"]}");
-    const Outcome written = shell("$rastertrace report scene.json --quick --jobs edge "
-                                  "-o r.svg -o r.html -o r.csv");
-    EXPECT_EQ(written.status, 0) << written.err;
+    EXPECT_THAT(run("report scene.json --quick --jobs edge -o r.svg -o r.html -o r.csv"), Ends(0));
     for (const std::string name : {"r.svg", "r.html"}) {
         EXPECT_THAT(content(name), HasSubstr("=1+1&lt;U+FFFE&gt;&lt;U+FFFF&gt;")) << name;
         EXPECT_EQ(content(name).find("\uFFFE"), std::string::npos) << name;
@@ -80,27 +70,25 @@ TEST_F(ProgramTest, ReportHasTheSameNumbersTwiceButForTheTimes) {
 
 TEST_F(ProgramTest, ReportRefusesBeforeItMeasures) {
     write("point.json", R"({"vertices":{"A":[0,0]},"points":["A"]})");
-    const Outcome nothing = shell("$rastertrace report point.json -o r.svg");
-    EXPECT_EQ(nothing.status, 2);
-    EXPECT_EQ(nothing.err,
-              "rastertrace: point.json: expected something to measure, found none (edge: the scene "
-              "has no edge that passes a row of pixels; coverage: the scene has no triangle to "
-              "fill; depth: the scene has no depth; color: the scene has no triangle with colored "
-              "vertices)\n");
+    EXPECT_THAT(run("report point.json -o r.svg"),
+                Refused("rastertrace: point.json: expected something to measure, found none (edge: "
+                        "the scene has no edge that passes a row of pixels; coverage: the scene "
+                        "has no triangle to fill; depth: the scene has no depth; color: the scene "
+                        "has no triangle with colored vertices)\n"));
     EXPECT_EQ(visible_files(), 1u) << "nothing was written";
     EXPECT_EQ(
-        shell("$rastertrace report point.json -o r.pdf").err,
+        run("report point.json -o r.pdf").err,
         "rastertrace: r.pdf: expected a name that ends in .svg, .html, .json, .csv or .txt, found "
         ".pdf\n"
         "hint: --format says what to write\n");
-    EXPECT_EQ(shell("$rastertrace report point.json --jobs edges").err,
+    EXPECT_EQ(run("report point.json --jobs edges").err,
               "rastertrace: --jobs: expected jobs out of edge,coverage,depth,color, found "
               "\"edges\"\nhint: did you mean edge?\n");
-    EXPECT_EQ(shell("$rastertrace report point.json --format pdf").err,
+    EXPECT_EQ(run("report point.json --format pdf").err,
               "rastertrace: --format: expected one of text, json, csv, svg, html, found \"pdf\"\n");
-    EXPECT_EQ(shell("$rastertrace report").status, 2);
-    EXPECT_EQ(shell("$rastertrace report --quick $examples/t0-fill/first-triangle.json --jobs edge "
-                    "-o /dev/full --format svg")
+    EXPECT_EQ(run("report").status, 2);
+    EXPECT_EQ(run("report --quick $examples/t0-fill/first-triangle.json --jobs edge "
+                  "-o /dev/full --format svg")
                   .status,
               3);
 }

@@ -13,11 +13,8 @@
 #include <rastertrace/trace/text/text.h>
 
 #include <fmt/core.h>
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include <algorithm>
 #include <iostream>
 #include <map>
 #include <set>
@@ -28,11 +25,6 @@ namespace rastertrace {
 namespace {
 
 using nlohmann::json;
-using testing::AllOf;
-using testing::ContainsRegex;
-using testing::HasSubstr;
-using testing::Not;
-using testing::StartsWith;
 
 /// The numbers as a claim has them: one, or a list.
 json as_claimed(const Values& values, FieldType type, bool is_list) {
@@ -117,7 +109,7 @@ TEST_F(SheetTest, OfThirtyStudentsWhoMakeOneMistakeEachItIsNamedFirst) {
         write(folder + "/scene.json", made.text);
         write(folder + "/sheet.json", sheet_with(*find_slip(*planted.back().begin()), made));
     }
-    const Outcome marked = shell("$rastertrace check class/*/sheet.json");
+    const Outcome marked = run("check class/*/sheet.json");
     EXPECT_EQ(marked.status, 1) << marked.err;
     const auto lines = split_at(marked.out, '\n');
     std::size_t named = 0;
@@ -135,7 +127,7 @@ TEST_F(SheetTest, OfThirtyStudentsWhoMakeOneMistakeEachItIsNamedFirst) {
 
 // What is to be worked out with must be on the sheet, and nothing of what is to be worked out.
 TEST_F(SheetTest, WithASeedHasAllThatTheSceneGives) {
-    EXPECT_THAT(shell("$rastertrace sheet scanline.json --seed anna").out,
+    EXPECT_THAT(run("sheet scanline.json --seed anna").out,
                 StartsWith("# exercise 1:anna\n"
                            "# a relative name is looked for from the folder of this file\n"
                            "scene: scanline.json\n"
@@ -144,15 +136,15 @@ TEST_F(SheetTest, WithASeedHasAllThatTheSceneGives) {
                            "# vertices: {A: [-1, 4], B: [-4, -4], C: [5, -4]}\n"
                            "# triangles: [ABC]\n"
                            "# method: fill scanline, rounding floor"));
-    EXPECT_THAT(shell("$rastertrace sheet depth.json --seed a").out,
+    EXPECT_THAT(run("sheet depth.json --seed a").out,
                 ContainsRegex(R"(# vertices: \{A: \[[^,]*, [^,]*, [^,]*\])"));
-    EXPECT_THAT(shell("$rastertrace sheet clip.json --seed a").out,
+    EXPECT_THAT(run("sheet clip.json --seed a").out,
                 AllOf(HasSubstr("\n# projection: {type: view-plane, distance: 1, near: 1}\n"),
                       Not(HasSubstr("ABC:1 ("))));
-    EXPECT_THAT(shell("$rastertrace sheet light.json --seed a").out,
+    EXPECT_THAT(run("sheet light.json --seed a").out,
                 HasSubstr("\n# light: {direction: [1, 2, 3]}\n"));
     EXPECT_THAT(
-        shell("$rastertrace sheet scanline.json").out,
+        run("sheet scanline.json").out,
         AllOf(HasSubstr("scene: scanline.json\n\nedge AB: ?\n"), Not(HasSubstr("vertices"))));
 }
 
@@ -167,7 +159,7 @@ TEST_F(SheetTest, WithASeedIsCheckedAgainstItsExercise) {
     EXPECT_THAT(content("out/a.csv"), StartsWith("# exercise 1:a\n# title: "));
     // The slope of AB in a, which is another one in c.
     write("redrawn.json", exercises_like({"scanline.json", content("scanline.json")})("1:a").text);
-    const Outcome told = shell("$rastertrace show redrawn.json --every edge --format csv");
+    const Outcome told = run("show redrawn.json --every edge --format csv");
     const std::size_t at = told.out.find("AB,");
     ASSERT_NE(at, std::string::npos) << told.out;
     const std::string slope =
@@ -187,12 +179,12 @@ TEST_F(SheetTest, WithASeedIsCheckedAgainstItsExercise) {
                     "$rastertrace check out/a.txt")
                   .out,
               "1 right, 0 wrong, 11 open\n");
-    EXPECT_EQ(shell("$rastertrace trace redrawn.json | $rastertrace check - out/a.txt").status, 0);
-    const json one = json::parse(shell("$rastertrace check scanline.json out/a.txt --json").out);
+    EXPECT_EQ(run("trace redrawn.json | $rastertrace check - out/a.txt").status, 0);
+    const json one = json::parse(run("check scanline.json out/a.txt --json").out);
     EXPECT_EQ(one.at("exercise"), "1:a");
     EXPECT_EQ(one.at("open"), 11);
-    EXPECT_FALSE(json::parse(shell("$rastertrace check $examples/claims/t0-rows.claims --json").out)
-                     .contains("exercise"));
+    EXPECT_FALSE(
+        json::parse(run("check $examples/claims/t0-rows.claims --json").out).contains("exercise"));
 }
 
 /// The commands, or the programs, in the fences of a page.
@@ -221,11 +213,8 @@ TEST_F(SheetTest, TheCommandsAndProgramsOfThePageForTeachersRun) {
     page << std::ifstream(RASTERTRACE_EXAMPLES "/../docs/for-teachers.md").rdbuf();
     const auto commands = scripts_in(page.str(), "```sh\n");
     ASSERT_EQ(commands.size(), 3U);
-    for (const std::string& script : commands) {
-        const Outcome run = shell("PATH=.:$PATH; set -e\n" + script);
-        EXPECT_EQ(run.status, 0) << script << run.err;
-        EXPECT_EQ(run.err, "") << script;
-    }
+    for (const std::string& script : commands)
+        EXPECT_THAT(shell("PATH=.:$PATH; set -e\n" + script), Ends(0, _, "")) << script;
     EXPECT_THAT(content("named/Anna Lee.csv"), StartsWith("# exercise 1:Anna Lee\n"));
     const json marks = json::parse(content("marks.json"));
     EXPECT_EQ(marks.size(), 30U);
@@ -233,10 +222,10 @@ TEST_F(SheetTest, TheCommandsAndProgramsOfThePageForTeachersRun) {
     EXPECT_EQ(marks.at(0).at("open"), 12);
 
     const auto grades = [&](const std::string& change) {
-        const Outcome sheet = shell("$rastertrace sheet scene.json --seed 4711 | " + change +
-                                    " > autograder/submission/sheet.txt; "
-                                    "cp autograder/submission/sheet.txt grade/student");
-        EXPECT_EQ(sheet.status, 0) << sheet.err;
+        EXPECT_THAT(run("sheet scene.json --seed 4711 | " + change +
+                        " > autograder/submission/sheet.txt; cp autograder/submission/sheet.txt "
+                        "grade/student"),
+                    Ends(0));
         const auto programs = scripts_in(page.str(), "```python\n");
         EXPECT_EQ(programs.size(), 2U);
         for (std::string program : programs) {
@@ -245,8 +234,7 @@ TEST_F(SheetTest, TheCommandsAndProgramsOfThePageForTeachersRun) {
                      at = program.find(folder))
                     program.erase(at + 1, 1);
             write("grader.py", program);
-            const Outcome run = shell("PATH=.:$PATH; python3 grader.py");
-            EXPECT_EQ(run.status, 0) << run.err;
+            EXPECT_THAT(shell("PATH=.:$PATH; python3 grader.py"), Ends(0));
         }
         return std::pair(json::parse(content("autograder/results/results.json")),
                          json::parse(content("grade/results/results.json")));
@@ -269,12 +257,12 @@ TEST_F(SheetTest, TheCommandsAndProgramsOfThePageForTeachersRun) {
 
 // What was left out is open; what nobody asked for, or asked for once, is no point.
 TEST_F(SheetTest, OfAnExerciseIsCountedByTheEmptySheet) {
-    const std::string sheet = shell("$rastertrace sheet scanline.json --seed anna").out;
+    const std::string sheet = run("sheet scanline.json --seed anna").out;
     const std::size_t begin = sheet.find("edge");
     const std::string first = sheet.substr(begin, sheet.find('?', begin) - begin); // "edge AB: "
     const auto mark = [&](const std::string& lines) {
         write("one.txt", "\xEF\xBB\xBF# exercise 1:anna\r\n" + lines);
-        const std::string told = shell("$rastertrace check scanline.json one.txt").out;
+        const std::string told = run("check scanline.json one.txt").out;
         return told.substr(told.rfind('\n', told.size() - 2) + 1); // the last line
     };
     // A is (-1, 4), B (-4, -4).
@@ -291,10 +279,9 @@ TEST_F(SheetTest, AFilledInSheetIsNotWrittenOver) {
             ASSERT_EQ(shell("rm -f " + name + "; " + make + " && " + make).status, 0);
             ASSERT_EQ(shell("echo 'y=4: 2, 2' >> " + name).status, 0);
             const std::string filled = content(name);
-            const Outcome again = shell(make);
-            EXPECT_EQ(again.status, 2);
-            EXPECT_THAT(again.err,
-                        HasSubstr(name + ": expected no sheet that has been filled in, found one"));
+            EXPECT_THAT(shell(make),
+                        Refused(HasSubstr(
+                            name + ": expected no sheet that has been filled in, found one")));
             EXPECT_EQ(content(name), filled);
         }
 }
@@ -326,13 +313,13 @@ TEST_F(SheetTest, MemoryDoesNotGrowWithTheClass) {
 }
 
 TEST_F(SheetTest, BadInputIsToldInPlainWords) {
-    EXPECT_THAT(shell("$rastertrace sheet scanline.json --seed 2:anna").err,
+    EXPECT_THAT(run("sheet scanline.json --seed 2:anna").err,
                 HasSubstr("perhaps with version 1 before it, as 1:anna; found \"2:anna\""));
-    EXPECT_THAT(shell("$rastertrace sheet $examples/t2-lines/points.json --seed a").err,
+    EXPECT_THAT(run("sheet $examples/t2-lines/points.json --seed a").err,
                 HasSubstr("expected a scene with numbers to work out, found only pixels"));
-    EXPECT_THAT(shell("$rastertrace trace scanline.json | $rastertrace sheet - --seed a").err,
+    EXPECT_THAT(run("trace scanline.json | $rastertrace sheet - --seed a").err,
                 HasSubstr("--seed: expected a scene, found a trace"));
-    EXPECT_THAT(shell("$rastertrace sheet scanline.json -o sheet.svg").err,
+    EXPECT_THAT(run("sheet scanline.json -o sheet.svg").err,
                 HasSubstr("expected a name that ends in .txt or .csv, found .svg"));
 
     // Before anything is written.
@@ -340,7 +327,7 @@ TEST_F(SheetTest, BadInputIsToldInPlainWords) {
         "vertices": {"A": [-6, -4, 0], "B": [5, -3, 1], "C": [0, 4, 3]},
         "meshes": [{"obj": "triangle.obj"}]})");
     write("triangle.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
-    EXPECT_THAT(shell("$rastertrace sheet mesh.json --seed anna -o sheet.txt").err,
+    EXPECT_THAT(run("sheet mesh.json --seed anna -o sheet.txt").err,
                 HasSubstr("mesh.json: expected a scene of one file, found a mesh in another one"));
     EXPECT_FALSE(fs::exists(folder_ / "sheet.txt"));
 }

@@ -4,8 +4,6 @@
 #include "picture.h"
 #include "program.h"
 
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
 #include <string>
@@ -13,43 +11,34 @@
 namespace rastertrace {
 namespace {
 
-using testing::EndsWith;
-using testing::HasSubstr;
-using testing::Not;
-using testing::StartsWith;
-
 /// floor(-1/4) = -1 and so on: a cast rounds them toward 0.
 TEST_F(ProgramTest, SentencesOfWrongStepsSayWhatTheirNumbersGive) {
     const std::string fast = "$examples/regression/fast.jsonl";
-    EXPECT_EQ(shell("$rastertrace show --all " + fast +
-                    " | grep -o 'scanline y=.* left\\|\\[!\\].*' | "
-                    "grep -B1 '!' | tr '\\n' ' '")
+    EXPECT_EQ(run("show --all " + fast +
+                  " | grep -o 'scanline y=.* left\\|\\[!\\].*' | "
+                  "grep -B1 '!' | tr '\\n' ' '")
                   .out,
               "scanline y=2   left [!] its numbers give from = -1 -- "
               "scanline y=0   left [!] its numbers give from = -2 "
               "scanline y=-1   left [!] its numbers give from = -3 "
               "scanline y=-2   left [!] its numbers give from = -4 ");
-    for (const std::string question :
-         {"--step 11", "--scanline 2", "--pixel 0,2", "--pixel=-1,2"}) {
-        EXPECT_THAT(shell("$rastertrace explain " + fast + " " + question).out,
+    for (const std::string question : {"--step 11", "--scanline 2", "--pixel 0,2", "--pixel=-1,2"})
+        EXPECT_THAT(run("explain " + fast + " " + question).out,
                     HasSubstr("   [!] its numbers give from = -1\n"))
             << question;
-    }
-    EXPECT_THAT(shell("$rastertrace explain " + fast + " --step 11 --json").out,
+    EXPECT_THAT(run("explain " + fast + " --step 11 --json").out,
                 HasSubstr("[!] its numbers give from = -1"));
-    EXPECT_THAT(shell("$rastertrace show --all --language pt " + fast).out,
+    EXPECT_THAT(run("show --all --language pt " + fast).out,
                 HasSubstr("   [!] seus n\u00FAmeros d\u00E3o from = -1\n"));
-    EXPECT_THAT(shell("$rastertrace figure " + fast + " --step 11 --format txt -o -").out,
+    EXPECT_THAT(run("figure " + fast + " --step 11 --format txt -o -").out,
                 HasSubstr("[!] its numbers give from = -1"));
-    EXPECT_THAT(shell("$rastertrace play " + fast + " --step 'scanline y=2' --print 140x30").out,
+    EXPECT_THAT(run("play " + fast + " --step 'scanline y=2' --print 140x30").out,
                 HasSubstr("[!] its numbers give from = -1"));
     // Step 11 of both traces; what is told of mine.jsonl is what its numbers give.
-    const std::string difference =
-        shell("$rastertrace diff $examples/regression/mine.jsonl " + fast).out;
+    const std::string difference = run("diff $examples/regression/mine.jsonl " + fast).out;
     EXPECT_THAT(difference, HasSubstr("[!] its numbers give from = -1\n"));
     EXPECT_EQ(difference.find("[!]"), difference.rfind("[!]"));
-    EXPECT_THAT(shell("$rastertrace show --all $examples/regression/mine.jsonl").out,
-                Not(HasSubstr("[!]")));
+    EXPECT_THAT(run("show --all $examples/regression/mine.jsonl").out, Not(HasSubstr("[!]")));
 }
 
 TEST_F(ProgramTest, ShowBeginsWithWhatTheSceneIsAbout) {
@@ -67,8 +56,7 @@ TEST_F(ProgramTest, ShowBeginsWithWhatTheSceneIsAbout) {
 }
 
 TEST_F(ProgramTest, ShowLooksAtAFrameInManyWays) {
-    const Outcome faces =
-        shell("$rastertrace show $examples/t2-lines/points.json --bare --view faces");
+    const Outcome faces = run("show $examples/t2-lines/points.json --bare --view faces");
     EXPECT_EQ(faces.out, "ab...\n"
                          "c....\n"
                          "....d\n");
@@ -76,20 +64,15 @@ TEST_F(ProgramTest, ShowLooksAtAFrameInManyWays) {
                                   "$examples/t2-lines/points.json --last --view shade "
                                   "--color always | tail -3 | head -1");
     EXPECT_EQ(colored.out, "> 2   . . . . \x1b[97;40;7m-\x1b[0m  D x=4\n");
-    const Outcome plain = shell("$rastertrace show $examples/t2-lines/points.json --view shade");
+    const Outcome plain = run("show $examples/t2-lines/points.json --view shade");
     EXPECT_EQ(plain.out.find('\x1b'), std::string::npos);
 
-    const Outcome view = shell("$rastertrace show $examples/t2-lines/points.json --view face");
-    EXPECT_EQ(view.status, 2);
-    EXPECT_EQ(view.err,
-              "rastertrace: --view: expected one of plotted, faces, shade, depth, writes, "
-              "coverage, found \"face\"\nhint: did you mean faces?\n");
-    const Outcome region =
-        shell("$rastertrace show $examples/t2-lines/points.json --region 0,0,5,2");
-    EXPECT_EQ(region.status, 2);
-    EXPECT_EQ(region.err,
-              "rastertrace: --region: expected pixels of the canvas (x 0 to 4, y 0 to 2), "
-              "found 0,0,5,2\n");
+    EXPECT_THAT(run("show $examples/t2-lines/points.json --view face"),
+                Refused("rastertrace: --view: expected one of plotted, faces, shade, depth, "
+                        "writes, coverage, found \"face\"\nhint: did you mean faces?\n"));
+    EXPECT_THAT(run("show $examples/t2-lines/points.json --region 0,0,5,2"),
+                Refused("rastertrace: --region: expected pixels of the canvas (x 0 to 4, y 0 to "
+                        "2), found 0,0,5,2\n"));
 }
 
 TEST_F(ProgramTest, ShowTellsManyStepsOfAKindAsATable) {
@@ -117,7 +100,7 @@ TEST_F(ProgramTest, ShowTellsManyStepsOfAKindAsATable) {
     const auto steps = nlohmann::json::parse(shell(rows + "--format json").out);
     ASSERT_EQ(steps.size(), 9u);
     EXPECT_EQ(steps[1]["left"], "5/4");
-    EXPECT_EQ(shell("$rastertrace show $examples/t0-fill/first-triangle.json --format csv").err,
+    EXPECT_EQ(run("show $examples/t0-fill/first-triangle.json --format csv").err,
               "rastertrace: --format: expected --every or --step beside it, found \"csv\"\n");
     EXPECT_EQ(shell(rows + "--format cvs").err,
               "rastertrace: --format: expected one of table, markdown, csv, json, found \"cvs\"\n"
@@ -128,10 +111,10 @@ TEST_F(ProgramTest, TablesOfNothingAndOfNegativeFractions) {
     const std::string show = "$rastertrace show $examples/t0-fill/first-triangle.json ";
     EXPECT_THAT(shell(show + "--every scanline --format csv").out,
                 HasSubstr("\r\n14,2,-1/4,25/8,"));
-    const Outcome before = shell(show + "--every 0 --format csv");
-    EXPECT_EQ(before.status, 2);
-    EXPECT_EQ(before.err, "rastertrace: --format: expected steps of a kind that has a table, found "
-                          "another\n");
+    EXPECT_THAT(
+        shell(show + "--every 0 --format csv"),
+        Refused(
+            "rastertrace: --format: expected steps of a kind that has a table, found another\n"));
     EXPECT_EQ(shell(show + "--every scanline --bare --format csv").status, 2);
     EXPECT_EQ(shell(show + "--bare --region 1,3,3,5").out, ".#.\n"
                                                            "##.\n"
@@ -144,7 +127,7 @@ TEST_F(ProgramTest, TablesOfNothingAndOfNegativeFractions) {
     write(
         "empty.json",
         R"({"rastertrace":1,"canvas":{"width":2,"height":1,"origin":"top-left"},"method":{},"steps":[]})");
-    EXPECT_EQ(shell("$rastertrace show empty.json --every last --bare").out, "..\n");
+    EXPECT_EQ(run("show empty.json --every last --bare").out, "..\n");
     // No depth was tested, and there is no room for numbers.
     EXPECT_THAT(shell(show + "--view depth --overview").out, HasSubstr("the buffer is clear"));
 }
@@ -163,7 +146,7 @@ TEST_F(ProgramTest, SentencesShortenWhatTheTraceHasWhole) {
         R"({"rastertrace":1,"canvas":{"width":3,"height":3,"origin":"center"},"method":{},"steps":[
 {"step":"primitive","kind":"point","name":"a name that is long/with a slash","vertices":["A"],"at":[[0,0]]}
 ]})");
-    EXPECT_THAT(shell("$rastertrace show slash.json").out,
+    EXPECT_THAT(run("show slash.json").out,
                 HasSubstr("\npoint a name that is long/with a slash   A (0, 0)\n"));
     write(
         "long.json",
@@ -171,7 +154,7 @@ TEST_F(ProgramTest, SentencesShortenWhatTheTraceHasWhole) {
 {"step":"face","name":"ABC","normal":["49977918000000000000000000001/10141204000000000000000000003",0,"1/3"],"view":[0,0,1],"dot":1,"cosine":-0.57735026918962573,"culled":false}
 ]})");
     EXPECT_THAT(
-        shell("$rastertrace show long.json --last").out,
+        run("show long.json --last").out,
         HasSubstr("\nface ABC: normal (49977918.../10141204... = 4.928204, 0, 1/3) . to eye "
                   "(0, 0, 1) = 1, cosine -0.57735 (125.26 degrees): drawn\n"));
 }
@@ -195,47 +178,38 @@ TEST_F(ProgramTest, AdaptiveWritesJsonBeyondTheDoubles) {
         const std::string& both = pictures.out;
         EXPECT_EQ(both.substr(0, both.size() / 2), both.substr(both.size() / 2)) << scene;
     }
-    EXPECT_THAT(shell("$rastertrace trace depth.json").out,
-                HasSubstr(R"({"step":"undecided","name":"ABC"})"));
+    EXPECT_THAT(run("trace depth.json").out, HasSubstr(R"({"step":"undecided","name":"ABC"})"));
 }
 
 TEST_F(ProgramTest, ShowWalksAVertexThroughSixSpaces) {
-    const Outcome walk =
-        shell("$rastertrace show $examples/t4-pipeline/six-spaces.json --every vertex");
-    EXPECT_EQ(walk.status, 0);
-    EXPECT_THAT(walk.out,
-                StartsWith("A vertex through six spaces\n"
-                           "\n"
-                           "   5  vertex A in object space: (1, 1, 1)\n"
-                           "   6  vertex A in world space: (0, 2, 1), from object (1, 1, 1)\n"
-                           "   7  vertex A in camera space: (0, 2, -3), from world (0, 2, 1)\n"
-                           "   8  vertex A in clip space: (0, 2, -2, 3), from camera (0, 2, -3)\n"
-                           "   9  vertex A in canonical space: (0, 2, -2) / 3 = (0, 2/3, -2/3)\n"
-                           "  10  vertex A in screen space: (20, 10/3), from canonical "
-                           "(0, 2/3, -2/3)\n"
-                           "  11  vertex B in object space: (1, -1, -1)\n"));
+    EXPECT_THAT(run("show $examples/t4-pipeline/six-spaces.json --every vertex"),
+                Prints(StartsWith(
+                    "A vertex through six spaces\n"
+                    "\n"
+                    "   5  vertex A in object space: (1, 1, 1)\n"
+                    "   6  vertex A in world space: (0, 2, 1), from object (1, 1, 1)\n"
+                    "   7  vertex A in camera space: (0, 2, -3), from world (0, 2, 1)\n"
+                    "   8  vertex A in clip space: (0, 2, -2, 3), from camera (0, 2, -3)\n"
+                    "   9  vertex A in canonical space: (0, 2, -2) / 3 = (0, 2/3, -2/3)\n"
+                    "  10  vertex A in screen space: (20, 10/3), from canonical (0, 2/3, -2/3)\n"
+                    "  11  vertex B in object space: (1, -1, -1)\n")));
     EXPECT_THAT(
-        shell("$rastertrace show $examples/t4-pipeline/six-spaces.json --every matrix").out,
+        run("show $examples/t4-pipeline/six-spaces.json --every matrix").out,
         StartsWith("A vertex through six spaces\n"
                    "\n"
                    "   1  model matrix = translate x rotate x scale:  [0 -1 0 1]  [2 0 0 0]  "
                    "[0 0 1 0]  [0 0 0 1]\n"));
-    EXPECT_THAT(
-        shell("$rastertrace show $examples/t4-pipeline/behind-the-eye.json --every clip").out,
-        HasSubstr("wing clipped at the near plane: 2 of 3 vertices inside, 4 left\n"));
+    EXPECT_THAT(run("show $examples/t4-pipeline/behind-the-eye.json --every clip").out,
+                HasSubstr("wing clipped at the near plane: 2 of 3 vertices inside, 4 left\n"));
 }
 
 TEST_F(ProgramTest, ShowsThePictureOfTheTextbook) {
-    const Outcome outcome =
-        shell("$rastertrace show $examples/t0-fill/first-triangle.json --last --bare");
-    EXPECT_EQ(outcome.status, 0);
-    EXPECT_EQ(outcome.err, "");
-    EXPECT_EQ(outcome.out, textbook_picture);
+    EXPECT_THAT(run("show $examples/t0-fill/first-triangle.json --last --bare"),
+                Ends(0, textbook_picture, ""));
 }
 
 TEST_F(ProgramTest, ShowsFramesOfEveryRow) {
-    const Outcome outcome =
-        shell("$rastertrace show $examples/t0-fill/first-triangle.json --every scanline");
+    const Outcome outcome = run("show $examples/t0-fill/first-triangle.json --every scanline");
     EXPECT_EQ(outcome.status, 0);
     EXPECT_THAT(
         outcome.out,
@@ -255,13 +229,12 @@ TEST_F(ProgramTest, FacesOfAFileAreCutAndToldOf) {
                    "f 1 2 3 4\nf 2 5 4 1\nf 1 3 2 6\nf 1 2 3\n");
     write("scene.json", "{\"canvas\": {\"width\": 17, \"height\": 17},\n"
                         " \"meshes\": [{\"obj\": \"a.obj\"}, {\"obj\": \"a.obj\"}]}");
-    const Outcome outcome =
-        shell("$rastertrace show scene.json --every primitive --format csv | cut -d, -f 3");
+    const Outcome outcome = run("show scene.json --every primitive --format csv | cut -d, -f 3");
     EXPECT_EQ(outcome.status, 0);
     EXPECT_THAT(outcome.out,
                 HasSubstr("\na.f1.1\na.f1.2\na.f2.1\na.f2.2\na.f3.1\na.f3.2\na.f4\na-2.f1.1\n"));
     EXPECT_THAT(
-        shell("$rastertrace show scene.json --every triangulate").out,
+        run("show scene.json --every triangulate").out,
         HasSubstr(
             "\n   1  face a.f2 is not convex; its normal (0, 0, 32) is largest in z, which is "
             "dropped; ears: a.f2.1; what is left is a.f2.2\n"));
@@ -283,13 +256,10 @@ TEST_F(ProgramTest, FacesOfAFileAreCutAndToldOf) {
 }
 
 TEST_F(ProgramTest, ATruncatedTraceIsShownAsFarAsItGoes) {
-    const Outcome outcome =
-        shell("$rastertrace trace $examples/t0-fill/first-triangle.json | head -c 2000 >cut.json; "
-              "$rastertrace show cut.json --bare");
-    EXPECT_EQ(outcome.status, 2);
-    EXPECT_THAT(outcome.out, StartsWith(".................\n"));
-    EXPECT_THAT(outcome.out, HasSubstr("#"));
-    EXPECT_THAT(outcome.err, HasSubstr("the trace is truncated after "));
+    EXPECT_THAT(run("trace $examples/t0-fill/first-triangle.json | head -c 2000 >cut.json; "
+                    "$rastertrace show cut.json --bare"),
+                Ends(2, AllOf(StartsWith(".................\n"), HasSubstr("#")),
+                     HasSubstr("the trace is truncated after ")));
 }
 
 TEST_F(ProgramTest, OneGrammarSaysWhichStep) {
@@ -305,11 +275,8 @@ TEST_F(ProgramTest, OneGrammarSaysWhichStep) {
     EXPECT_EQ(shell(show + "--every 14").out, shell(show + "--every 'scanline y=2'").out);
     EXPECT_EQ(shell(show + "--every 0 --bare").out, shell(show + "--step 0 --bare").out);
 
-    const Outcome faces =
-        shell("$rastertrace show $examples/t0-hidden/cube-culled.json --every 'face culled'");
-    EXPECT_EQ(faces.status, 0) << faces.err;
-    EXPECT_THAT(faces.out, HasSubstr(": culled\n"));
-    EXPECT_THAT(faces.out, Not(HasSubstr(": drawn\n")));
+    EXPECT_THAT(run("show $examples/t0-hidden/cube-culled.json --every 'face culled'"),
+                Prints(AllOf(HasSubstr(": culled\n"), Not(HasSubstr(": drawn\n")))));
 }
 
 TEST_F(ProgramTest, WorkingIsWrittenBelowTheSentence) {
@@ -324,26 +291,20 @@ TEST_F(ProgramTest, WorkingIsWrittenBelowTheSentence) {
     EXPECT_THAT(worked, HasSubstr("\n> 2   . . . "));
     EXPECT_THAT(shell(show + "--every scanline --format table --working").out,
                 HasSubstr("-> floor -> 3\n          " + crossing));
-    EXPECT_THAT(shell("$rastertrace show $examples/t4-pipeline/six-spaces.json --every matrix "
-                      "--working")
+    EXPECT_THAT(run("show $examples/t4-pipeline/six-spaces.json --every matrix "
+                    "--working")
                     .out,
                 HasSubstr("  [0 0 1 -4]  [0 0 0 1]\n"
                           "          d = p - l = (0, 0, 4) - (0, 0, 0) = (0, 0, 4), |d| = 4\n"));
-    for (const std::string beside : {"--bare", "--every edge --format csv"}) {
-        const Outcome refused = shell(show + "--working " + beside);
-        EXPECT_EQ(refused.status, 2) << beside;
-        EXPECT_THAT(refused.err, HasSubstr("--working")) << beside;
-    }
+    for (const std::string beside : {"--bare", "--every edge --format csv"})
+        EXPECT_THAT(shell(show + "--working " + beside), Refused(HasSubstr("--working"))) << beside;
 }
 
 TEST_F(ProgramTest, ARegionUpsideDownIsRefused) {
-    for (const std::string command : {"show", "trace"}) {
-        const Outcome refused = shell("$rastertrace " + command +
-                                      " $examples/t0-fill/first-triangle.json --region 2,5,-4,-3");
-        EXPECT_EQ(refused.status, 2);
-        EXPECT_EQ(refused.err, "rastertrace: --region: expected the smaller x and y first, found "
-                               "\"2,5,-4,-3\"\nhint: --region -4,-3,2,5\n");
-    }
+    for (const std::string command : {"show", "trace"})
+        EXPECT_THAT(run(command + " $examples/t0-fill/first-triangle.json --region 2,5,-4,-3"),
+                    Refused("rastertrace: --region: expected the smaller x and y first, found "
+                            "\"2,5,-4,-3\"\nhint: --region -4,-3,2,5\n"));
 }
 
 TEST_F(ProgramTest, OptionsOfTheGridAskForFrames) {
@@ -351,15 +312,15 @@ TEST_F(ProgramTest, OptionsOfTheGridAskForFrames) {
     EXPECT_THAT(shell(show).out, Not(HasSubstr("\n  5  ")));
     for (const std::string option : {"--view writes", "--region -5,-4,4,5", "--overview"}) {
         EXPECT_THAT(shell(show + option).out, HasSubstr("\n  5  ")) << option;
-        const Outcome refused = shell(show + option + " --format csv");
-        EXPECT_EQ(refused.status, 2) << option;
-        EXPECT_THAT(refused.err, HasSubstr("--format: expected a table, without --bare")) << option;
+        EXPECT_THAT(shell(show + option + " --format csv"),
+                    Refused(HasSubstr("--format: expected a table, without --bare")))
+            << option;
     }
 }
 
 TEST_F(ProgramTest, ListsOfListsAreReadableInTables) {
-    EXPECT_THAT(shell("$rastertrace show $examples/t0-fill/first-triangle.json --every primitive "
-                      "--format markdown")
+    EXPECT_THAT(run("show $examples/t0-fill/first-triangle.json --every primitive "
+                    "--format markdown")
                     .out,
                 HasSubstr(" | ((2, 5), (-4, -3), (5, -3)) | "));
 }
@@ -378,24 +339,24 @@ TEST_F(ProgramTest, ShowSaysHowMuchLiesOffTheCanvas) {
     const std::string points =
         R"("vertices":{"A":[1,-1],"B":[3,-3]},"lines":["AB"],"points":["A"]})";
     write("down.json", R"({"canvas":{"width":4,"height":4,"origin":"top-left"},)" + points);
-    EXPECT_THAT(shell("$rastertrace show down.json").out,
+    EXPECT_THAT(run("show down.json").out,
                 EndsWith("\n\n4 pixels lie above the canvas, none drawn: does y point up? "
                          "(\"origin\": \"center\")\n"));
-    EXPECT_EQ(shell("$rastertrace show down.json --bare").out, "....\n....\n....\n....\n");
+    EXPECT_EQ(run("show down.json --bare").out, "....\n....\n....\n....\n");
     write("up.json", R"({"canvas":{"width":4,"height":4,"origin":"bottom-left"},)" + points);
-    EXPECT_THAT(shell("$rastertrace show up.json").out,
+    EXPECT_THAT(run("show up.json").out,
                 EndsWith("\n\n4 pixels lie below the canvas, none drawn: is the origin in the "
                          "middle? (\"origin\": \"center\")\n"));
     // A screen's coordinates on a canvas with its origin in the middle are too far up; what is too large for
     // either raises no question.
     write("middle.json", R"({"canvas":{"width":4,"height":4},"vertices":{"A":[0,2],"B":[0,3]},)"
                          R"("lines":["AB"]})");
-    EXPECT_THAT(shell("$rastertrace show middle.json").out,
+    EXPECT_THAT(run("show middle.json").out,
                 EndsWith("\n\n1 pixel lies above the canvas, none drawn: does y point down? "
                          "(\"origin\": \"top-left\")\n"));
     write("large.json", R"({"canvas":{"width":4,"height":4,"origin":"top-left"},)"
                         R"("vertices":{"A":[0,3],"B":[0,5]},"lines":["AB"]})");
-    EXPECT_THAT(shell("$rastertrace show large.json").out,
+    EXPECT_THAT(run("show large.json").out,
                 EndsWith("\n\n2 pixels lie below the canvas, none drawn\n"));
 
     // Rows are dropped whole, triangles too; beside the canvas y is not asked for.
@@ -403,7 +364,7 @@ TEST_F(ProgramTest, ShowSaysHowMuchLiesOffTheCanvas) {
         write("triangle.json", R"({"canvas":{"width":4,"height":4,"origin":"top-left"},)"
                                R"("vertices":{)" +
                                    vertices + R"(},"triangles":["ABC"]})");
-        const std::string out = shell("$rastertrace show triangle.json").out;
+        const std::string out = run("show triangle.json").out;
         return out.substr(out.rfind("\n\n", out.find(" the canvas")) + 2);
     };
     EXPECT_EQ(triangle(R"("A":[0,-2],"B":[0,1],"C":[1,1])"),
@@ -415,15 +376,14 @@ TEST_F(ProgramTest, ShowSaysHowMuchLiesOffTheCanvas) {
     EXPECT_EQ(triangle(R"("A":[-2,1],"B":[5,1],"C":[-2,1])"),
               "2 pixels lie left of the canvas, 2 pixels right of it, none drawn\n"
               "\nstages: canvas\n");
-    EXPECT_THAT(shell("$rastertrace show $examples/t0-fill/first-triangle.json").out,
+    EXPECT_THAT(run("show $examples/t0-fill/first-triangle.json").out,
                 Not(HasSubstr("the canvas")));
 }
 
 TEST_F(ProgramTest, StepsOutOfRangeAndKindsThatAreNotThere) {
     const std::string show = "$rastertrace show $examples/t0-fill/first-triangle.json ";
-    const Outcome beyond = shell(show + "--step 63");
-    EXPECT_EQ(beyond.status, 2);
-    EXPECT_EQ(beyond.err, "rastertrace: --step: expected a step from 0 to 62, found 63\n63\n^\n");
+    EXPECT_THAT(shell(show + "--step 63"),
+                Refused("rastertrace: --step: expected a step from 0 to 62, found 63\n63\n^\n"));
     EXPECT_EQ(shell(show + "--step -1").err,
               "rastertrace: --step: expected a step from 0 to 62, found -1\n-1\n^\n");
     EXPECT_EQ(shell(show + "--every skanline").err,
@@ -432,14 +392,12 @@ TEST_F(ProgramTest, StepsOutOfRangeAndKindsThatAreNotThere) {
               "skanline\n"
               "^\n"
               "hint: did you mean scanline?\n");
-    const Outcome several = shell(show + "--step scanline");
-    EXPECT_EQ(several.status, 2);
-    EXPECT_EQ(several.out, "");
-    EXPECT_EQ(several.err,
-              "rastertrace: --step: expected one step, found 9: 5, 7, 10, 14, 20, ...\n"
-              "scanline\n"
-              "^\n"
-              "hint: say which, or use --every\n");
+    EXPECT_THAT(shell(show + "--step scanline"),
+                Ends(2, "",
+                     "rastertrace: --step: expected one step, found 9: 5, 7, 10, 14, 20, ...\n"
+                     "scanline\n"
+                     "^\n"
+                     "hint: say which, or use --every\n"));
     // The player takes the same, with the same meaning.
     const std::string play =
         "$rastertrace play $examples/t0-fill/first-triangle.json --print 80x24 ";
@@ -455,12 +413,11 @@ TEST_F(ProgramTest, StepsOutOfRangeAndKindsThatAreNotThere) {
     }
     for (const char* const step : {"63", "-1", "scan", "scanline", "'scanline y=9'"})
         EXPECT_EQ(shell(play + "--step " + step).status, 2) << step;
-    const Outcome none = shell(show + "--every 'scanline y=9'");
-    EXPECT_EQ(none.status, 2);
-    EXPECT_EQ(none.err, "rastertrace: --every: expected a step of the trace, found none with y=9\n"
+    EXPECT_THAT(shell(show + "--every 'scanline y=9'"),
+                Refused("rastertrace: --every: expected a step of the trace, found none with y=9\n"
                         "scanline y=9\n"
                         "         ^\n"
-                        "hint: scanline has y: 5, 4, 3, 2, 1, ...\n");
+                        "hint: scanline has y: 5, 4, 3, 2, 1, ...\n"));
     EXPECT_EQ(shell(show + "--last --all").status, 2);
 }
 
@@ -473,14 +430,13 @@ TEST_F(ProgramTest, ALineWithoutADistanceHasNoOneOverZ) {
     for (const std::string line : {"naive", "dda", "bresenham"})
         for (const std::string scalar : {"float", "double", "fixed", "adaptive", "exact"}) {
             const std::string options = " --bare --line " + line + " --scalar " + scalar;
-            const Outcome shown = shell("$rastertrace show distance.json" + options);
-            EXPECT_EQ(shown.status, 0) << options << shown.err;
-            EXPECT_EQ(shown.out, ".....\n.....\n###..\n.....\n.....\n") << options;
-            const Outcome refused = shell("$rastertrace show inverse.json" + options);
-            EXPECT_EQ(refused.status, 2) << options;
-            EXPECT_THAT(refused.err, testing::StartsWith(
-                                         "rastertrace: inverse.json:1:52: expected a distance "
-                                         "above 0 for 1/distance, found vertex A at distance 0\n"))
+            EXPECT_THAT(run("show distance.json" + options),
+                        Prints(".....\n.....\n###..\n.....\n.....\n"))
+                << options;
+            EXPECT_THAT(
+                run("show inverse.json" + options),
+                Refused(StartsWith("rastertrace: inverse.json:1:52: expected a distance above 0 "
+                                   "for 1/distance, found vertex A at distance 0\n")))
                 << options;
         }
 }
@@ -490,11 +446,11 @@ TEST_F(ProgramTest, StepsAreToldInTheLanguageThatIsAskedForNeverInThatOfTheLocal
     const std::string edge = triangle + " --every 'edge edge=BC' --format table";
     const std::string english = "First triangle\n\n   3  edge BC: horizontal, it has no dx/dy\n";
     const std::string portuguese = "First triangle\n\n   3  aresta BC: horizontal, não tem dx/dy\n";
-    EXPECT_EQ(shell("$rastertrace show" + edge).out, english);
+    EXPECT_EQ(run("show" + edge).out, english);
     EXPECT_EQ(shell("LC_ALL=pt_BR.UTF-8 LANG=pt_BR $rastertrace show" + edge).out, english);
     EXPECT_EQ(shell("RASTERTRACE_LANGUAGE= $rastertrace show" + edge).out, english);
     EXPECT_EQ(shell("RASTERTRACE_LANGUAGE=pt $rastertrace show" + edge).out, portuguese);
-    EXPECT_EQ(shell("$rastertrace show --language pt" + edge).out, portuguese);
+    EXPECT_EQ(run("show --language pt" + edge).out, portuguese);
     EXPECT_EQ(shell("RASTERTRACE_LANGUAGE=pt $rastertrace show --language en" + edge).out, english);
 
     // Each command that tells steps.
@@ -503,23 +459,21 @@ TEST_F(ProgramTest, StepsAreToldInTheLanguageThatIsAskedForNeverInThatOfTheLocal
          {"play" + triangle + row + " --print 80x24",
           "figure" + triangle + row + " -o - --format svg", "explain" + triangle + " --pixel 3,2",
           "diff" + triangle + " --against rounding=truncate"})
-        EXPECT_THAT(shell("$rastertrace " + command + " --language pt").out, HasSubstr("linha y=2"))
-            << command;
-    EXPECT_THAT(shell("$rastertrace explain" + triangle + " --pixel 4,2 --language pt").out,
+        EXPECT_THAT(run(command + " --language pt").out, HasSubstr("linha y=2")) << command;
+    EXPECT_THAT(run("explain" + triangle + " --pixel 4,2 --language pt").out,
                 HasSubstr("\n      direita AC: x = (x2 - x1)/(y2 - y1)"));
-    EXPECT_THAT(shell("$rastertrace figure" + triangle + " -o - --format html --language pt").out,
+    EXPECT_THAT(run("figure" + triangle + " -o - --format html --language pt").out,
                 HasSubstr("\"language\":\"pt\""));
     write("one.claims", "scene: first.json\nedge AB: 4/3\n");
     EXPECT_THAT(
         shell("cp" + triangle + " first.json; $rastertrace check one.claims --language pt").out,
         HasSubstr("aresta AB: dx/dy"));
 
-    EXPECT_EQ(shell("$rastertrace show --language fr" + edge).err,
+    EXPECT_EQ(run("show --language fr" + edge).err,
               "rastertrace: --language: expected one of en, pt, found \"fr\"\n");
-    const Outcome unknown = shell("RASTERTRACE_LANGUAGE=pt_BR $rastertrace show" + edge);
-    EXPECT_EQ(unknown.err,
-              "rastertrace: RASTERTRACE_LANGUAGE: expected one of en, pt, found \"pt_BR\"\n");
-    EXPECT_EQ(unknown.status, 2);
+    EXPECT_THAT(
+        shell("RASTERTRACE_LANGUAGE=pt_BR $rastertrace show" + edge),
+        Refused("rastertrace: RASTERTRACE_LANGUAGE: expected one of en, pt, found \"pt_BR\"\n"));
 
     // A page is the same whoever renews it.
     write("page.md", "```\n$ rastertrace show first.json --every 'edge edge=BC' --format table\n" +
@@ -529,11 +483,11 @@ TEST_F(ProgramTest, StepsAreToldInTheLanguageThatIsAskedForNeverInThatOfTheLocal
 
 TEST_F(ProgramTest, AFileWithoutACommandIsShown) {
     const std::string scene = "$examples/t0-fill/first-triangle.json";
-    const Outcome shown = shell("$rastertrace show " + scene + " --bare");
+    const Outcome shown = run("show " + scene + " --bare");
     EXPECT_EQ(shown.status, 0);
-    EXPECT_EQ(shell("$rastertrace " + scene + " --bare").out, shown.out);
+    EXPECT_EQ(run(scene + " --bare").out, shown.out);
     EXPECT_EQ(shell("cp " + scene + " a.json; $rastertrace a.json --bare").out, shown.out);
-    EXPECT_EQ(shell("$rastertrace none.json").err,
+    EXPECT_EQ(run("none.json").err,
               "rastertrace: none.json: expected a file that can be read, found: No such file or "
               "directory\n");
 }

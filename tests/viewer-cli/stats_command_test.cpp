@@ -3,38 +3,32 @@
 
 #include "program.h"
 
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-
 #include <algorithm>
 #include <string>
 
 namespace rastertrace {
 namespace {
 
-using testing::EndsWith;
-using testing::HasSubstr;
-
 TEST_F(ProgramTest, StatsJudgeAdaptiveByTheCornersThatItDraws) {
     // B is no double: its nearest one would move pixels across the edges.
     write("scene.json", R"({"canvas":{"width":12,"height":12,"origin":"bottom-left"},
 "vertices":{"A":[0,0],"B":["10/3",10],"C":[-8,5],"D":[10,0]},"triangles":["ABC","ABD"],
 "method":{"fill":"top-left","sample":"integer"}})");
-    const std::string exact = shell("$rastertrace stats scene.json --scalar exact").out;
-    EXPECT_EQ(shell("$rastertrace stats scene.json --scalar adaptive").out, exact);
-    EXPECT_THAT(shell("$rastertrace trace scene.json --scalar adaptive").out,
+    const std::string exact = run("stats scene.json --scalar exact").out;
+    EXPECT_EQ(run("stats scene.json --scalar adaptive").out, exact);
+    EXPECT_THAT(run("trace scene.json --scalar adaptive").out,
                 HasSubstr(R"("at":[["0","0"],["10/3","10"],["-8","5"]])"));
     // Once more in numbers that are no fractions of machine size.
     write("long.json", R"({"canvas":{"width":12,"height":12,"origin":"bottom-left"},
 "vertices":{"A":[0,0],"B":["10/3",10],"C":[-8,"5000000000000000000001/1000000000000000000000"],"D":[10,0]},
 "triangles":["ABC","ABD"],"method":{"fill":"top-left","sample":"integer"}})");
-    EXPECT_THAT(shell("$rastertrace trace long.json --scalar adaptive").out,
+    EXPECT_THAT(run("trace long.json --scalar adaptive").out,
                 HasSubstr(R"("numbers":"doubles within intervals)"));
     const auto without_steps = [](const std::string& text) {
         return text.substr(text.find("ABC"));
     };
-    EXPECT_EQ(without_steps(shell("$rastertrace stats long.json --scalar adaptive").out),
-              without_steps(shell("$rastertrace stats long.json --scalar exact").out));
+    EXPECT_EQ(without_steps(run("stats long.json --scalar adaptive").out),
+              without_steps(run("stats long.json --scalar exact").out));
 }
 
 // A square of two triangles: the scanline fill draws their diagonal twice, the top-left one gives it
@@ -42,17 +36,17 @@ TEST_F(ProgramTest, StatsJudgeAdaptiveByTheCornersThatItDraws) {
 TEST_F(ProgramTest, StatsNamesThePixelsOfSharedEdges) {
     write("square.json", R"({"vertices":{"A":[0,0],"B":[3,0],"C":[3,3],"D":[0,3]},
                              "triangles":["ABC","ACD"],"outlines":["ABC"]})");
-    EXPECT_THAT(shell("$rastertrace stats square.json").out,
+    EXPECT_THAT(run("stats square.json").out,
                 EndsWith("triangle ABC: 10 writes\n"
                          "triangle ACD: 10 writes, 4 over a pixel drawn before\n"
                          "outline ABC: 12 writes to 9 pixels, 12 over a pixel drawn before\n"
                          "edge AC of ABC and ACD: 4 pixels written twice: "
                          "(3, 3) (2, 2) (1, 1) (0, 0); 0 never\n"));
-    EXPECT_THAT(shell("$rastertrace stats square.json --fill top-left").out,
+    EXPECT_THAT(run("stats square.json --fill top-left").out,
                 EndsWith("triangle ABC: 6 writes\n"
                          "triangle ACD: 3 writes\n"
                          "outline ABC: 12 writes to 9 pixels, 8 over a pixel drawn before\n"));
-    EXPECT_THAT(shell("$rastertrace stats --json square.json").out,
+    EXPECT_THAT(run("stats --json square.json").out,
                 HasSubstr(R"("edges":[{"edge":"AC","triangles":["ABC","ACD"],)"
                           R"("twice":{"count":4,"pixels":[[3,3],[2,2],[1,1],[0,0]]},)"
                           R"("never":{"count":0,"pixels":[]}}])"));
@@ -67,7 +61,7 @@ TEST_F(ProgramTest, StatsCountsHiddenPixelsAsCovered) {
                              "triangles":["ABC","DEF",{"vertices":"GHI","color":"blue"}],
                              "method":{"fill":"barycentric","depth":"linear-z"}})");
     EXPECT_THAT(
-        shell("$rastertrace stats hidden.json").out,
+        run("stats hidden.json").out,
         EndsWith("triangle ABC: 10 writes\n"
                  "triangle DEF: 0 writes, 10 hidden\n"
                  "triangle GHI: 0 writes, 10 hidden\n"
@@ -76,7 +70,7 @@ TEST_F(ProgramTest, StatsCountsHiddenPixelsAsCovered) {
     write("culled.json", R"({"vertices":{"A":[0,0,1],"B":[3,0,1],"C":[3,3,1]},
                              "triangles":["ABC","ACB"],
                              "method":{"fill":"barycentric","cull":"back"}})");
-    EXPECT_THAT(shell("$rastertrace stats culled.json").out,
+    EXPECT_THAT(run("stats culled.json").out,
                 EndsWith("triangle ABC: 10 writes\n"
                          "triangle ACB: 0 writes, skipped: culled\n"));
 }
@@ -101,14 +95,14 @@ TEST_F(ProgramTest, StatsAddsUpTheFacesOfAMesh) {
         {"name":"square","vertices":{"A":[0,0],"B":[4,0],"C":[4,4],"D":[0,4]},"faces":["ABCD"]}],
         "vertices":{"P":[6,0],"Q":[8,0],"R":[8,2]},"triangles":["PQR"]})";
     write("mesh.json", scene);
-    EXPECT_THAT(shell("$rastertrace stats mesh.json").out,
+    EXPECT_THAT(run("stats mesh.json").out,
                 EndsWith("triangle PQR: 6 writes\n"
                          "mesh square: 2 primitives, 30 writes, 5 over a pixel drawn before\n"
                          "1 edge within square: 5 pixels written twice: (0, 0) (1, 1) (2, 2) "
                          "(3, 3) (4, 4); 0 never\n"));
-    EXPECT_THAT(shell("$rastertrace stats mesh.json --json").out,
+    EXPECT_THAT(run("stats mesh.json --json").out,
                 HasSubstr(R"({"kind":"triangle","name":"square.ACD","writes":15,)"));
-    const Outcome cube = shell("$rastertrace stats $examples/t3-light/lambert.json");
+    const Outcome cube = run("stats $examples/t3-light/lambert.json");
     EXPECT_THAT(cube.out, HasSubstr(" skipped: culled"));
     EXPECT_LT(std::count(cube.out.begin(), cube.out.end(), '\n'), 40);
 }
@@ -122,13 +116,12 @@ TEST_F(ProgramTest, StatsHoldsEveryRowAgainstItsPixels) {
 {"step":"pixel","x":-1,"y":0},
 {"step":"reject","x":1,"y":0,"why":"stencil"}
 ],"end":{"steps":6}})");
-    const Outcome foreign = shell("$rastertrace stats foreign.json --fail-on rows");
-    EXPECT_EQ(foreign.status, 1);
-    EXPECT_THAT(foreign.out,
-                EndsWith("scanline y=0 of ABC (step 2), -2 to 1: 1 pixel neither drawn "
-                         "nor rejected, 1 pixel too many\n"));
-    EXPECT_EQ(foreign.err, "rastertrace: --fail-on: found rows\n");
-    EXPECT_THAT(shell("$rastertrace stats foreign.json --json").out,
+    EXPECT_THAT(run("stats foreign.json --fail-on rows"),
+                Ends(1,
+                     EndsWith("scanline y=0 of ABC (step 2), -2 to 1: 1 pixel neither drawn nor "
+                              "rejected, 1 pixel too many\n"),
+                     "rastertrace: --fail-on: found rows\n"));
+    EXPECT_THAT(run("stats foreign.json --json").out,
                 HasSubstr(R"("wrong_rows":[{"step":2,"primitive":"ABC","y":0,"from":-2,"to":1,)"
                           R"("missing":1,"others":1}])"));
 }
@@ -143,18 +136,17 @@ TEST_F(ProgramTest, StatsFailsOnRequest) {
     EXPECT_EQ(twice.err, "rastertrace: --fail-on: found twice\n");
     EXPECT_EQ(shell(stats + "--fail-on holes,outside,rows").status, 0);
     EXPECT_EQ(shell(stats + "--fill top-left --fail-on holes,twice,outside,rows").status, 0);
-    EXPECT_EQ(
-        shell("$rastertrace stats $examples/t0-fill/first-triangle.json --fail-on outside").err,
-        "rastertrace: --fail-on: found outside\n");
-    EXPECT_EQ(shell("$rastertrace stats $examples/t4-fan/fan.json --fail-on holes,outside").err,
+    EXPECT_EQ(run("stats $examples/t0-fill/first-triangle.json --fail-on outside").err,
+              "rastertrace: --fail-on: found outside\n");
+    EXPECT_EQ(run("stats $examples/t4-fan/fan.json --fail-on holes,outside").err,
               "rastertrace: --fail-on: found holes, outside\n");
 
-    const Outcome unknown = shell(stats + "--fail-on hole");
-    EXPECT_EQ(unknown.status, 2);
-    EXPECT_EQ(unknown.err, "rastertrace: --fail-on: expected findings out of holes,twice,outside,"
-                           "rows,redo, found \"hole\"\nhint: did you mean holes?\n");
+    EXPECT_THAT(
+        shell(stats + "--fail-on hole"),
+        Refused("rastertrace: --fail-on: expected findings out of holes,twice,outside,rows,redo, "
+                "found \"hole\"\nhint: did you mean holes?\n"));
     const Outcome partial =
-        shell("$rastertrace trace square.json --only pixel | $rastertrace stats - --fail-on twice");
+        run("trace square.json --only pixel | $rastertrace stats - --fail-on twice");
     EXPECT_EQ(partial.status, 2);
     EXPECT_EQ(partial.err, "rastertrace: -: --fail-on: expected a trace with all its steps, found "
                            "one that steps were left out of\n");
@@ -166,11 +158,8 @@ TEST_F(ProgramTest, StatsReadsTheDecimalsOfATraceAsItsDoubles) {
     write("doubles.json", R"({"canvas":{"width":8,"height":18,"origin":"top-left"},
         "vertices":{"A":["10/7",12],"B":["20/7",5],"C":["30/7",15]},"triangles":["ABC"],
         "method":{"fill":"top-left"}})");
-    const Outcome told =
-        shell("$rastertrace stats doubles.json --fail-on holes,twice,outside,rows");
-    EXPECT_EQ(told.status, 0);
-    EXPECT_EQ(told.err, "");
-    EXPECT_THAT(told.out, EndsWith("triangle ABC: 10 writes\n"));
+    EXPECT_THAT(run("stats doubles.json --fail-on holes,twice,outside,rows"),
+                Ends(0, EndsWith("triangle ABC: 10 writes\n"), ""));
 }
 
 // A corner of the cube points at the viewer: three faces are in front, three behind. All six sides
@@ -184,10 +173,7 @@ TEST_F(ProgramTest, StatsDoesNotCountTheFoldsOfAClosedMeshAsDrawnTwice) {
         "projection":{"type":"frustum","fov_y":40,"near":1,"far":20},
         "method":{"depth":"painter","fill":"top-left"}})");
     const std::string stats = "$rastertrace stats cube.json --fail-on holes,twice,outside ";
-    const Outcome sound = shell(stats);
-    EXPECT_EQ(sound.err, "");
-    EXPECT_EQ(sound.status, 0);
-    EXPECT_THAT(sound.out, HasSubstr("mesh cube: 12 primitives, "));
+    EXPECT_THAT(shell(stats), Ends(0, HasSubstr("mesh cube: 12 primitives, "), ""));
     // What lies on two sides of an edge still counts.
     EXPECT_EQ(shell(stats + "--fill barycentric --snap nearest --sample integer").err,
               "rastertrace: --fail-on: found twice\n");
@@ -195,23 +181,19 @@ TEST_F(ProgramTest, StatsDoesNotCountTheFoldsOfAClosedMeshAsDrawnTwice) {
 
 TEST_F(ProgramTest, StatsPassesNothingThatItCannotJudge) {
     shell("sed 's/\"at\":\\[.*\\]\\],//' $examples/regression/fast.jsonl > fast.jsonl");
-    const Outcome lacking =
-        shell("$rastertrace stats fast.jsonl --fail-on holes,twice,outside,rows");
-    EXPECT_EQ(lacking.status, 2);
-    EXPECT_EQ(
-        lacking.err,
-        "rastertrace: fast.jsonl: --fail-on: holes, twice, outside cannot be judged: expected "
-        "\"at\", three pairs of numbers, of triangle ABC (step 1), found none\n");
-    EXPECT_EQ(shell("$rastertrace stats fast.jsonl --fail-on rows").status, 0);
-    EXPECT_EQ(shell("$rastertrace stats fast.jsonl").status, 0);
+    EXPECT_THAT(
+        run("stats fast.jsonl --fail-on holes,twice,outside,rows"),
+        Refused("rastertrace: fast.jsonl: --fail-on: holes, twice, outside cannot be judged: "
+                "expected \"at\", three pairs of numbers, of triangle ABC (step 1), found none\n"));
+    EXPECT_EQ(run("stats fast.jsonl --fail-on rows").status, 0);
+    EXPECT_EQ(run("stats fast.jsonl").status, 0);
 
     // What was found is told as well.
     shell(
         "sed '0,/pixel/{/pixel/d}' fast.jsonl | sed 's/\"steps\":.*/\"steps\":54}}/' > less.jsonl");
-    const Outcome both = shell("$rastertrace stats less.jsonl --fail-on outside,rows");
-    EXPECT_EQ(both.status, 2);
-    EXPECT_THAT(both.err, HasSubstr("rastertrace: --fail-on: found rows\n"));
-    EXPECT_THAT(both.err, HasSubstr("--fail-on: outside cannot be judged: expected \"at\""));
+    EXPECT_THAT(run("stats less.jsonl --fail-on outside,rows"),
+                Refused(AllOf(HasSubstr("rastertrace: --fail-on: found rows\n"),
+                              HasSubstr("--fail-on: outside cannot be judged: expected \"at\""))));
 }
 
 // The corners are the centers of the three pixels. The integer point of (0, 0) lies outside.
@@ -223,17 +205,17 @@ TEST_F(ProgramTest, StatsFindsTheSampleOfATraceThatDoesNotTellIt) {
 {"step":"pixel","x":0,"y":1}
 {"end":{"steps":4}}
 )");
-    const Outcome found = shell("$rastertrace stats foreign.jsonl --fail-on holes,outside");
-    EXPECT_EQ(found.err, "");
-    EXPECT_EQ(found.status, 0);
-    EXPECT_THAT(found.out, EndsWith("sample      center: the header has no method.sample, and only "
-                                    "this one explains all pixels\n"
-                                    "triangle ABC: 3 writes\n"));
-    EXPECT_THAT(shell("$rastertrace stats foreign.jsonl --json").out,
+    EXPECT_THAT(run("stats foreign.jsonl --fail-on holes,outside"),
+                Ends(0,
+                     EndsWith("sample      center: the header has no method.sample, and only this "
+                              "one explains all pixels\n"
+                              "triangle ABC: 3 writes\n"),
+                     ""));
+    EXPECT_THAT(run("stats foreign.jsonl --json").out,
                 HasSubstr(R"(,"sample":{"judged_by":"center","explains_all":true},"primitives":)"));
 
     shell("sed 's/\"x\":1/\"x\":2/' foreign.jsonl > wrong.jsonl");
-    EXPECT_THAT(shell("$rastertrace stats wrong.jsonl").out,
+    EXPECT_THAT(run("stats wrong.jsonl").out,
                 HasSubstr("sample      integer: the header has no method.sample, and neither "
                           "integer nor center explains all pixels\n"));
 }

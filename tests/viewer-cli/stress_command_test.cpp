@@ -3,8 +3,6 @@
 
 #include "program.h"
 
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
@@ -14,13 +12,8 @@
 namespace rastertrace {
 namespace {
 
-using testing::EndsWith;
-using testing::HasSubstr;
-using testing::Not;
-using testing::StartsWith;
-
 TEST_F(ProgramTest, StressListsEveryCaseInOneLine) {
-    const Outcome table = shell("$rastertrace stress --quick");
+    const Outcome table = run("stress --quick");
     EXPECT_EQ(table.status, 0) << table.out;
     EXPECT_EQ(table.err, "");
     EXPECT_THAT(table.out,
@@ -40,7 +33,7 @@ TEST_F(ProgramTest, StressListsEveryCaseInOneLine) {
 
 TEST_F(ProgramTest, StressWritesTheEntriesOfTheDocumentation) {
     EXPECT_EQ(
-        shell("$rastertrace stress --case L2,L6,P7 --markdown").out,
+        run("stress --case L2,L6,P7 --markdown").out,
         "3 cases.\n"
         "\n"
         "## Lines\n"
@@ -81,7 +74,7 @@ TEST_F(ProgramTest, StressWritesTheEntriesOfTheDocumentation) {
 
 TEST_F(ProgramTest, StressWritesEntriesThatMarkdownReadsAsTheyAre) {
     const auto entry = [this](const std::string& id) {
-        return shell("$rastertrace stress --quick --markdown --case " + id).out;
+        return run("stress --quick --markdown --case " + id).out;
     };
     EXPECT_THAT(entry("X2"), StartsWith("1 case.\n"));
     EXPECT_THAT(entry("X2"), HasSubstr("[X2](#x2-division-by-w--1)\n"));
@@ -99,30 +92,27 @@ TEST_F(ProgramTest, StressWritesEntriesThatMarkdownReadsAsTheyAre) {
 }
 
 TEST_F(ProgramTest, StressShowsACaseInFull) {
-    const Outcome outcome = shell("$rastertrace stress --case s6");
-    EXPECT_EQ(outcome.status, 0);
     EXPECT_THAT(
-        outcome.out,
-        StartsWith("S6  a step that is absorbed  (scanline fill)\n"
-                   "\n"
-                   "  input   edge (16777216,0)-(16777218,2000), floored\n"
-                   "  why     1/1000 added to 2^24 is nothing: float's next number is 2 away\n"
-                   "  holds   16777216 + floor(y/1000). "));
-    EXPECT_THAT(
-        outcome.out,
-        HasSubstr("\n  incremental, x += dx/dy\n"
-                  "    float                           wrong     1001 rows wrong, at most 2 "
-                  "px; of 2001, first at\n"
-                  "                                              y=1000\n"));
-    EXPECT_THAT(outcome.out, HasSubstr("\n    double                          within    off by at "
-                                       "most 1.8e-09 px\n"));
-    EXPECT_THAT(outcome.out, EndsWith("\n  see     there is no scene to look at: this is a "
-                                      "computation, or is refused\n"
-                                      "\n"
-                                      "as documented\n"));
+        run("stress --case s6"),
+        Prints(AllOf(
+            StartsWith("S6  a step that is absorbed  (scanline fill)\n"
+                       "\n"
+                       "  input   edge (16777216,0)-(16777218,2000), floored\n"
+                       "  why     1/1000 added to 2^24 is nothing: float's next number is 2 away\n"
+                       "  holds   16777216 + floor(y/1000). "),
+            HasSubstr("\n  incremental, x += dx/dy\n"
+                      "    float                           wrong     1001 rows wrong, at most 2 "
+                      "px; of 2001, first at\n"
+                      "                                              y=1000\n"),
+            HasSubstr(
+                "\n    double                          within    off by at most 1.8e-09 px\n"),
+            EndsWith(
+                "\n  see     there is no scene to look at: this is a computation, or is refused\n"
+                "\n"
+                "as documented\n"))));
     // Two cases by one list or by two options, each once.
-    const std::string two = shell("$rastertrace stress --case S1,C15").out;
-    EXPECT_EQ(shell("$rastertrace stress --case S1 --case c15 --case S1").out, two);
+    const std::string two = run("stress --case S1,C15").out;
+    EXPECT_EQ(run("stress --case S1 --case c15 --case S1").out, two);
     EXPECT_THAT(two, HasSubstr("\nas documented\n\nC15  a T-junction  (edge functions)\n"));
     EXPECT_THAT(two,
                 HasSubstr("          rastertrace stress --case C15 --scene 2 | rastertrace show "
@@ -130,20 +120,16 @@ TEST_F(ProgramTest, StressShowsACaseInFull) {
 }
 
 TEST_F(ProgramTest, StressPrintsTheSceneOfACaseToDraw) {
-    const Outcome shown =
-        shell("$rastertrace stress --case S1 --scene | $rastertrace show - --last --bare");
+    const Outcome shown = run("stress --case S1 --scene | $rastertrace show - --last --bare");
     EXPECT_EQ(shown.status, 0) << shown.err;
-    EXPECT_EQ(shown.out,
-              shell("$rastertrace show $examples/t0-fill/first-triangle.json --last --bare").out);
-    EXPECT_NE(shell("$rastertrace stress --case C15 --scene 2").out,
-              shell("$rastertrace stress --case C15 --scene").out);
+    EXPECT_EQ(shown.out, run("show $examples/t0-fill/first-triangle.json --last --bare").out);
+    EXPECT_NE(run("stress --case C15 --scene 2").out, run("stress --case C15 --scene").out);
     // A case that asks to be looked at can be.
-    EXPECT_EQ(shell("$rastertrace stress --case P2 --scene | $rastertrace stats - --json").status,
-              0);
+    EXPECT_EQ(run("stress --case P2 --scene | $rastertrace stats - --json").status, 0);
 }
 
 TEST_F(ProgramTest, StressWritesJson) {
-    const Outcome outcome = shell("$rastertrace stress --case S3,C10 --json");
+    const Outcome outcome = run("stress --case S3,C10 --json");
     EXPECT_EQ(outcome.status, 0);
     const auto json = nlohmann::json::parse(outcome.out);
     EXPECT_EQ(json["failed"], nlohmann::json::array());
@@ -167,31 +153,27 @@ TEST_F(ProgramTest, StressWritesJson) {
 
 TEST_F(ProgramTest, StressLooksForCliffsInAScene) {
     const std::string scene = "$examples/t0-fill/first-triangle.json";
-    EXPECT_EQ(shell("$rastertrace stress --fill top-left " + scene).out.substr(0, 15),
-              "First triangle\n");
+    EXPECT_EQ(run("stress --fill top-left " + scene).out.substr(0, 15), "First triangle\n");
     write("s3.json", R"({"title": "\u001b[2J", "canvas": {"width": 8, "height": 12,
         "origin": "top-left"}, "vertices": {"A": [0, 0], "B": [1, 10], "C": [5, 10]},
         "triangles": ["ABC"]})");
-    const Outcome outcome = shell("$rastertrace stress s3.json --lerp incremental");
-    EXPECT_EQ(outcome.status, 0);
-    EXPECT_EQ(outcome.err, "");
-    EXPECT_THAT(
-        outcome.out,
-        StartsWith("<U+001B>[2J\n"
-                   "\n"
-                   "edges on samples, or within 2^-20 px of them: the tie rule or the rounding "
-                   "decides\n"
-                   "  edge CA of triangle ABC                 passes exactly through 6 row ends, "
-                   "one at pixel (0, 0)\n"
-                   "  edge AB of triangle ABC                 passes exactly through 2 row ends, "
-                   "one at pixel (0, 0)\n"
-                   "  edge BC of triangle ABC                 lies on row 10\n"
-                   "\n"
-                   "drawn with pixels that differ from `exact`\n"
-                   "float      0 of 35\n"
-                   "double     1 of 36, first (0, 10)\n"));
-    const auto json =
-        nlohmann::json::parse(shell("$rastertrace stress s3.json --lerp incremental --json").out);
+    EXPECT_THAT(run("stress s3.json --lerp incremental"),
+                Ends(0,
+                     StartsWith("<U+001B>[2J\n"
+                                "\n"
+                                "edges on samples, or within 2^-20 px of them: the tie rule or the "
+                                "rounding decides\n"
+                                "  edge CA of triangle ABC                 passes exactly through "
+                                "6 row ends, one at pixel (0, 0)\n"
+                                "  edge AB of triangle ABC                 passes exactly through "
+                                "2 row ends, one at pixel (0, 0)\n"
+                                "  edge BC of triangle ABC                 lies on row 10\n"
+                                "\n"
+                                "drawn with pixels that differ from `exact`\n"
+                                "float      0 of 35\n"
+                                "double     1 of 36, first (0, 10)\n"),
+                     ""));
+    const auto json = nlohmann::json::parse(run("stress s3.json --lerp incremental --json").out);
     EXPECT_EQ(json["cliffs"][0]["cliff"], "sample-on-edge");
     EXPECT_EQ(json["cliffs"][0]["worst"].size(), 3u);
     EXPECT_EQ(json["pictures"][1], nlohmann::json::parse(R"({"scalar": "double", "pixels": 36,
@@ -200,7 +182,7 @@ TEST_F(ProgramTest, StressLooksForCliffsInAScene) {
         "vertices": {"A": [1.25, 1.75], "B": [13.5, 3.25], "C": [4.75, 12.5]},
         "triangles": ["ABC"], "method": {"fill": "top-left"}})");
     EXPECT_THAT(
-        shell("$rastertrace stress calm.json").out,
+        run("stress calm.json").out,
         StartsWith("calm.json\n"
                    "\n"
                    "Near no cliff: no sample within 2^-20 px of an edge, no sliver, nothing "
@@ -210,7 +192,7 @@ TEST_F(ProgramTest, StressLooksForCliffsInAScene) {
 
 TEST_F(ProgramTest, StressRefusesWhatItCannotRun) {
     const auto refusal = [this](const std::string& arguments) {
-        const Outcome outcome = shell("$rastertrace stress " + arguments);
+        const Outcome outcome = run("stress " + arguments);
         EXPECT_EQ(outcome.status, 2) << arguments;
         EXPECT_EQ(outcome.out, "") << arguments;
         return outcome.err;

@@ -3,57 +3,45 @@
 
 #include "program.h"
 
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-
 #include <string>
 
 namespace rastertrace {
 namespace {
 
-using testing::AllOf;
-using testing::HasSubstr;
-using testing::StartsWith;
-
 TEST_F(ProgramTest, TraceOfASceneIsReadBackTheSame) {
-    EXPECT_EQ(shell("$rastertrace trace $examples/t0-fill/first-triangle.json -o t.json").status,
-              0);
-    EXPECT_EQ(shell("$rastertrace trace $examples/t0-fill/first-triangle.json -o t.jsonl").status,
-              0);
-    EXPECT_EQ(
-        shell("$rastertrace trace - <$examples/t0-fill/first-triangle.json >piped.json").status, 0);
+    EXPECT_EQ(run("trace $examples/t0-fill/first-triangle.json -o t.json").status, 0);
+    EXPECT_EQ(run("trace $examples/t0-fill/first-triangle.json -o t.jsonl").status, 0);
+    EXPECT_EQ(run("trace - <$examples/t0-fill/first-triangle.json >piped.json").status, 0);
     EXPECT_EQ(content("piped.json"), content("t.json"));
     EXPECT_EQ(visible_files(), 3u);
-    const std::string stats = shell("$rastertrace stats t.json").out;
-    EXPECT_EQ(shell("$rastertrace stats - <t.jsonl").out, stats);
-    EXPECT_EQ(shell("$rastertrace stats $examples/t0-fill/first-triangle.json").out, stats);
+    const std::string stats = run("stats t.json").out;
+    EXPECT_EQ(run("stats - <t.jsonl").out, stats);
+    EXPECT_EQ(run("stats $examples/t0-fill/first-triangle.json").out, stats);
     EXPECT_THAT(stats, HasSubstr("steps       62\n"));
     EXPECT_THAT(stats, HasSubstr("pixels      49 of 238 on the canvas\n"));
     EXPECT_THAT(
-        shell("$rastertrace stats --json t.json").out,
+        run("stats --json t.json").out,
         StartsWith(R"({"title":"First triangle","steps":62,"count":{"primitive":1,"edge":3,)"));
 }
 
 TEST_F(ProgramTest, ATraceIsCutDownAsIfItWereDrawnSo) {
-    shell("$rastertrace trace $examples/t0-hidden/cube-culled.json -o whole.json; "
-          "$rastertrace trace whole.json -o whole.jsonl");
+    run("trace $examples/t0-hidden/cube-culled.json -o whole.json; $rastertrace trace whole.json "
+        "-o whole.jsonl");
     EXPECT_EQ(content("whole.jsonl"),
-              shell("$rastertrace trace $examples/t0-hidden/cube-culled.json --format jsonl").out);
+              run("trace $examples/t0-hidden/cube-culled.json --format jsonl").out);
     for (const std::string options :
          {"--only face,vertex --format jsonl", "--only face,vertex", "--only light", ""}) {
-        const std::string drawn =
-            shell("$rastertrace trace $examples/t0-hidden/cube-culled.json " + options).out;
+        const std::string drawn = run("trace $examples/t0-hidden/cube-culled.json " + options).out;
         EXPECT_THAT(drawn, HasSubstr("\"end\"")) << options;
-        EXPECT_EQ(shell("$rastertrace trace whole.json " + options).out, drawn) << options;
-        EXPECT_EQ(shell("$rastertrace trace whole.jsonl " + options).out, drawn) << options;
-        EXPECT_EQ(shell("$rastertrace trace - <whole.jsonl " + options).out, drawn) << options;
+        EXPECT_EQ(run("trace whole.json " + options).out, drawn) << options;
+        EXPECT_EQ(run("trace whole.jsonl " + options).out, drawn) << options;
+        EXPECT_EQ(run("trace - <whole.jsonl " + options).out, drawn) << options;
     }
     // A part of a part, and what it does not have.
-    shell("$rastertrace trace whole.json --only face,vertex -o part.json");
-    EXPECT_EQ(shell("$rastertrace trace part.json --only face").out,
-              shell("$rastertrace trace whole.json --only face").out);
+    run("trace whole.json --only face,vertex -o part.json");
+    EXPECT_EQ(run("trace part.json --only face").out, run("trace whole.json --only face").out);
     const auto refusal = [this](const std::string& arguments) {
-        const Outcome outcome = shell("$rastertrace trace " + arguments);
+        const Outcome outcome = run("trace " + arguments);
         EXPECT_EQ(outcome.status, 2) << arguments;
         EXPECT_EQ(outcome.out, "") << arguments;
         return outcome.err;
@@ -73,7 +61,7 @@ TEST_F(ProgramTest, ATraceIsCutDownAsIfItWereDrawnSo) {
     write("foreign.jsonl",
           "{\"rastertrace\":1,\"title\":\"\\u202e\",\"canvas\":{\"width\":3,\"height\":3}}\n"
           "{\"step\":\"\\u009b\\u007f\\u202e\\u00e9\"}\n{\"step\":\"\xC2\x9B\"}\n{\"end\":{}}\n");
-    EXPECT_EQ(shell("$rastertrace trace foreign.jsonl --format jsonl").out,
+    EXPECT_EQ(run("trace foreign.jsonl --format jsonl").out,
               "{\"rastertrace\":1,\"title\":\"\\u202e\",\"canvas\":{\"width\":3,\"height\":3}}\n"
               "{\"step\":\"\\u009b\\u007f\\u202e\\u00e9\"}\n"
               "{\"step\":\"\\u009b\"}\n"
@@ -87,7 +75,7 @@ TEST_F(ProgramTest, ATraceIsCutDownAsIfItWereDrawnSo) {
 }
 
 TEST_F(ProgramTest, SameSceneSameBytesInEveryLocaleAndTimeZone) {
-    shell("$rastertrace trace $examples/t0-fill/first-triangle.json --scalar double -o a.json");
+    run("trace $examples/t0-fill/first-triangle.json --scalar double -o a.json");
     shell("LC_ALL=de_DE.UTF-8 TZ=Asia/Tokyo $rastertrace trace "
           "$examples/t0-fill/first-triangle.json --scalar double -o b.json");
     EXPECT_FALSE(content("a.json").empty());
@@ -98,30 +86,25 @@ TEST_F(ProgramTest, AFileNameIsShownAndNotStored) {
     const std::string scene = R"({"vertices":{"A":[0,0]},"points":["A"]})";
     write("one.json", scene);
     write("other.json", scene);
-    const std::string trace = shell("$rastertrace trace one.json").out;
+    const std::string trace = run("trace one.json").out;
     EXPECT_THAT(trace, StartsWith(R"({"rastertrace":1,"canvas":{)"));
-    EXPECT_EQ(shell("$rastertrace trace other.json").out, trace);
-    EXPECT_EQ(shell("$rastertrace trace - <one.json").out, trace);
-    shell("$rastertrace trace one.json -o kept.trace.json");
+    EXPECT_EQ(run("trace other.json").out, trace);
+    EXPECT_EQ(run("trace - <one.json").out, trace);
+    run("trace one.json -o kept.trace.json");
     for (const std::string command : {"show", "stats", "plan", "stress"})
-        EXPECT_THAT(shell("$rastertrace " + command + " ./one.json").out, StartsWith("one.json"))
-            << command;
-    EXPECT_THAT(shell("$rastertrace show kept.trace.json").out, StartsWith("kept.trace.json\n"));
-    EXPECT_THAT(shell("$rastertrace show - <one.json").out, StartsWith("standard input\n"));
+        EXPECT_THAT(run(command + " ./one.json").out, StartsWith("one.json")) << command;
+    EXPECT_THAT(run("show kept.trace.json").out, StartsWith("kept.trace.json\n"));
+    EXPECT_THAT(run("show - <one.json").out, StartsWith("standard input\n"));
 }
 
 TEST_F(ProgramTest, MethodIsOverriddenOnTheCommandLine) {
-    const Outcome outcome =
-        shell("$rastertrace stats $examples/t0-fill/first-triangle.json --rounding truncate");
+    const Outcome outcome = run("stats $examples/t0-fill/first-triangle.json --rounding truncate");
     EXPECT_THAT(outcome.out, HasSubstr("pixels      45 of 238"));
-    const Outcome refused =
-        shell("$rastertrace trace $examples/t0-fill/first-triangle.json -o t.json; "
-              "$rastertrace show t.json --rounding truncate");
-    EXPECT_EQ(refused.status, 2);
-    EXPECT_EQ(refused.err,
-              "rastertrace: t.json: expected a scene to draw with --rounding truncate, "
-              "found a trace, which is drawn already\n");
-    EXPECT_EQ(shell("$rastertrace show x --rounding trunkate").err,
+    EXPECT_THAT(run("trace $examples/t0-fill/first-triangle.json -o t.json; $rastertrace show "
+                    "t.json --rounding truncate"),
+                Refused("rastertrace: t.json: expected a scene to draw with --rounding truncate, "
+                        "found a trace, which is drawn already\n"));
+    EXPECT_EQ(run("show x --rounding trunkate").err,
               "rastertrace: --rounding: expected one of floor, nearest, truncate, inside, "
               "half-open, found "
               "\"trunkate\"\nhint: did you mean truncate?\n");
@@ -130,16 +113,16 @@ TEST_F(ProgramTest, MethodIsOverriddenOnTheCommandLine) {
 TEST_F(ProgramTest, AMethodMayStandInAFile) {
     const std::string scene = "$examples/t0-fill/first-triangle.json ";
     write("ours.json", "{\"fill\": \"top-left\",\n \"sample\": [\"1/4\", 0]}");
-    EXPECT_EQ(shell("$rastertrace trace " + scene + "--method ours.json").out,
-              shell("$rastertrace trace " + scene + "--fill top-left --sample '1/4 0'").out);
+    EXPECT_EQ(run("trace " + scene + "--method ours.json").out,
+              run("trace " + scene + "--fill top-left --sample '1/4 0'").out);
     // What is asked for beside it counts more; a scene says less.
     write("scalar.json", R"({"scalar": "double", "convention": "direct3d"})");
-    EXPECT_EQ(shell("$rastertrace trace " + scene + "--method scalar.json --convention opengl").out,
-              shell("$rastertrace trace " + scene + "--scalar double --convention opengl").out);
+    EXPECT_EQ(run("trace " + scene + "--method scalar.json --convention opengl").out,
+              run("trace " + scene + "--scalar double --convention opengl").out);
 
     const auto refusal = [&](const std::string& text) {
         write("wrong.json", text);
-        const Outcome outcome = shell("$rastertrace show " + scene + "--method wrong.json");
+        const Outcome outcome = run("show " + scene + "--method wrong.json");
         EXPECT_EQ(outcome.status, 2) << text;
         return outcome.err;
     };
@@ -150,15 +133,14 @@ TEST_F(ProgramTest, AMethodMayStandInAFile) {
     EXPECT_THAT(refusal("[]"),
                 StartsWith("rastertrace: wrong.json:1:1: expected an object with the keys "));
     EXPECT_THAT(refusal("{"), StartsWith("rastertrace: wrong.json:1:"));
-    EXPECT_THAT(shell("$rastertrace show " + scene + "--method none.json").err,
+    EXPECT_THAT(run("show " + scene + "--method none.json").err,
                 StartsWith("rastertrace: none.json: "));
 }
 
 TEST_F(ProgramTest, RegionMayBeginWithANegativeNumber) {
-    const Outcome outcome = shell("$rastertrace trace $examples/t0-fill/first-triangle.json "
-                                  "--region -4,-3,-3,-3 --only pixel");
-    EXPECT_EQ(outcome.status, 0) << outcome.err;
-    EXPECT_THAT(outcome.out, HasSubstr("\"count\":{\"pixel\":2}"));
+    EXPECT_THAT(
+        run("trace $examples/t0-fill/first-triangle.json --region -4,-3,-3,-3 --only pixel"),
+        Prints(HasSubstr("\"count\":{\"pixel\":2}")));
 }
 
 } // namespace

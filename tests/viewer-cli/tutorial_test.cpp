@@ -5,7 +5,6 @@
 
 #include "program.h"
 
-#include <gmock/gmock.h>
 #include <nlohmann/json.hpp>
 
 #include <cctype>
@@ -19,8 +18,6 @@
 
 namespace rastertrace {
 namespace {
-
-using testing::HasSubstr;
 
 const fs::path examples = fs::path(RASTERTRACE_EXAMPLES);
 const fs::path exercises = examples / "tutorial";
@@ -64,7 +61,7 @@ std::map<std::string, std::string> pages_in(const fs::path& folder) {
 class TutorialTest : public ProgramTest {
 protected:
     nlohmann::json checked(const fs::path& file) const {
-        const Outcome outcome = shell("$rastertrace check '" + file.string() + "' --json");
+        const Outcome outcome = run("check '" + file.string() + "' --json");
         EXPECT_EQ(outcome.status, 0) << file << outcome.err;
         return outcome.status == 0 ? nlohmann::json::parse(outcome.out) : nlohmann::json();
     }
@@ -174,8 +171,8 @@ TEST_F(TutorialTest, TheTableOfSumsHasTheNumbersOfTheStressCatalogue) {
         ASSERT_EQ(cells.size(), 6u) << row;
         if (!cells[0].empty()) {
             const std::string id = cells[0].substr(0, cells[0].find(':'));
-            measured = nlohmann::json::parse(
-                shell("$rastertrace stress --json --case " + id).out)["cases"][0]["rows"];
+            measured =
+                nlohmann::json::parse(run("stress --json --case " + id).out)["cases"][0]["rows"];
         }
         // What adds comes first of each scalar, then what multiplies.
         std::vector<nlohmann::json> of_scalar;

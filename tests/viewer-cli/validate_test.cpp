@@ -3,8 +3,6 @@
 
 #include "program.h"
 
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
 #include <string>
@@ -22,8 +20,7 @@ protected:
     ValidateTest() {
         write("scene.json", scene_json);
         write("claims.txt", "scene: scene.json\ny=2: -1/4, 25/8 -> -1..3\nA screen: 9, 9\n");
-        shell("$rastertrace trace scene.json -o trace.json; $rastertrace trace scene.json -o "
-              "trace.jsonl");
+        run("trace scene.json -o trace.json; $rastertrace trace scene.json -o trace.jsonl");
     }
 
     /// What is told of a copy of a trace that a sed script has changed.
@@ -37,68 +34,57 @@ TEST_F(ValidateTest, SaysWhatEachFileIs) {
     write("turn.json", R"({"canvas":{"width":9,"height":9},"vertices":{"A":[0,0],"B":[3,0]},)"
                        R"("lines":["AB"],"points":["A","B"],"vary":{"/vertices/A/0":[0,1,2]}})");
     write("loose.txt", "y=2: -1/4, 25/8\n");
-    const Outcome all = shell("$rastertrace trace scene.json --only pixel -o part.json; "
-                              "$rastertrace validate scene.json trace.json trace.jsonl part.json "
-                              "turn.json claims.txt loose.txt");
-    EXPECT_EQ(all.out, "scene.json: a scene, 1 triangle, 17 x 14 pixels\n"
-                       "trace.json: a trace of version 1, 62 steps, complete; stats can judge "
-                       "holes, twice, outside, rows\n"
-                       "trace.jsonl: a trace of version 1, 62 steps, complete; stats can judge "
-                       "holes, twice, outside, rows\n"
-                       "part.json: a trace of version 1, 49 steps (others were left out), "
-                       "complete; stats can judge nothing of it\n"
-                       "turn.json: a scene of 3 frames, 1 line, 2 points, 9 x 9 pixels\n"
-                       "claims.txt: 2 claims about scene.json\n"
-                       "loose.txt: 1 claim, which name no scene\n");
-    EXPECT_EQ(all.err, "");
-    EXPECT_EQ(all.status, 0);
+    EXPECT_THAT(run("trace scene.json --only pixel -o part.json; $rastertrace validate scene.json "
+                    "trace.json trace.jsonl part.json turn.json claims.txt loose.txt"),
+                Ends(0,
+                     "scene.json: a scene, 1 triangle, 17 x 14 pixels\n"
+                     "trace.json: a trace of version 1, 62 steps, complete; stats can judge holes, "
+                     "twice, outside, rows\n"
+                     "trace.jsonl: a trace of version 1, 62 steps, complete; stats can judge "
+                     "holes, twice, outside, rows\n"
+                     "part.json: a trace of version 1, 49 steps (others were left out), complete; "
+                     "stats can judge nothing of it\n"
+                     "turn.json: a scene of 3 frames, 1 line, 2 points, 9 x 9 pixels\n"
+                     "claims.txt: 2 claims about scene.json\n"
+                     "loose.txt: 1 claim, which name no scene\n",
+                     ""));
 }
 
 // x of AB on row 2 is -1/4, whose floor is -1.
 TEST_F(ValidateTest, DoesEveryStepOfATraceAgain) {
     const std::string of_redo = "; $rastertrace validate --redo bad.json";
     for (const std::string trace : {"trace.jsonl", "trace.json"}) {
-        const Outcome right = shell("$rastertrace validate --redo " + trace);
-        EXPECT_EQ(right.status, 0) << right.err;
-        EXPECT_THAT(right.out, testing::HasSubstr(" numbers done again\n"));
-        const Outcome wrong = shell(R"(sed -e 's/"from":-1,"to":3/"from":0,"to":3/' )" + trace +
-                                    " > bad.json" + of_redo);
-        EXPECT_EQ(wrong.status, 2);
-        EXPECT_THAT(wrong.err, testing::HasSubstr("expected -1 for scanline: from, done again from "
-                                                  "the numbers of the trace, found 0"));
-        EXPECT_THAT(wrong.err, testing::HasSubstr("hint: step 14 tells: scanline y=2"));
-        EXPECT_EQ(shell("$rastertrace validate bad.json").status, 0);
-        const Outcome stats = shell("$rastertrace stats bad.json --fail-on redo");
-        EXPECT_EQ(stats.status, 1);
-        EXPECT_THAT(stats.err, testing::EndsWith("rastertrace: --fail-on: found redo\n"));
+        EXPECT_THAT(run("validate --redo " + trace), Prints(HasSubstr(" numbers done again\n")));
+        EXPECT_THAT(shell(R"(sed -e 's/"from":-1,"to":3/"from":0,"to":3/' )" + trace +
+                          " > bad.json" + of_redo),
+                    Refused(AllOf(HasSubstr("expected -1 for scanline: from, done again from the "
+                                            "numbers of the trace, found 0"),
+                                  HasSubstr("hint: step 14 tells: scanline y=2"))));
+        EXPECT_EQ(run("validate bad.json").status, 0);
+        EXPECT_THAT(run("stats bad.json --fail-on redo"),
+                    Ends(1, _, EndsWith("rastertrace: --fail-on: found redo\n")));
     }
-    const Outcome part =
-        shell("$rastertrace trace scene.json --only scanline -o bad.json" + of_redo);
-    EXPECT_EQ(part.status, 2);
-    EXPECT_THAT(part.err, testing::HasSubstr("--redo: expected a trace with all its steps"));
-    const Outcome others =
-        shell("$rastertrace validate --redo scene.json claims.txt - < trace.json");
-    EXPECT_EQ(others.status, 0) << others.err;
+    EXPECT_THAT(run("trace scene.json --only scanline -o bad.json" + of_redo),
+                Refused(HasSubstr("--redo: expected a trace with all its steps")));
+    EXPECT_THAT(run("validate --redo scene.json claims.txt - < trace.json"), Ends(0));
 }
 
 TEST_F(ValidateTest, SaysWhatOfATraceCanBeJudged) {
-    for (const std::string trace : {"trace.jsonl", "trace.json"}) {
-        const Outcome lacking = changed(R"(s/"at":.*\]\],//)", trace);
-        EXPECT_EQ(lacking.out,
-                  "bad.json: a trace of version 1, 62 steps, complete; stats can judge rows\n");
-        EXPECT_EQ(lacking.err, "rastertrace: bad.json: remark: stats cannot judge holes, twice, "
-                               "outside: expected \"at\", three pairs of numbers, of triangle ABC "
-                               "(step 1), found none\n");
-        EXPECT_EQ(lacking.status, 0);
-    }
+    for (const std::string trace : {"trace.jsonl", "trace.json"})
+        EXPECT_THAT(
+            changed(R"(s/"at":.*\]\],//)", trace),
+            Ends(0, "bad.json: a trace of version 1, 62 steps, complete; stats can judge rows\n",
+                 "rastertrace: bad.json: remark: stats cannot judge holes, twice, "
+                 "outside: expected \"at\", three pairs of numbers, of triangle ABC (step 1), "
+                 "found none\n"));
 }
 
 TEST_F(ValidateTest, OneFileThatIsNotValidDoesNotStopTheOthers) {
     write("empty.json", " \n");
     write("list.json", "[1, 2]");
     write("other.json", R"({"name": "x"})");
-    const Outcome all = shell("$rastertrace validate . empty.json list.json other.json lost.json "
-                              "scene.json scene.json");
+    const Outcome all =
+        run("validate . empty.json list.json other.json lost.json scene.json scene.json");
     EXPECT_EQ(all.status, 2);
     EXPECT_EQ(all.out, "scene.json: a scene, 1 triangle, 17 x 14 pixels\n"
                        "scene.json: a scene, 1 triangle, 17 x 14 pixels\n");
@@ -119,14 +105,12 @@ TEST_F(ValidateTest, OneFileThatIsNotValidDoesNotStopTheOthers) {
 TEST_F(ValidateTest, ASceneIsValidIfEveryFrameCanBeDrawn) {
     write("turn.json", R"({"canvas":{"width":9,"height":9},"vertices":{"A":[0,0],"B":[3,0]},
  "lines":["AB"],"vary":{"/canvas/width":[9,8,0]}})");
-    const Outcome read = shell("$rastertrace validate turn.json");
-    EXPECT_EQ(read.status, 2);
-    EXPECT_EQ(read.out, "");
-    EXPECT_EQ(read.err,
-              "rastertrace: turn.json:1:20: expected a whole number of pixels from 1 to "
-              "16384, found 0, in frame 3 of 3: width 0\n"
-              "{\"canvas\":{\"width\":9,\"height\":9},\"vertices\":{\"A\":[0,0],\"B\":...\n"
-              "                   ^\n");
+    EXPECT_THAT(run("validate turn.json"),
+                Ends(2, "",
+                     "rastertrace: turn.json:1:20: expected a whole number of pixels from 1 to "
+                     "16384, found 0, in frame 3 of 3: width 0\n"
+                     "{\"canvas\":{\"width\":9,\"height\":9},\"vertices\":{\"A\":[0,0],\"B\":...\n"
+                     "                   ^\n"));
 }
 
 TEST_F(ValidateTest, ATraceIsReadToItsEnd) {
@@ -138,12 +122,12 @@ TEST_F(ValidateTest, ATraceIsReadToItsEnd) {
                            "end of the file: the trace is truncated after 19 whole steps\n");
         // The picture is drawn, and each count compared.
         EXPECT_THAT(changed("$s/\"pixels\":49/\"pixels\":48/", trace).err,
-                    testing::HasSubstr("expected 48 pixels as the end record says, found 49\n"));
+                    HasSubstr("expected 48 pixels as the end record says, found 49\n"));
         EXPECT_THAT(changed("$s/96f1/96f2/", trace).err,
-                    testing::HasSubstr("expected the picture 96f2b027ae1e2a78 as the end record "
-                                       "says, found 96f1b027ae1e2a78\n"));
+                    HasSubstr("expected the picture 96f2b027ae1e2a78 as the end record "
+                              "says, found 96f1b027ae1e2a78\n"));
         EXPECT_THAT(changed("$s/\"edge\":3/\"edge\":4/", trace).err,
-                    testing::HasSubstr("expected 4 edge steps as the end record says, found 3\n"));
+                    HasSubstr("expected 4 edge steps as the end record says, found 3\n"));
     }
 }
 
@@ -179,32 +163,30 @@ TEST_F(ValidateTest, StepsThatCannotBeUsedDoNotHideTheRest) {
                     "8s/\"left_edge\":\"AB\"/\"left_edge\":1/",
                     trace);
         EXPECT_EQ(told.status, 2);
-        EXPECT_THAT(told.err, testing::HasSubstr("bad.json:3:1: expected a edge step with the key "
-                                                 "\"edge\", found none\n"));
-        EXPECT_THAT(told.err, testing::HasSubstr("bad.json:4:1: expected"));
-        EXPECT_THAT(told.err,
-                    testing::HasSubstr("bad.json:6:24: expected a whole number, found 0.5\n"));
-        EXPECT_THAT(told.err, testing::HasSubstr("expected a string for left_edge, found 1\n"));
-        EXPECT_THAT(told.err, testing::Not(testing::HasSubstr("as the end record says")));
-        EXPECT_THAT(told.err, testing::Not(testing::HasSubstr("remark")));
+        EXPECT_THAT(told.err, HasSubstr("bad.json:3:1: expected a edge step with the key "
+                                        "\"edge\", found none\n"));
+        EXPECT_THAT(told.err, HasSubstr("bad.json:4:1: expected"));
+        EXPECT_THAT(told.err, HasSubstr("bad.json:6:24: expected a whole number, found 0.5\n"));
+        EXPECT_THAT(told.err, HasSubstr("expected a string for left_edge, found 1\n"));
+        EXPECT_THAT(told.err, Not(HasSubstr("as the end record says")));
+        EXPECT_THAT(told.err, Not(HasSubstr("remark")));
     }
 }
 
 TEST_F(ValidateTest, WhatComesBeforeTheEndOfTheReadingIsToldToo) {
-    const Outcome told = changed("3s/\"edge\":\"AB\",//;$s/}$//;$a more");
-    EXPECT_EQ(told.status, 2);
-    EXPECT_THAT(told.err, testing::HasSubstr("bad.json:3:1: expected a edge step with the key"));
-    EXPECT_THAT(told.err, testing::HasSubstr("bad.json:64:"));
+    EXPECT_THAT(changed("3s/\"edge\":\"AB\",//;$s/}$//;$a more"),
+                Refused(AllOf(HasSubstr("bad.json:3:1: expected a edge step with the key"),
+                              HasSubstr("bad.json:64:"))));
 }
 
 TEST_F(ValidateTest, ATextOfAnyKindIsTakenForClaims) {
     write("letter.txt", "Dear reader,\n");
-    EXPECT_THAT(shell("$rastertrace validate letter.txt").err,
-                testing::StartsWith("rastertrace: letter.txt:1:6: taken for claims, since it is no "
-                                    "JSON: expected a space ("));
+    EXPECT_THAT(run("validate letter.txt").err,
+                StartsWith("rastertrace: letter.txt:1:6: taken for claims, since it is no "
+                           "JSON: expected a space ("));
     write("claims.txt", "scene: scene.json\nDear reader\n");
-    EXPECT_THAT(shell("$rastertrace validate claims.txt").err,
-                testing::StartsWith("rastertrace: claims.txt:2:6: expected a space ("));
+    EXPECT_THAT(run("validate claims.txt").err,
+                StartsWith("rastertrace: claims.txt:2:6: expected a space ("));
 }
 
 TEST_F(ValidateTest, APlaceFarBehindTheFirstBlockIsTold) {
@@ -215,10 +197,9 @@ TEST_F(ValidateTest, APlaceFarBehindTheFirstBlockIsTold) {
                  "\n";
     write("rest.jsonl", lines + R"({"step":"edge","edge":"AB","dx_dy":{}})"
                                 "\n{\"end\":{}}\n");
-    const Outcome long_one = shell("head -1 trace.jsonl | cat - rest.jsonl > long.jsonl; "
-                                   "$rastertrace validate long.jsonl");
-    EXPECT_THAT(long_one.err, testing::StartsWith("rastertrace: long.jsonl:40002:36: expected"));
-    EXPECT_EQ(long_one.status, 2);
+    EXPECT_THAT(shell("head -1 trace.jsonl | cat - rest.jsonl > long.jsonl; $rastertrace validate "
+                      "long.jsonl"),
+                Refused(StartsWith("rastertrace: long.jsonl:40002:36: expected")));
 }
 
 TEST_F(ValidateTest, WhatAForeignRasterizerAddsIsARemark) {
@@ -236,32 +217,26 @@ TEST_F(ValidateTest, WhatAForeignRasterizerAddsIsARemark) {
 
 TEST_F(ValidateTest, AColorIsOneThatCanBeDrawn) {
     // Each digit of #rgb counts twice: it is the red of #ff0000.
-    const Outcome red = changed("2s/#000000/#f00/;$s/\"frame\":\"[^\"]*\"/\"title\":\"\"/");
-    EXPECT_EQ(red.err, "");
-    EXPECT_EQ(red.status, 0);
+    EXPECT_THAT(changed("2s/#000000/#f00/;$s/\"frame\":\"[^\"]*\"/\"title\":\"\"/"),
+                Ends(0, _, ""));
     const std::string view = "$rastertrace explain bad.json --pixel 3,2 --json";
-    EXPECT_THAT(shell(view).out, testing::HasSubstr("\"after\":\"ABC #ff0000\""));
+    EXPECT_THAT(shell(view).out, HasSubstr("\"after\":\"ABC #ff0000\""));
 
     for (const char* const color : {"\"blurple\"", "\"#12\"", "\"#ff00f\"", "\"\"", "7", "null"}) {
         const std::string message =
             std::string("rastertrace: bad.json:2:125: expected a color like \"#ff8000\", found ") +
             color + "\n";
-        const Outcome told = changed("2s/\"#000000\"/" + std::string(color) + "/");
-        EXPECT_THAT(told.err, testing::StartsWith(message));
-        EXPECT_EQ(told.status, 2);
+        EXPECT_THAT(changed("2s/\"#000000\"/" + std::string(color) + "/"),
+                    Refused(StartsWith(message)));
         for (const char* const reader :
              {"show bad.json", "figure bad.json -o x.svg", "explain bad.json --pixel 3,2",
-              "stats bad.json", "play bad.json --print 80x24", "diff trace.jsonl bad.json"}) {
-            const Outcome read = shell(std::string("$rastertrace ") + reader);
-            EXPECT_THAT(read.err, testing::HasSubstr("expected a color like")) << reader;
-            EXPECT_EQ(read.status, 2) << reader;
-        }
+              "stats bad.json", "play bad.json --print 80x24", "diff trace.jsonl bad.json"})
+            EXPECT_THAT(run(reader), Refused(HasSubstr("expected a color like"))) << reader;
     }
     EXPECT_THAT(changed("7s/\"y\":5/\"y\":5,\"color\":\"blurple\"/").err,
-                testing::HasSubstr("bad.json:7:37: expected a color"));
-    EXPECT_THAT(
-        changed("2s/\"color\"/\"colors\":[\"red\",\"#12\",\"#fff\"],\"color\"/").err,
-        testing::HasSubstr("expected an array of colors like \"#ff8000\", found [\"red\","));
+                HasSubstr("bad.json:7:37: expected a color"));
+    EXPECT_THAT(changed("2s/\"color\"/\"colors\":[\"red\",\"#12\",\"#fff\"],\"color\"/").err,
+                HasSubstr("expected an array of colors like \"#ff8000\", found [\"red\","));
 }
 
 TEST_F(ValidateTest, ANumberThatIsNotFiniteIsARemark) {
@@ -281,12 +256,10 @@ TEST_F(ValidateTest, ANumberThatIsNotFiniteIsARemark) {
          {"show bad.json", "figure bad.json -o x.svg", "explain bad.json --pixel 3,2",
           "explain bad.json --edge AB", "stats bad.json", "play bad.json --print 80x24",
           "check bad.json claims.txt"})
-        EXPECT_THAT(shell(std::string("$rastertrace ") + reader).err, testing::HasSubstr(told.err))
-            << reader;
-    EXPECT_THAT(shell("$rastertrace show bad.json --step \"edge dx_dy=-inf\"").out,
-                testing::HasSubstr("\nedge AB: dx/dy = (-4 - 2) / (-3 - 5) = -inf"));
-    EXPECT_THAT(shell("$rastertrace explain bad.json --pixel -3,4").out,
-                testing::HasSubstr("at x = NaN -> floor -> "));
+        EXPECT_THAT(run(reader).err, HasSubstr(told.err)) << reader;
+    EXPECT_THAT(run("show bad.json --step \"edge dx_dy=-inf\"").out,
+                HasSubstr("\nedge AB: dx/dy = (-4 - 2) / (-3 - 5) = -inf"));
+    EXPECT_THAT(run("explain bad.json --pixel -3,4").out, HasSubstr("at x = NaN -> floor -> "));
     // JSON has no such number, and names may be called so.
     EXPECT_EQ(changed("8s/\"left\":\"[^\"]*\"/\"left\":NaN/").status, 2);
     EXPECT_EQ(changed("8s/\"left\":\"[^\"]*\"/\"left\":\"nan\"/").status, 2);
@@ -297,51 +270,48 @@ TEST_F(ValidateTest, ClaimsAreAboutWhatTheirSceneHas) {
     write("lost.txt", "scene: nowhere.json\ny=2: 1, 2\n");
     write("names.txt", "scene: scene.json\nedge AQ: 3/4\n");
     write("rows.txt", "scene: scene.json\ny=99: 1, 2\n");
-    EXPECT_EQ(shell("$rastertrace validate lost.txt").err,
+    EXPECT_EQ(run("validate lost.txt").err,
               "rastertrace: lost.txt:1:8: expected a file that can be read, found: No such file or "
               "directory (nowhere.json)\nscene: nowhere.json\n       ^\n");
-    const Outcome names = shell("$rastertrace validate names.txt");
-    EXPECT_EQ(names.status, 2);
-    EXPECT_THAT(names.err, testing::StartsWith("rastertrace: names.txt:2:6: expected "));
+    EXPECT_THAT(run("validate names.txt"),
+                Refused(StartsWith("rastertrace: names.txt:2:6: expected ")));
     // A row that is not there is a wrong claim, and no fault of the file.
-    const Outcome rows = shell("$rastertrace validate rows.txt");
-    EXPECT_EQ(rows.status, 0);
-    EXPECT_EQ(rows.out, "rows.txt: 1 claim about scene.json\n");
-    EXPECT_THAT(rows.err, testing::StartsWith("rastertrace: rows.txt:2:1: remark: "));
+    EXPECT_THAT(run("validate rows.txt"), Ends(0, "rows.txt: 1 claim about scene.json\n",
+                                               StartsWith("rastertrace: rows.txt:2:1: remark: ")));
 }
 
 TEST_F(ValidateTest, TheKindMayBeAskedFor) {
-    EXPECT_EQ(shell("$rastertrace validate --kind trace trace.json scene.json").err,
+    EXPECT_EQ(run("validate --kind trace trace.json scene.json").err,
               "rastertrace: scene.json: expected a trace, found a scene\n");
-    EXPECT_EQ(shell("$rastertrace validate --kind scene trace.jsonl").err,
+    EXPECT_EQ(run("validate --kind scene trace.jsonl").err,
               "rastertrace: trace.jsonl: expected a scene, found a trace\n");
-    EXPECT_EQ(shell("$rastertrace validate --kind claims scene.json").err,
+    EXPECT_EQ(run("validate --kind claims scene.json").err,
               "rastertrace: scene.json: expected claims, found a scene\n");
-    EXPECT_THAT(shell("$rastertrace validate --kind scene claims.txt").err,
-                testing::StartsWith("rastertrace: claims.txt:1:1: expected a JSON value"));
+    EXPECT_THAT(run("validate --kind scene claims.txt").err,
+                StartsWith("rastertrace: claims.txt:1:1: expected a JSON value"));
 }
 
 TEST_F(ValidateTest, ReadsStandardInputOnce) {
-    EXPECT_EQ(shell("$rastertrace validate - < scene.json").out,
+    EXPECT_EQ(run("validate - < scene.json").out,
               "standard input: a scene, 1 triangle, 17 x 14 pixels\n");
     EXPECT_EQ(shell("cat trace.jsonl | $rastertrace validate -").out,
               "standard input: a trace of version 1, 62 steps, complete; stats can judge holes, "
               "twice, outside, rows\n");
-    EXPECT_EQ(shell("$rastertrace validate - -").err,
+    EXPECT_EQ(run("validate - -").err,
               "rastertrace: validate: expected standard input once, found \"-\"\n");
 }
 
 TEST_F(ValidateTest, TellsInJson) {
     write("bad.json", R"({"vertices": {"A": [2, "five"]}, "points": ["A"]})");
-    const Outcome told = shell("$rastertrace validate scene.json bad.json --json");
-    EXPECT_EQ(told.status, 2);
-    EXPECT_EQ(told.err, "");
-    EXPECT_EQ(
-        told.out,
-        R"([{"file":"scene.json","kind":"scene","valid":true,"about":"a scene, 1 triangle, 17 x 14 pixels","problems":[],"all_told":true,"remarks":[]},)"
-        "\n"
-        R"({"file":"bad.json","kind":"scene","valid":false,"about":"","problems":[{"file":"bad.json","line":1,"column":24,"message":"expected a number, found \"five\"","hint":"a fraction is written \"25/8\", in quotes"}],"all_told":true,"remarks":[]}])"
-        "\n");
+    EXPECT_THAT(
+        run("validate scene.json bad.json --json"),
+        Ends(
+            2,
+            R"([{"file":"scene.json","kind":"scene","valid":true,"about":"a scene, 1 triangle, 17 x 14 pixels","problems":[],"all_told":true,"remarks":[]},)"
+            "\n"
+            R"({"file":"bad.json","kind":"scene","valid":false,"about":"","problems":[{"file":"bad.json","line":1,"column":24,"message":"expected a number, found \"five\"","hint":"a fraction is written \"25/8\", in quotes"}],"all_told":true,"remarks":[]}])"
+            "\n",
+            ""));
 }
 
 TEST_F(ValidateTest, ManyProblemsAreCounted) {
@@ -350,27 +320,25 @@ TEST_F(ValidateTest, ManyProblemsAreCounted) {
         lines += R"({"step":"edge","edge":"AB","dx_dy":true})"
                  "\n";
     write("rest.jsonl", lines + "{\"end\":{}}\n");
-    const Outcome told = shell("head -1 trace.jsonl | cat - rest.jsonl > bad.jsonl; "
-                               "$rastertrace validate bad.jsonl");
-    EXPECT_EQ(told.status, 2);
-    EXPECT_THAT(told.err, testing::HasSubstr(
-                              "rastertrace: bad.jsonl: only the first 100 problems are told\n"));
+    EXPECT_THAT(
+        shell(
+            "head -1 trace.jsonl | cat - rest.jsonl > bad.jsonl; $rastertrace validate bad.jsonl"),
+        Refused(HasSubstr("rastertrace: bad.jsonl: only the first 100 problems are told\n")));
 }
 
 TEST_F(ValidateTest, PrintsSchemas) {
     for (const std::string name : {"scene", "trace", "claims"}) {
-        const Outcome printed = shell("$rastertrace validate --schema " + name);
+        const Outcome printed = run("validate --schema " + name);
         EXPECT_EQ(printed.status, 0);
         EXPECT_EQ(nlohmann::json::parse(printed.out)["$schema"],
                   "http://json-schema.org/draft-07/schema#");
     }
-    EXPECT_EQ(shell("$rastertrace validate --schema scenes").err,
+    EXPECT_EQ(run("validate --schema scenes").err,
               "rastertrace: --schema: expected one of scene, trace, claims, found \"scenes\"\n"
               "hint: did you mean scene?\n");
-    EXPECT_EQ(shell("$rastertrace validate --schema scene scene.json").status, 2);
-    EXPECT_EQ(shell("$rastertrace validate").err,
-              "rastertrace: validate: expected a file, found none\n"
-              "hint: - is standard input; --schema NAME prints a schema\n");
+    EXPECT_EQ(run("validate --schema scene scene.json").status, 2);
+    EXPECT_EQ(run("validate").err, "rastertrace: validate: expected a file, found none\n"
+                                   "hint: - is standard input; --schema NAME prints a schema\n");
 }
 
 } // namespace
