@@ -9,7 +9,6 @@
 #include <rastertrace/core/draw/list/drawing_order.h>
 #include <rastertrace/core/draw/paint/fill.h>
 #include <rastertrace/core/draw/paint/numbered_depths.h>
-#include <rastertrace/numerics/knobs.h>
 #include <rastertrace/trace/text/method_names.h>
 
 #include <fmt/core.h>
@@ -88,9 +87,7 @@ public:
         if (!refusal.empty())
             return nothing_of(ReportJob::depth, refusal);
         shared_->pieces = exact_spans(scene_);
-        for (const SpansOfPiece& piece : shared_->pieces)
-            for (const PieceSpan& span : piece.spans)
-                shared_->fragments += static_cast<std::uint64_t>(span.to - span.from + 1);
+        shared_->fragments = pixels_in(shared_->pieces);
         if (shared_->fragments == 0)
             return nothing_of(ReportJob::depth, "no pixel of the canvas is covered");
         find_exact(right);
@@ -345,7 +342,7 @@ private:
     template <typename Use> void with_input(const Scene& scene, Setting setting, Use&& use) {
         const std::string refusal = refusal_in_words(scene);
         if (!refusal.empty())
-            return builder_.add_failure(setting.name, setting.label, refusal);
+            return builder_.add_failure(std::move(setting), refusal);
         const Plan plan = plan_for(scene);
         with_scalar(plan, [&]<typename Scalar>() {
             if constexpr (std::same_as<Scalar, Interval>)
@@ -353,8 +350,7 @@ private:
             else if (const auto input = input_of<Scalar>(scene, plan))
                 use(std::move(setting), input);
             else
-                builder_.add_failure(setting.name, setting.label,
-                                     "clipping has left other triangles than in exact arithmetic");
+                builder_.add_failure(std::move(setting), clipped_otherwise);
         });
     }
 
@@ -446,9 +442,7 @@ private:
     void add_adaptive(const Scene& scene, const Plan& plan, Setting setting) {
         const auto input = std::make_shared<AdaptiveTriangles>(scene, plan);
         if (!are_those_of(shared_->pieces, input->primitives()))
-            return builder_.add_failure(
-                setting.name, setting.label,
-                "clipping has left other triangles than in exact arithmetic");
+            return builder_.add_failure(std::move(setting), clipped_otherwise);
         std::uint64_t fallbacks = 0;
         const Winners winners = run_adaptive(*input, *shared_, fallbacks);
         Setting adaptive = adaptive_setting(shared_->fragments, fallbacks,
@@ -614,7 +608,7 @@ private:
             Setting setting = named_setting(name);
             const std::string refusal = refusal_in_words(scene);
             if (!refusal.empty()) {
-                builder_.add_failure(setting.name, setting.label, refusal);
+                builder_.add_failure(std::move(setting), refusal);
                 continue;
             }
             std::vector<double> distances;
