@@ -82,8 +82,7 @@ void for_each_sample(const Canvas& canvas, const ExactPoint& offset, Visit&& vis
 
 CoveredPixels covered_samples(const std::vector<ExactPoint>& polygon, bool is_closed,
                               const ExactPoint& offset, const Canvas& canvas, int down) {
-    CoveredPixels covered(static_cast<std::size_t>(canvas.width) *
-                          static_cast<std::size_t>(canvas.height));
+    CoveredPixels covered(canvas.area());
     const auto functions = inward_functions(polygon);
     // On an edge, a sample is inside if the edge is a left one (the inside lies to its right) or a
     // top one (horizontal, and the inside lies below it in the picture).
@@ -114,8 +113,7 @@ std::array<ExactPoint, 3> moved(std::array<ExactPoint, 3> triangle, const ExactP
 /// Row by row: the part of the row's line that lies in the closed triangle, its ends rounded.
 CoveredPixels covered_rows(const std::array<ExactPoint, 3>& triangle, const SpanRounding& rule,
                            const Canvas& canvas) {
-    CoveredPixels covered(static_cast<std::size_t>(canvas.width) *
-                          static_cast<std::size_t>(canvas.height));
+    CoveredPixels covered(canvas.area());
     const auto rounded_end = [&rule](const Rational& x, bool is_left) {
         switch (rule.rounding) {
         case Rounding::floor:
@@ -299,8 +297,7 @@ CoveredPixels covered_by(const std::array<ExactPoint, 3>& triangle, const Method
     if (fill.rule == PixelRule::row_ends)
         return covered_rows(moved(triangle, offset), span_rounding(method), canvas);
     if (exact_area2(triangle) == 0)
-        return CoveredPixels(static_cast<std::size_t>(canvas.width) *
-                             static_cast<std::size_t>(canvas.height));
+        return CoveredPixels(canvas.area());
     return covered_samples({triangle.begin(), triangle.end()}, fill.is_closed, offset, canvas,
                            canvas_of_samples(method, canvas).down());
 }
@@ -310,9 +307,7 @@ CoveredPixels covered_by_polygon(const std::vector<ExactPoint>& polygon, const C
 }
 
 Colors reference_picture(const Scene& scene) {
-    Colors picture(static_cast<std::size_t>(scene.canvas.width) *
-                       static_cast<std::size_t>(scene.canvas.height),
-                   no_color);
+    Colors picture(scene.canvas.area(), no_color);
     draw_triangles(scene, picture);
     for (const ScenePrimitive& primitive : scene.primitives) {
         if (primitive.kind == PrimitiveKind::line)

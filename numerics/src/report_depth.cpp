@@ -219,8 +219,7 @@ private:
     static Winners run_buffer(const DepthInput<D>& input, const DepthScene& shared,
                               const DepthsOf& depths_of) {
         DepthTests<D> buffer(whole(shared.canvas), input.rule);
-        Winners winners(static_cast<std::size_t>(shared.canvas.width) *
-                        static_cast<std::size_t>(shared.canvas.height));
+        Winners winners(shared.canvas.area());
         for_each_row(input, shared, buffer,
                      [&](const DepthRow<D>& row, const PieceSpan& span, std::size_t piece) {
                          const int line = static_cast<int>(shared.canvas.row_of(span.y));
@@ -424,8 +423,7 @@ private:
     static Winners run_adaptive(const AdaptiveTriangles& input, const DepthScene& shared,
                                 std::uint64_t& fallbacks) {
         NumberedDepths buffer = buffer_of(input, shared);
-        Winners winners(static_cast<std::size_t>(shared.canvas.width) *
-                        static_cast<std::size_t>(shared.canvas.height));
+        Winners winners(shared.canvas.area());
         fallbacks += for_each_adaptive_row(
             input, shared, buffer, [&](const auto& row, const PieceSpan& span, std::size_t piece) {
                 const int line = static_cast<int>(shared.canvas.row_of(span.y));
@@ -536,8 +534,7 @@ private:
     static Winners run_stored(const DepthInput<D>& input, const DepthScene& shared,
                               const Store& store) {
         DepthTests<D> unused(DepthRegion{}, input.rule);
-        const auto size = static_cast<std::size_t>(shared.canvas.width) *
-                          static_cast<std::size_t>(shared.canvas.height);
+        const auto size = shared.canvas.area();
         std::vector<Code> codes(size, std::numeric_limits<Code>::max());
         Winners winners(size);
         for_each_row(input, shared, unused,
@@ -651,8 +648,7 @@ private:
     template <typename Order>
     static Winners painted(const Order& order, const PiecesOf& pieces_of,
                            const DepthScene& shared) {
-        Winners winners(static_cast<std::size_t>(shared.canvas.width) *
-                        static_cast<std::size_t>(shared.canvas.height));
+        Winners winners(shared.canvas.area());
         for (const std::size_t primitive : order.primitives)
             if (const auto found = pieces_of.find(primitive); found != pieces_of.end())
                 for (const std::size_t piece : found->second)

@@ -198,7 +198,7 @@ constexpr std::string_view m_above = R"(33, "103/4")";
 /// How many of the triangles, each drawn alone, plot each pixel.
 std::vector<int> junction_layers(std::string_view m, std::string_view scalar) {
     const Scene all = readable_scene(t_junction(m), with_scalar_named({}, scalar));
-    std::vector<int> layers(static_cast<std::size_t>(all.canvas.width * all.canvas.height));
+    std::vector<int> layers(all.canvas.area());
     for (const ScenePrimitive& triangle : all.primitives) {
         Scene alone = all;
         alone.primitives = {triangle};
