@@ -42,11 +42,6 @@ double side_by_canvas(const Lattice& lattice) {
     return std::max(1.0, std::floor(side));
 }
 
-bool tests_samples(const Trace& trace) {
-    const std::string fill = trace.method_value("fill");
-    return fill == "barycentric" || fill == "top-left";
-}
-
 } // namespace
 
 void set_parts(const FigureOptions& options, Panel& panel) {

@@ -22,8 +22,10 @@ namespace {
 /// Of letters of fixed width, in ems: DejaVu Sans Mono has 0.602.
 constexpr double fixed_advance = 0.61;
 
-Role role_behind(Role first, std::size_t n, std::size_t count) {
-    return static_cast<Role>(static_cast<std::size_t>(first) + n % count);
+/// The nth of the roles from `first` to `last`, from 0; behind the last one comes the first again.
+Role nth_role(Role first, Role last, std::size_t n) {
+    const auto number = [](Role role) { return static_cast<std::size_t>(role); };
+    return static_cast<Role>(number(first) + n % (number(last) - number(first) + 1));
 }
 
 void move(Place& place, Place by) {
@@ -81,19 +83,11 @@ std::size_t memory_of_shape(const Shape& shape) {
 } // namespace
 
 Role face_role(std::size_t n) {
-    constexpr std::size_t count = 8;
-    static_assert(static_cast<std::size_t>(Role::face_8) - static_cast<std::size_t>(Role::face_1) +
-                      1 ==
-                  count);
-    return role_behind(Role::face_1, n, count);
+    return nth_role(Role::face_1, Role::face_8, n);
 }
 
 Role curve_role(std::size_t n) {
-    constexpr std::size_t count = 12;
-    static_assert(static_cast<std::size_t>(Role::curve_12) -
-                      static_cast<std::size_t>(Role::curve_1) + 1 ==
-                  count);
-    return role_behind(Role::curve_1, n, count);
+    return nth_role(Role::curve_1, Role::curve_12, n);
 }
 
 void place(Drawing&& part, Place corner, Drawing& sheet) {

@@ -129,10 +129,6 @@ std::vector<NamedVertex> vertices_of(const Panel& panel) {
     return vertices;
 }
 
-} // namespace
-
-namespace {
-
 /// Of a step that tells the painter's order, the primitives in it, which come after that step; else none.
 std::vector<std::size_t> in_painters_order(const Panel& panel) {
     const Trace& trace = panel.trace();
@@ -163,6 +159,18 @@ void add_painters_order(const Panel& panel, std::vector<Shape>& shapes) {
                                    .has_rim = true});
 }
 
+/// The parts of all sides that are seen, or those that are not: calls `visit(primitive, part)`.
+template <typename Visit>
+void for_each_part(const Panel& panel, bool are_seen, const Visit& visit) {
+    const Visibility visibility(panel);
+    const auto primitives = primitives_with_edges(panel);
+    const Diagonals diagonals(panel, primitives);
+    for (const std::size_t primitive : primitives)
+        for (const Path& side : sides_of(panel, primitive, &diagonals))
+            for (Path& part : visibility.parts_of(primitive, side, are_seen))
+                visit(primitive, std::move(part));
+}
+
 } // namespace
 
 std::vector<std::size_t> primitives_with_edges(const Panel& panel) {
@@ -176,30 +184,21 @@ std::vector<std::size_t> primitives_with_edges(const Panel& panel) {
 }
 
 void add_edges(const Panel& panel, std::vector<Shape>& shapes) {
-    const Visibility visibility(panel);
     Lines others{.role = Role::other_edge};
     Lines current{.role = Role::true_edge};
-    const auto primitives = primitives_with_edges(panel);
-    const Diagonals diagonals(panel, primitives);
-    for (const std::size_t primitive : primitives)
-        for (const Path& side : sides_of(panel, primitive, &diagonals))
-            for (Path& part : visibility.parts_of(primitive, side, true))
-                (primitive == panel.replay.primitive() || !panel.is_step() ? current : others)
-                    .paths.push_back(std::move(part));
+    for_each_part(panel, true, [&](std::size_t primitive, Path&& part) {
+        const bool is_current = primitive == panel.replay.primitive() || !panel.is_step();
+        (is_current ? current : others).paths.push_back(std::move(part));
+    });
     shapes.push_back(std::move(others));
     shapes.push_back(std::move(current));
     add_painters_order(panel, shapes);
 }
 
 void add_hidden_edges(const Panel& panel, std::vector<Shape>& shapes) {
-    const Visibility visibility(panel);
     Lines hidden{.role = Role::other_edge};
-    const auto primitives = primitives_with_edges(panel);
-    const Diagonals diagonals(panel, primitives);
-    for (const std::size_t primitive : primitives)
-        for (const Path& side : sides_of(panel, primitive, &diagonals))
-            for (Path& part : visibility.parts_of(primitive, side, false))
-                hidden.paths.push_back(std::move(part));
+    for_each_part(panel, false,
+                  [&](std::size_t, Path&& part) { hidden.paths.push_back(std::move(part)); });
     shapes.push_back(std::move(hidden));
 }
 

@@ -133,6 +133,17 @@ FaceGroups face_groups(const Trace& trace, std::vector<std::size_t> primitives, 
     return result;
 }
 
+FaceGroups painted_face_groups(const Trace& trace, std::size_t most) {
+    std::vector<std::size_t> painted;
+    std::size_t order = 0;
+    for (const std::size_t n : trace.steps_of({StepKind::order, StepKind::primitive}))
+        if (trace.kind_of(n) == StepKind::order)
+            order = n;
+        else if (!trace.step(n).as<PrimitiveStep>().painted.is_false())
+            painted.push_back(n);
+    return face_groups(trace, std::move(painted), order, most);
+}
+
 FaceGroups face_groups_of_all_frames(const Replay& at_end, std::size_t most,
                                      const FaceGroups& before) {
     const Trace& trace = at_end.trace();

@@ -114,10 +114,7 @@ void add_raster(const Panel& panel, const std::vector<FigurePart>& needed,
 }
 
 bool has_step(const Trace& trace, StepKind kind) {
-    std::size_t n = 1;
-    while (n <= trace.size() && trace.kind_of(n) != kind)
-        ++n;
-    return n <= trace.size();
+    return trace.next_of({kind}, 1, trace.size()) <= trace.size();
 }
 
 /// True if something in the trace has another color than black, which is that of a scene without colors.
@@ -290,16 +287,7 @@ FigureMaker::FigureMaker(const Trace& trace, std::vector<FigureFrame> frames, Fi
       view_(options_.view.value_or(default_view(trace))), has_colors_(has_colors(trace)),
       replay_(trace, {.writes = view_ == View::writes || is_in(options_.with, FigurePart::writes),
                       .depths = true}) {
-    std::vector<std::size_t> painted;
-    std::size_t order = 0;
-    for (std::size_t n = 1; n <= trace.size(); ++n) {
-        const auto kind = trace.kind_of(n);
-        if (kind == StepKind::order)
-            order = n;
-        if (kind == StepKind::primitive && !trace.step(n).as<PrimitiveStep>().painted.is_false())
-            painted.push_back(n);
-    }
-    groups_ = face_groups(trace, std::move(painted), order, most_groups);
+    groups_ = painted_face_groups(trace, most_groups);
     if (options_.is_in_space || is_in(options_.with, FigurePart::space)) {
         auto space = space_of(trace);
         if (!space)

@@ -111,15 +111,12 @@ public:
 
     void begin(const Bitmap& bitmap, const Palette& palette) {
         const ColorMap map = color_map_of(palette);
+        // Netscape's extension: how often, 0 for ever.
+        constexpr std::array<unsigned char, 3> times{1, 0, 0};
         keep(gif_ != nullptr && map != nullptr &&
              EGifPutScreenDesc(gif_, static_cast<int>(bitmap.width),
-                               static_cast<int>(bitmap.height), 8, 0, map.get()) == GIF_OK);
-    }
-
-    /// Netscape's extension: how often, 0 for ever.
-    void repeat() {
-        constexpr std::array<unsigned char, 3> times{1, 0, 0};
-        keep(is_well_ && EGifPutExtensionLeader(gif_, APPLICATION_EXT_FUNC_CODE) == GIF_OK &&
+                               static_cast<int>(bitmap.height), 8, 0, map.get()) == GIF_OK &&
+             EGifPutExtensionLeader(gif_, APPLICATION_EXT_FUNC_CODE) == GIF_OK &&
              EGifPutExtensionBlock(gif_, 11, "NETSCAPE2.0") == GIF_OK &&
              EGifPutExtensionBlock(gif_, static_cast<int>(times.size()), times.data()) == GIF_OK &&
              EGifPutExtensionTrailer(gif_) == GIF_OK);
@@ -257,8 +254,6 @@ Result<std::string> gif_of(std::size_t count,
             if (i == 0) {
                 palette = local;
                 writer.begin(frame, palette);
-                if (options.repeats)
-                    writer.repeat();
             } else {
                 of_frame = &local;
             }

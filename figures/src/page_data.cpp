@@ -217,17 +217,10 @@ private:
             "{}",
             json_quoted(printable(trace_.title)), notes.text(), canvas.left(), canvas.top(),
             canvas.width, canvas.height, canvas.down(),
-            pixels_begin_at_integers(trace_) ? "0.5" : "0", tests_samples(),
+            pixels_begin_at_integers(trace_) ? "0.5" : "0", tests_samples(trace_),
             trace_.background ? json_quoted(to_text(*trace_.background)) : "null",
-            conventions_text(), name_of(first_view()), views.text(), kinds_text());
+            conventions_text(), name_of(default_view(trace_)), views.text(), kinds_text());
     }
-
-    bool tests_samples() const {
-        const std::string fill = trace_.method_value("fill");
-        return fill == "barycentric" || fill == "top-left";
-    }
-
-    View first_view() const { return default_view(trace_); }
 
     std::vector<View> views_of() const {
         std::vector<View> views{View::plotted};
@@ -280,14 +273,7 @@ private:
     }
 
     void add_groups() {
-        std::vector<std::size_t> painted;
-        std::size_t order = 0;
-        for (const std::size_t n : trace_.steps_of({StepKind::order, StepKind::primitive}))
-            if (trace_.kind_of(n) == StepKind::order)
-                order = n;
-            else if (!trace_.step(n).as<PrimitiveStep>().painted.is_false())
-                painted.push_back(n);
-        FaceGroups groups = face_groups(trace_, std::move(painted), order, most_groups);
+        FaceGroups groups = painted_face_groups(trace_, most_groups);
         group_count_ = groups.names.size();
         heading_ = groups.heading;
         for (const std::string& name : groups.names)
@@ -480,8 +466,7 @@ private:
     /// sentence is its place in patterns, and a word for each of its fills.
     std::string answers_text() {
         const Canvas& canvas = trace_.canvas;
-        const auto pixels =
-            static_cast<std::size_t>(canvas.width) * static_cast<std::size_t>(canvas.height);
+        const auto pixels = canvas.area();
         if (!has_answers(trace_, detail_))
             return "null";
         JsonList answers;
@@ -544,8 +529,7 @@ private:
 } // namespace
 
 std::optional<Problem> too_large_for_page(const Trace& trace) {
-    const auto pixels = static_cast<std::size_t>(trace.canvas.width) *
-                        static_cast<std::size_t>(trace.canvas.height);
+    const auto pixels = trace.canvas.area();
     if (pixels > most_page_pixels)
         return problem_of("",
                           fmt::format("expected at most {} pixels for a page, found {} x {}",
@@ -568,8 +552,7 @@ bool has_answers(const Trace& trace, const PageDetail& detail) {
     std::size_t primitives = 0;
     for ([[maybe_unused]] const std::size_t n : trace.steps_of({StepKind::primitive}))
         ++primitives;
-    const auto pixels =
-        static_cast<std::size_t>(canvas.width) * static_cast<std::size_t>(canvas.height);
+    const auto pixels = canvas.area();
     return std::max(canvas.width, canvas.height) <= largest_side_with_why_not &&
            pixels * primitives <= detail.why_not_asked;
 }

@@ -90,6 +90,11 @@ std::optional<Pixel> pixel_of(const Trace& trace, std::size_t n) {
     return Pixel{static_cast<int>(*x), static_cast<int>(*y)};
 }
 
+bool tests_samples(const Trace& trace) {
+    const std::string fill = trace.method_value("fill");
+    return fill == "barycentric" || fill == "top-left";
+}
+
 std::set<std::size_t> pixels_not_drawn(const Trace& trace, ShownSteps steps) {
     std::set<std::size_t> offsets;
     for (std::size_t n = std::max<std::size_t>(steps.first, 1); n <= steps.last; ++n) {

@@ -95,11 +95,9 @@ Drawing sheet_of(const Trace& trace, const std::vector<SpaceFrame>& frames, doub
 /// The first step of a kind, or the one that was asked for if it is of that kind.
 std::size_t step_of_kind(const Trace& trace, StepKind kind, std::optional<std::size_t> asked,
                          std::string_view sheet) {
-    if (asked && *asked > 0 && trace.kind_of(*asked) == kind)
-        return *asked;
-    for (std::size_t n = 1; n <= trace.size() && !asked; ++n)
-        if (trace.kind_of(n) == kind)
-            return n;
+    const std::size_t step = asked.value_or(trace.next_of({kind}, 1, trace.size()));
+    if (0 < step && step <= trace.size() && trace.kind_of(step) == kind)
+        return step;
     throw problem_of("", fmt::format("--sheet {}: expected a {} step, found {}", sheet,
                                      name_of(kind), asked ? "another" : "none"));
 }
@@ -207,11 +205,10 @@ std::vector<SpaceFrame> frames_of_spaces(const Trace& trace, std::size_t step,
         if (space == Space::screen)
             frame.eye = *space_eye_named("front");
         std::string numbers;
-        for (std::size_t n = 1; n <= trace.size() && numbers.empty(); ++n)
-            if (trace.kind_of(n) == StepKind::vertex)
-                if (const auto vertex = trace.step(n).as<VertexStep>();
-                    vertex.space == space && vertex.name == name)
-                    numbers = tuple_of(vertex.at);
+        for (const std::size_t n : trace.steps_of({StepKind::vertex}))
+            if (const auto vertex = trace.step(n).as<VertexStep>();
+                numbers.empty() && vertex.space == space && vertex.name == name)
+                numbers = tuple_of(vertex.at);
         frame.lines = {said({"{}: {} {}", "espaço {}: {} {}"},
                             std::string(in_language_of_steps(word_of(space))), printable(name),
                             numbers)};

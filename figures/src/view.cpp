@@ -58,6 +58,11 @@ std::string cleared_depth(const Trace& trace) {
                : std::string(empty_cell);
 }
 
+bool has_depth_buffer(const Trace& trace) {
+    const std::string depth = trace.method_value("depth");
+    return !depth.empty() && depth != "none" && depth != "painter";
+}
+
 /// How far `p` lies from the line through two points; positive on the left side with y up.
 double distance_from_line(const Point& p, const Point& from, const Point& to) {
     return doubled_area(from, to, p) / std::hypot(to.x - from.x, to.y - from.y);
@@ -88,10 +93,8 @@ std::string short_number(const std::string& text) {
 }
 
 FrameParts parts_for(View view, const Trace& trace) {
-    const std::string depth = trace.method_value("depth");
     return {.writes = view == View::writes,
-            .depths =
-                view == View::depth || (!depth.empty() && depth != "none" && depth != "painter")};
+            .depths = view == View::depth || has_depth_buffer(trace)};
 }
 
 bool larger_is_nearer(const Trace& trace) {
@@ -141,10 +144,8 @@ View default_view(const Trace& trace) {
     }
     if (faces.size() < 2)
         return View::plotted;
-    const std::string depth = trace.method_value("depth");
-    const bool has_buffer = !depth.empty() && depth != "none" && depth != "painter";
-    return faces.size() > face_letters.size() && colors.size() < 2 && has_buffer ? View::depth
-                                                                                 : View::faces;
+    const bool is_one_mass = faces.size() > face_letters.size() && colors.size() < 2;
+    return is_one_mass && has_depth_buffer(trace) ? View::depth : View::faces;
 }
 
 FaceGroups lettered_faces(const Replay& at_end, const FaceGroups& before) {

@@ -24,6 +24,29 @@ namespace rastertrace {
 
 namespace {
 
+/// What there is to fall from, in the order of CliffKind.
+struct KindWords {
+    std::string_view name;
+    std::string_view meaning;
+};
+constexpr std::array words_of_kinds{
+    KindWords{"depth-ratio",
+              "depths that differ a million times in one triangle: linear z and 24-bit buffers "
+              "fall"},
+    KindWords{"slope",
+              "a slope of a million or a millionth: a step that suits one axis loses the other"},
+    KindWords{"absorbed-step", "a step too small for the number it is added to"},
+    KindWords{"growing-error", "a slope added up until its rounding reaches the next tie"},
+    KindWords{"sliver", "a triangle of almost no area: rounded, its sign is anybody's guess"},
+    KindWords{"sample-on-edge",
+              "edges on samples, or within 2^-20 px of them: the tie rule or the rounding decides"},
+    KindWords{"collapsed", "triangles that `fixed` leaves nothing of"},
+    KindWords{"snapped", "vertices that `fixed` moves to its grid of 1/256"},
+    KindWords{"edge-on", "faces seen from their edge: rounded, they may be turned either way"},
+    KindWords{"near-plane", "vertices at the near plane, or before it: clipping makes new ones"},
+    KindWords{"far-out", "coordinates beyond 2^23: float has no half pixels there"}};
+static_assert(words_of_kinds.size() == static_cast<std::size_t>(CliffKind::far_out) + 1);
+
 /// Bits of a significand.
 constexpr int float_bits = 24;
 constexpr int double_bits = 53;
@@ -121,7 +144,7 @@ public:
         look_at_faces();
 
         std::vector<CliffGroup> groups;
-        for (std::size_t i = 0; i < cliff_kind_count; ++i) {
+        for (std::size_t i = 0; i < words_of_kinds.size(); ++i) {
             std::vector<Cliff>& found = found_[i];
             if (found.empty())
                 continue;
@@ -488,8 +511,8 @@ private:
     std::set<std::size_t> seen_vertices_; ///< places in the scene
     std::set<std::tuple<bool, std::size_t, std::size_t>>
         seen_edges_; ///< filled or not, and its ends
-    std::array<std::vector<Cliff>, cliff_kind_count> found_;
-    std::array<std::uint64_t, cliff_kind_count> more_{};
+    std::array<std::vector<Cliff>, words_of_kinds.size()> found_;
+    std::array<std::uint64_t, words_of_kinds.size()> more_{};
 };
 
 /// Counts the pixels that differ. A canvas that is fitted to rounded vertices may have a row or
@@ -516,60 +539,11 @@ void compare(const Image& picture, const Image& exact, ComparedPicture& result) 
 } // namespace
 
 std::string_view name_of(CliffKind kind) {
-    switch (kind) {
-    case CliffKind::depth_ratio:
-        return "depth-ratio";
-    case CliffKind::slope:
-        return "slope";
-    case CliffKind::absorbed_step:
-        return "absorbed-step";
-    case CliffKind::growing_error:
-        return "growing-error";
-    case CliffKind::sliver:
-        return "sliver";
-    case CliffKind::sample_on_edge:
-        return "sample-on-edge";
-    case CliffKind::collapsed:
-        return "collapsed";
-    case CliffKind::snapped:
-        return "snapped";
-    case CliffKind::edge_on:
-        return "edge-on";
-    case CliffKind::near_plane:
-        return "near-plane";
-    case CliffKind::far_out:
-        break;
-    }
-    return "far-out";
+    return words_of_kinds[static_cast<std::size_t>(kind)].name;
 }
 
 std::string_view meaning_of(CliffKind kind) {
-    switch (kind) {
-    case CliffKind::depth_ratio:
-        return "depths that differ a million times in one triangle: linear z and 24-bit buffers "
-               "fall";
-    case CliffKind::slope:
-        return "a slope of a million or a millionth: a step that suits one axis loses the other";
-    case CliffKind::absorbed_step:
-        return "a step too small for the number it is added to";
-    case CliffKind::growing_error:
-        return "a slope added up until its rounding reaches the next tie";
-    case CliffKind::sliver:
-        return "a triangle of almost no area: rounded, its sign is anybody's guess";
-    case CliffKind::sample_on_edge:
-        return "edges on samples, or within 2^-20 px of them: the tie rule or the rounding decides";
-    case CliffKind::collapsed:
-        return "triangles that `fixed` leaves nothing of";
-    case CliffKind::snapped:
-        return "vertices that `fixed` moves to its grid of 1/256";
-    case CliffKind::edge_on:
-        return "faces seen from their edge: rounded, they may be turned either way";
-    case CliffKind::near_plane:
-        return "vertices at the near plane, or before it: clipping makes new ones";
-    case CliffKind::far_out:
-        break;
-    }
-    return "coordinates beyond 2^23: float has no half pixels there";
+    return words_of_kinds[static_cast<std::size_t>(kind)].meaning;
 }
 
 std::vector<CliffGroup> cliffs_of(const Scene& scene) {

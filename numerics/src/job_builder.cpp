@@ -46,7 +46,7 @@ Setting bits_setting(int bits) {
 
 Setting interval_setting(int interval, std::string_view of) {
     Setting setting;
-    const bool is_never = interval == std::numeric_limits<int>::max();
+    const bool is_never = interval == without_end;
     setting.name = is_never        ? "never"
                    : interval == 1 ? fmt::format("every {}", of)
                                    : fmt::format("every {} {}s", interval, of);
@@ -61,8 +61,7 @@ Setting named_setting(std::string_view name) {
     return setting;
 }
 
-Setting exact_setting(std::string_view name) {
-    Setting setting = named_setting(name);
+Setting exact_setting(Setting setting) {
     setting.never_errs = true;
     return setting;
 }
@@ -133,6 +132,14 @@ std::vector<SpansOfPiece> exact_spans(const Scene& scene) {
         });
     });
     return pieces;
+}
+
+std::uint64_t pixels_in(const std::vector<SpansOfPiece>& pieces) {
+    std::uint64_t pixels = 0;
+    for (const SpansOfPiece& piece : pieces)
+        for (const PieceSpan& span : piece.spans)
+            pixels += static_cast<std::uint64_t>(span.to - span.from + 1);
+    return pixels;
 }
 
 } // namespace rastertrace

@@ -6,6 +6,7 @@
 
 #include <rastertrace/core/draw/plan/plan.h>
 #include <rastertrace/core/draw/scene/scene.h>
+#include <rastertrace/numerics/knobs.h>
 #include <rastertrace/numerics/report.h>
 
 #include <array>
@@ -62,10 +63,8 @@ public:
     }
 
     /// Adds one that cannot be measured.
-    void add_failure(std::string name, std::string label, std::string failure) {
-        Setting setting;
-        setting.name = std::move(name);
-        setting.label = std::move(label);
+    void add_failure(Setting setting, std::string failure) {
+        setting.never_errs = false;
         setting.failure = std::move(failure);
         add(std::move(setting), {}, 0);
     }
@@ -84,7 +83,7 @@ JobReport nothing_of(ReportJob job, std::string why);
 
 /// The settings of knobs.
 inline constexpr std::array subpixel_bits{0, 4, 8, 12, 16};
-inline constexpr std::array reseed_intervals{1, 4, 16, 64, std::numeric_limits<int>::max()};
+inline constexpr std::array reseed_intervals{1, 4, 16, 64, without_end};
 inline constexpr std::array divide_intervals{1, 8, 16, 64};
 inline constexpr std::array depth_buffer_bits{16, 24, 32};
 
@@ -92,7 +91,7 @@ inline constexpr std::array depth_buffer_bits{16, 24, 32};
 Setting bits_setting(int bits);
 Setting interval_setting(int interval, std::string_view of);
 Setting named_setting(std::string_view name);
-Setting exact_setting(std::string_view name); ///< of a method that never errs
+Setting exact_setting(Setting setting); ///< of a method that never errs
 
 /// The scene with other numbers, and nothing but the fill of its primitives: no depths, no colors of
 /// vertices.
@@ -129,6 +128,11 @@ struct SpansOfPiece {
     std::vector<PieceSpan> spans;
 };
 std::vector<SpansOfPiece> exact_spans(const Scene& scene);
+std::uint64_t pixels_in(const std::vector<SpansOfPiece>& pieces);
+
+/// Why a method has no part in a job: its pieces are not those of exact_spans.
+inline constexpr auto clipped_otherwise =
+    "clipping has left other triangles than in exact arithmetic";
 
 JobReport measure_edges(const Scene& scene, const ReportOptions& options);
 JobReport measure_coverage(const Scene& scene, const ReportOptions& options);

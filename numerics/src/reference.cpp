@@ -44,31 +44,23 @@ mpz_class nearest_of(const Rational& x, Ties ties) {
 }
 
 /// E(p) = a x + b y + c of a directed edge.
-struct EdgeFunction {
-    Rational a;
-    Rational b;
-    Rational c;
-
-    Rational at(const ExactPoint& p) const { return a * p.x + b * p.y + c; }
-};
-
-EdgeFunction edge_function(const ExactPoint& p, const ExactPoint& q) {
+ExactPlane edge_function(const ExactPoint& p, const ExactPoint& q) {
     const Rational a = p.y - q.y;
     const Rational b = q.x - p.x;
     return {a, b, -a * p.x - b * p.y};
 }
 
 /// The functions of a polygon's sides, positive inside. The polygon must have area.
-std::vector<EdgeFunction> inward_functions(const std::vector<ExactPoint>& polygon) {
+std::vector<ExactPlane> inward_functions(const std::vector<ExactPoint>& polygon) {
     Rational area2 = 0;
     for (std::size_t i = 0; i < polygon.size(); ++i) {
         const auto& p = polygon[i];
         const auto& q = polygon[(i + 1) % polygon.size()];
         area2 += p.x * q.y - q.x * p.y;
     }
-    std::vector<EdgeFunction> functions;
+    std::vector<ExactPlane> functions;
     for (std::size_t i = 0; i < polygon.size(); ++i) {
-        EdgeFunction f = edge_function(polygon[i], polygon[(i + 1) % polygon.size()]);
+        ExactPlane f = edge_function(polygon[i], polygon[(i + 1) % polygon.size()]);
         if (area2 < 0)
             f = {-f.a, -f.b, -f.c};
         // A side of no length is no side.
@@ -90,19 +82,18 @@ void for_each_sample(const Canvas& canvas, const ExactPoint& offset, Visit&& vis
 
 CoveredPixels covered_samples(const std::vector<ExactPoint>& polygon, bool is_closed,
                               const ExactPoint& offset, const Canvas& canvas, int down) {
-    CoveredPixels covered(static_cast<std::size_t>(canvas.width) *
-                          static_cast<std::size_t>(canvas.height));
+    CoveredPixels covered(canvas.area());
     const auto functions = inward_functions(polygon);
     // On an edge, a sample is inside if the edge is a left one (the inside lies to its right) or a
     // top one (horizontal, and the inside lies below it in the picture).
-    const auto admits = [&](const EdgeFunction& f, const ExactPoint& sample) {
+    const auto admits = [&](const ExactPlane& f, const ExactPoint& sample) {
         const int side = sgn(f.at(sample));
         const bool is_top_left = f.a > 0 || (f.a == 0 && f.b * down > 0);
         return side > 0 || (side == 0 && (is_closed || is_top_left));
     };
     for_each_sample(canvas, offset, [&](std::size_t place, const ExactPoint& sample) {
         covered[place] = std::all_of(functions.begin(), functions.end(),
-                                     [&](const EdgeFunction& f) { return admits(f, sample); });
+                                     [&](const ExactPlane& f) { return admits(f, sample); });
     });
     return covered;
 }
@@ -122,8 +113,7 @@ std::array<ExactPoint, 3> moved(std::array<ExactPoint, 3> triangle, const ExactP
 /// Row by row: the part of the row's line that lies in the closed triangle, its ends rounded.
 CoveredPixels covered_rows(const std::array<ExactPoint, 3>& triangle, const SpanRounding& rule,
                            const Canvas& canvas) {
-    CoveredPixels covered(static_cast<std::size_t>(canvas.width) *
-                          static_cast<std::size_t>(canvas.height));
+    CoveredPixels covered(canvas.area());
     const auto rounded_end = [&rule](const Rational& x, bool is_left) {
         switch (rule.rounding) {
         case Rounding::floor:
@@ -307,8 +297,7 @@ CoveredPixels covered_by(const std::array<ExactPoint, 3>& triangle, const Method
     if (fill.rule == PixelRule::row_ends)
         return covered_rows(moved(triangle, offset), span_rounding(method), canvas);
     if (exact_area2(triangle) == 0)
-        return CoveredPixels(static_cast<std::size_t>(canvas.width) *
-                             static_cast<std::size_t>(canvas.height));
+        return CoveredPixels(canvas.area());
     return covered_samples({triangle.begin(), triangle.end()}, fill.is_closed, offset, canvas,
                            canvas_of_samples(method, canvas).down());
 }
@@ -318,9 +307,7 @@ CoveredPixels covered_by_polygon(const std::vector<ExactPoint>& polygon, const C
 }
 
 Colors reference_picture(const Scene& scene) {
-    Colors picture(static_cast<std::size_t>(scene.canvas.width) *
-                       static_cast<std::size_t>(scene.canvas.height),
-                   no_color);
+    Colors picture(scene.canvas.area(), no_color);
     draw_triangles(scene, picture);
     for (const ScenePrimitive& primitive : scene.primitives) {
         if (primitive.kind == PrimitiveKind::line)

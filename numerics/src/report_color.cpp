@@ -8,7 +8,6 @@
 
 #include <rastertrace/core/draw/paint/fill.h>
 #include <rastertrace/core/raster/mixed_colors.h>
-#include <rastertrace/numerics/knobs.h>
 #include <rastertrace/trace/text/method_names.h>
 
 #include <fmt/core.h>
@@ -66,9 +65,7 @@ public:
         if (!refusal.empty())
             return nothing_of(ReportJob::color, refusal);
         *pieces_ = exact_spans(scene_);
-        for (const SpansOfPiece& piece : *pieces_)
-            for (const PieceSpan& span : piece.spans)
-                fragments_ += static_cast<std::uint64_t>(span.to - span.from + 1);
+        fragments_ = pixels_in(*pieces_);
         if (fragments_ == 0)
             return nothing_of(ReportJob::color, "no pixel of the canvas is covered");
         for (const ColorRounding rounding : {ColorRounding::nearest, ColorRounding::truncate})
@@ -223,7 +220,7 @@ private:
         scene.method.color_rounding = rounding;
         const std::string refusal = refusal_in_words(scene);
         if (!refusal.empty())
-            return builder_.add_failure(setting.name, setting.label, refusal);
+            return builder_.add_failure(std::move(setting), refusal);
         const Plan plan = plan_for(scene);
         with_scalar(plan, [&]<typename Scalar>() {
             if constexpr (std::same_as<Scalar, Interval>) {
@@ -231,9 +228,7 @@ private:
             } else {
                 const auto input = input_of<Scalar>(scene, plan);
                 if (!input)
-                    return builder_.add_failure(
-                        setting.name, setting.label,
-                        "clipping has left other triangles than in exact arithmetic");
+                    return builder_.add_failure(std::move(setting), clipped_otherwise);
                 setting.errors = errors_of(mix(*input, *pieces_), rounding);
                 setting.work =
                     work_of([&] { keep(mix(counting_copy_of(*input), *pieces_)); }, fragments_);
@@ -281,9 +276,7 @@ private:
     void add_adaptive(const Scene& scene, const Plan& plan, Setting setting, ColorStage stage) {
         const auto input = std::make_shared<AdaptiveTriangles>(scene, plan);
         if (!are_those_of(*pieces_, input->primitives()))
-            return builder_.add_failure(
-                setting.name, setting.label,
-                "clipping has left other triangles than in exact arithmetic");
+            return builder_.add_failure(std::move(setting), clipped_otherwise);
         const ColorRounding rounding = scene.method.color_rounding;
         std::uint64_t left_open = 0;
         const auto colors = mixed_adaptively(*input, *pieces_, stage, rounding, left_open);

@@ -89,7 +89,7 @@ private:
             setting.never_errs = scalar.never_errs();
             const std::string refusal = refusal_in_words(scene);
             if (!refusal.empty()) {
-                builder_.add_failure(setting.name, setting.label, refusal);
+                builder_.add_failure(std::move(setting), refusal);
                 continue;
             }
             add(std::move(setting), scene, scalar, exact);

@@ -9,7 +9,6 @@
 #include <rastertrace/core/draw/list/drawing_order.h>
 #include <rastertrace/core/draw/paint/fill.h>
 #include <rastertrace/core/draw/paint/numbered_depths.h>
-#include <rastertrace/numerics/knobs.h>
 #include <rastertrace/trace/text/method_names.h>
 
 #include <fmt/core.h>
@@ -88,9 +87,7 @@ public:
         if (!refusal.empty())
             return nothing_of(ReportJob::depth, refusal);
         shared_->pieces = exact_spans(scene_);
-        for (const SpansOfPiece& piece : shared_->pieces)
-            for (const PieceSpan& span : piece.spans)
-                shared_->fragments += static_cast<std::uint64_t>(span.to - span.from + 1);
+        shared_->fragments = pixels_in(shared_->pieces);
         if (shared_->fragments == 0)
             return nothing_of(ReportJob::depth, "no pixel of the canvas is covered");
         find_exact(right);
@@ -222,8 +219,7 @@ private:
     static Winners run_buffer(const DepthInput<D>& input, const DepthScene& shared,
                               const DepthsOf& depths_of) {
         DepthTests<D> buffer(whole(shared.canvas), input.rule);
-        Winners winners(static_cast<std::size_t>(shared.canvas.width) *
-                        static_cast<std::size_t>(shared.canvas.height));
+        Winners winners(shared.canvas.area());
         for_each_row(input, shared, buffer,
                      [&](const DepthRow<D>& row, const PieceSpan& span, std::size_t piece) {
                          const int line = static_cast<int>(shared.canvas.row_of(span.y));
@@ -345,7 +341,7 @@ private:
     template <typename Use> void with_input(const Scene& scene, Setting setting, Use&& use) {
         const std::string refusal = refusal_in_words(scene);
         if (!refusal.empty())
-            return builder_.add_failure(setting.name, setting.label, refusal);
+            return builder_.add_failure(std::move(setting), refusal);
         const Plan plan = plan_for(scene);
         with_scalar(plan, [&]<typename Scalar>() {
             if constexpr (std::same_as<Scalar, Interval>)
@@ -353,8 +349,7 @@ private:
             else if (const auto input = input_of<Scalar>(scene, plan))
                 use(std::move(setting), input);
             else
-                builder_.add_failure(setting.name, setting.label,
-                                     "clipping has left other triangles than in exact arithmetic");
+                builder_.add_failure(std::move(setting), clipped_otherwise);
         });
     }
 
@@ -428,8 +423,7 @@ private:
     static Winners run_adaptive(const AdaptiveTriangles& input, const DepthScene& shared,
                                 std::uint64_t& fallbacks) {
         NumberedDepths buffer = buffer_of(input, shared);
-        Winners winners(static_cast<std::size_t>(shared.canvas.width) *
-                        static_cast<std::size_t>(shared.canvas.height));
+        Winners winners(shared.canvas.area());
         fallbacks += for_each_adaptive_row(
             input, shared, buffer, [&](const auto& row, const PieceSpan& span, std::size_t piece) {
                 const int line = static_cast<int>(shared.canvas.row_of(span.y));
@@ -446,9 +440,7 @@ private:
     void add_adaptive(const Scene& scene, const Plan& plan, Setting setting) {
         const auto input = std::make_shared<AdaptiveTriangles>(scene, plan);
         if (!are_those_of(shared_->pieces, input->primitives()))
-            return builder_.add_failure(
-                setting.name, setting.label,
-                "clipping has left other triangles than in exact arithmetic");
+            return builder_.add_failure(std::move(setting), clipped_otherwise);
         std::uint64_t fallbacks = 0;
         const Winners winners = run_adaptive(*input, *shared_, fallbacks);
         Setting adaptive = adaptive_setting(shared_->fragments, fallbacks,
@@ -542,8 +534,7 @@ private:
     static Winners run_stored(const DepthInput<D>& input, const DepthScene& shared,
                               const Store& store) {
         DepthTests<D> unused(DepthRegion{}, input.rule);
-        const auto size = static_cast<std::size_t>(shared.canvas.width) *
-                          static_cast<std::size_t>(shared.canvas.height);
+        const auto size = shared.canvas.area();
         std::vector<Code> codes(size, std::numeric_limits<Code>::max());
         Winners winners(size);
         for_each_row(input, shared, unused,
@@ -614,7 +605,7 @@ private:
             Setting setting = named_setting(name);
             const std::string refusal = refusal_in_words(scene);
             if (!refusal.empty()) {
-                builder_.add_failure(setting.name, setting.label, refusal);
+                builder_.add_failure(std::move(setting), refusal);
                 continue;
             }
             std::vector<double> distances;
@@ -657,8 +648,7 @@ private:
     template <typename Order>
     static Winners painted(const Order& order, const PiecesOf& pieces_of,
                            const DepthScene& shared) {
-        Winners winners(static_cast<std::size_t>(shared.canvas.width) *
-                        static_cast<std::size_t>(shared.canvas.height));
+        Winners winners(shared.canvas.area());
         for (const std::size_t primitive : order.primitives)
             if (const auto found = pieces_of.find(primitive); found != pieces_of.end())
                 for (const std::size_t piece : found->second)

@@ -78,31 +78,20 @@ template <typename Integer> struct ExactWalk {
     }
 };
 
-/// Whole numbers of any size as rationals.
-Rational rational_of(std::int64_t whole) {
-    return Rational(static_cast<long>(whole));
-}
-Rational rational_of(Int128 whole) {
-    constexpr int half = 62;
-    const Rational high(static_cast<long>(whole >> half));
-    const Rational low(static_cast<long>(whole & ((Int128{1} << half) - 1)));
-    return high * Rational(mpz_class(1) << half) + low;
-}
-
 /// The x that a walk has reached.
 template <typename Scalar, typename Walk> Scalar x_of(const ScalarWalk<Scalar, Walk>& walk) {
     return walk.x;
 }
 template <typename Integer, typename Walk>
 Rational x_of(const ScalarWalk<Fraction<Integer>, Walk>& walk) {
-    return rational_of(walk.x.numerator) / rational_of(walk.x.denominator);
+    return exact(walk.x);
 }
 template <typename Integer> Rational x_of(const FixedWalk<Integer>& walk) {
-    return rational_of(walk.walk.x()) / rational_of(walk.unit);
+    return exact(Fraction<Integer>(walk.walk.x(), walk.unit));
 }
 template <typename Integer> Rational x_of(const ExactWalk<Integer>& walk) {
-    return rational_of(walk.walk.pixel()) +
-           rational_of(walk.walk.rest()) / rational_of(walk.walk.whole());
+    return exact(Fraction<Integer>(walk.walk.pixel())) +
+           exact(Fraction<Integer>(walk.walk.rest(), walk.walk.whole()));
 }
 
 class EdgeJob {
@@ -291,13 +280,11 @@ private:
         builder_.begin_curve("x1 + a (y - y1)", "scalar");
         add_scalar<float>("float", direct_walk<float>());
         add_scalar<double>("double", direct_walk<double>());
-        switch (const Fit fit = fit_of_edges(); fit) {
-        case Fit::in_64:
-            return add(exact_setting("exact"), fraction_inputs(), direct_walk<Fraction64>());
-        case Fit::in_128:
-        case Fit::beyond:
-            return add(exact_setting("exact"), inputs_of<Rational>(), direct_walk<Rational>());
-        }
+        const Setting setting = exact_setting(named_setting("exact"));
+        if (fit_of_edges() == Fit::in_64)
+            add(setting, fraction_inputs(), direct_walk<Fraction64>());
+        else
+            add(setting, inputs_of<Rational>(), direct_walk<Rational>());
     }
 
     template <typename Scalar, typename Make>
@@ -305,7 +292,7 @@ private:
         if (auto inputs = inputs_of<Scalar>())
             add(named_setting(name), std::move(inputs), make);
         else
-            builder_.add_failure(std::string(name), std::string(name), overflow<Scalar>());
+            builder_.add_failure(named_setting(name), overflow<Scalar>());
     }
 
     void add_weighted() {
@@ -325,7 +312,7 @@ private:
         for (const int interval : reseed_intervals) {
             Setting setting = interval_setting(interval, "row");
             if (!inputs) {
-                builder_.add_failure(setting.name, setting.label, overflow<Scalar>());
+                builder_.add_failure(std::move(setting), overflow<Scalar>());
                 continue;
             }
             add(std::move(setting), inputs, [interval, down = canvas_.down()](const auto& input) {
@@ -342,7 +329,7 @@ private:
             Setting setting = bits_setting(bits);
             auto inputs = fixed_inputs(bits);
             if (!inputs) {
-                builder_.add_failure(setting.name, setting.label,
+                builder_.add_failure(std::move(setting),
                                      "an edge, or its slope times its height, needs more than 64 "
                                      "bits");
                 continue;
@@ -437,24 +424,23 @@ private:
         builder_.begin_curve("pixel and rest, whole numbers", "bits of a number");
         switch (fit_of_edges()) {
         case Fit::in_64:
-            return add_quotient<std::int64_t>("64 bits", "64");
+            return add_quotient<std::int64_t>(64);
         case Fit::in_128:
-            return add_quotient<Int128>("128 bits", "128");
+            return add_quotient<Int128>(128);
         case Fit::beyond:
             break;
         }
-        builder_.add_failure("128 bits", "128", "an edge needs more than 128 bits");
+        builder_.add_failure(bits_setting(128), "an edge needs more than 128 bits");
     }
-    template <typename Integer> void add_quotient(std::string_view name, std::string_view label) {
+    template <typename Integer> void add_quotient(int bits) {
         auto inputs = std::make_shared<std::vector<EdgeInput<WholeEdge<Integer>>>>();
         for (const ExactEdge& edge : edges_)
             inputs->push_back({whole_edge<Integer>(edge), edge.first_y, edge.rows});
-        Setting setting = exact_setting(name);
-        setting.label = label;
-        add(std::move(setting), std::move(inputs), [down = canvas_.down()](const auto& input) {
-            using Number = std::remove_cvref_t<decltype(input.ends.x1)>;
-            return ExactWalk<Number>{QuotientWalk<Number>(input.ends, down, input.first_y)};
-        });
+        add(exact_setting(bits_setting(bits)), std::move(inputs),
+            [down = canvas_.down()](const auto& input) {
+                using Number = std::remove_cvref_t<decltype(input.ends.x1)>;
+                return ExactWalk<Number>{QuotientWalk<Number>(input.ends, down, input.first_y)};
+            });
     }
 
     const ReportOptions& options_;

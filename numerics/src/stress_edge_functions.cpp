@@ -102,7 +102,7 @@ struct WholeTriangle {
 
     void add_to(StressRows& rows, std::string_view label,
                 const DocumentedOfScalars& documented) const {
-        for (const std::string_view scalar : scalar_names()) {
+        rows.add_for_all(label, documented, [this](std::string_view scalar) -> Measured {
             const Scene scene = readable_scene(json(), with_scalar_named({}, scalar));
             const Rational found =
                 with_numbers_of(scene, [&scene]<typename Scalar>(const Plan& plan) {
@@ -112,12 +112,10 @@ struct WholeTriangle {
                                                               place_of<Scalar>(scene, 2, plan)}})
                             .area2());
                 });
-            rows.add(scalar, label,
-                     {.wrong = found == exact() ? 0u : 1u,
-                      .unit = "area",
-                      .note = fmt::format("2A = {}", found.get_str())},
-                     documented_of(documented, scalar));
-        }
+            return {.wrong = found == exact() ? 0u : 1u,
+                    .unit = "area",
+                    .note = fmt::format("2A = {}", found.get_str())};
+        });
     }
 };
 
@@ -200,7 +198,7 @@ constexpr std::string_view m_above = R"(33, "103/4")";
 /// How many of the triangles, each drawn alone, plot each pixel.
 std::vector<int> junction_layers(std::string_view m, std::string_view scalar) {
     const Scene all = readable_scene(t_junction(m), with_scalar_named({}, scalar));
-    std::vector<int> layers(static_cast<std::size_t>(all.canvas.width * all.canvas.height));
+    std::vector<int> layers(all.canvas.area());
     for (const ScenePrimitive& triangle : all.primitives) {
         Scene alone = all;
         alone.primitives = {triangle};
@@ -334,17 +332,16 @@ void c7_cassini_double(StressRows& rows) {
 void c8_far_from_origin(StressRows& rows) {
     shifted(0).add_to(rows, "2A at k = 0", {});
     shifted(1 << 24).add_to(rows, "2A at k = 2^24", {{"float", wrong(1, "", "2A = 16")}});
-    const Scene scene = readable_scene(shifted(1 << 24).json());
-    for (const std::string_view scalar : scalar_names()) {
+    const DocumentedOfScalars documented{{"float", wrong(1, "", "-67108864")}};
+    rows.add_for_all("constant term at k = 2^24", documented, [](std::string_view scalar) {
         const Scene with = readable_scene(shifted(1 << 24).json(), with_scalar_named({}, scalar));
         const Rational found = with_numbers_of(with, [&with]<typename Scalar>(const Plan& plan) {
             return exact_value(constant_term<Scalar>(place_of<Scalar>(with, 0, plan),
                                                      place_of<Scalar>(with, 1, plan)));
         });
-        rows.add(scalar, "constant term at k = 2^24",
-                 {.wrong = found == -33'554'432 ? 0u : 1u, .unit = "term", .note = found.get_str()},
-                 documented_of({{"float", wrong(1, "", "-67108864")}}, scalar));
-    }
+        return Measured{
+            .wrong = found == -33'554'432 ? 0u : 1u, .unit = "term", .note = found.get_str()};
+    });
 }
 
 /// C9 attacks edge functions in integers that are too short.
@@ -430,7 +427,7 @@ void c16_sample_on_edge(StressRows& rows) {
 /// C17 attacks fills whose result depends on the order of the vertices, or on where they are.
 void c17_order_and_place(StressRows& rows) {
     const std::array<std::array<Index, 2>, 3> moves{{{0, 0}, {29, 7}, {-3, -1}}};
-    for (const std::string_view scalar : scalar_names()) {
+    rows.add_for_all("top-left", {}, [&moves](std::string_view scalar) {
         Measured measured{.unit = "pixel", .note = "18 pictures"};
         const Scene still =
             readable_scene(c16({0, 1, 2}, 0, 0), with_scalar_named(top_left, "exact"));
@@ -443,8 +440,8 @@ void c17_order_and_place(StressRows& rows) {
                 measured.wrong += differing(moved, moved_picture(reference, still.canvas, dx, dy));
             } while (std::next_permutation(order.begin(), order.end()));
         }
-        rows.add(scalar, "top-left", measured, right());
-    }
+        return measured;
+    });
     rows.add("float", "2A, moved by 2^19", area_of_shifted(Index{1} << 19), right());
     rows.add("float", "2A, moved by 2^21", area_of_shifted(Index{1} << 21), wrong(1));
 }
@@ -600,7 +597,7 @@ constexpr auto edge_functions_catalogue = std::to_array<StressCase>({
      .holds = "pixel (7,7); nothing",
      .scenes =
          [] {
-             return std::vector<StressScene>{{"round the center", c18}, {"moved", c18_moved}};
+             return Scenes{{"round the center", c18}, {"moved", c18_moved}};
          },
      .run = c18_smaller_than_pixel},
 });

@@ -348,10 +348,10 @@ void l12_negative_end(StressRows& rows) {
 
 /// L13 attacks colors that are summed up, then cast.
 void l13_last_color(StressRows& rows) {
-    rows.add_pictures(l13, "bresenham, color by axis", bresenham, 8, levels_of_l13);
-    rows.add_pictures(l13, "dda, color by axis", dda, 8, levels_of_l13);
+    rows.add_pictures(l13, "bresenham, color by axis", bresenham, 8, {}, levels_of_l13);
+    rows.add_pictures(l13, "dda, color by axis", dda, 8, {}, levels_of_l13);
     rows.add_pictures(l13, "bresenham, colors cut off",
-                      {{"line", "bresenham"}, {"color_rounding", "truncate"}}, 8,
+                      {{"line", "bresenham"}, {"color_rounding", "truncate"}}, 8, {},
                       cut_levels_of_l13);
     rows.add("float", "textbook: c += step, cast", last_level<float>(10, 200, 7),
              wrong(1, "", "becomes 199"));

@@ -91,13 +91,11 @@ Measured without_clipping(const Scene& scene) {
     const CoveredPixels wrong_one = covered_by_polygon(polygon, scene.canvas);
     const CoveredPixels right_one = covered_in_space(scene);
     Measured measured{.unit = "pixel"};
-    std::uint64_t common = 0;
-    for (std::size_t i = 0; i < wrong_one.size(); ++i) {
+    for (std::size_t i = 0; i < wrong_one.size(); ++i)
         measured.wrong += wrong_one[i] == right_one[i] ? 0 : 1;
-        common += wrong_one[i] && right_one[i] ? 1 : 0;
-    }
-    measured.note = fmt::format("{} pixels, {} in common",
-                                std::count(wrong_one.begin(), wrong_one.end(), true), common);
+    measured.note =
+        fmt::format("{} pixels, {} in common", std::count(wrong_one.begin(), wrong_one.end(), true),
+                    common_pixels(wrong_one, right_one));
     return measured;
 }
 
@@ -135,20 +133,16 @@ const std::string p7_eye_in_plane =
 
 /// What a trace says of the only face of a scene.
 struct FaceSeen {
-    std::string dot;    ///< "" if the face was not tested
-    std::string cosine; ///< the same
-    std::string skip;   ///< why it was not drawn, "" if it was
+    std::string dot;  ///< "" if the face was not tested
+    std::string skip; ///< why it was not drawn, "" if it was
 };
 FaceSeen face_seen(std::string_view json, std::string_view scalar) {
     FaceSeen face;
     const auto trace = trace_in(json, with_scalar_named({}, scalar));
     for (std::size_t n = 1; trace && n <= trace.value().size(); ++n) {
         const StepView step = trace.value().step(n);
-        if (trace.value().kind_of(n) == StepKind::face) {
-            const auto tested = step.as<FaceStep>();
-            face.dot = tested.dot.text();
-            face.cosine = tested.cosine.json();
-        }
+        if (trace.value().kind_of(n) == StepKind::face)
+            face.dot = step.as<FaceStep>().dot.text();
         if (trace.value().kind_of(n) == StepKind::skip)
             face.skip = step.as<SkipStep>().why.text();
     }
@@ -158,16 +152,15 @@ FaceSeen face_seen(std::string_view json, std::string_view scalar) {
 /// Rows for a face that must have this normal . view, and not be drawn.
 void add_hidden_face(StressRows& rows, std::string_view json, std::string_view label,
                      std::string_view dot, const DocumentedOfScalars& documented = {}) {
-    for (const std::string_view scalar : scalar_names()) {
+    rows.add_for_all(label, documented, [&](std::string_view scalar) -> Measured {
         const FaceSeen face = face_seen(json, scalar);
         const bool is_right = face.dot == dot && !face.skip.empty();
         std::string said = face.skip.empty() ? "drawn" : face.skip;
         if (!face.dot.empty())
             said = fmt::format("normal.view = {}, {}", face.dot,
                                face.skip == "culled" ? "culled" : "not culled");
-        rows.add(scalar, label, {.wrong = is_right ? 0u : 1u, .unit = "face", .note = said},
-                 documented_of(documented, scalar));
-    }
+        return {.wrong = is_right ? 0u : 1u, .unit = "face", .note = said};
+    });
 }
 
 /// normal . (eye - v) of a face, in the core's own operations.
@@ -317,21 +310,21 @@ const std::string p12_two = p12(R"({"scale": [0.1, 0.1, 0.1]}, {"scale": [3.3, 3
 
 /// P1 attacks clippers by vertices on the plane.
 void p1_near_plane(StressRows& rows) {
-    rows.add_pictures(p1_touching, "a vertex on it", {}, 512, by_clipping);
-    rows.add_pictures(p1_on, "all on it", {}, 512, by_clipping);
-    rows.add_pictures(p1_before, "all before it", {}, 0, by_clipping);
+    rows.add_pictures(p1_touching, "a vertex on it", {}, 512, {}, by_clipping);
+    rows.add_pictures(p1_on, "all on it", {}, 512, {}, by_clipping);
+    rows.add_pictures(p1_before, "all before it", {}, 0, {}, by_clipping);
 }
 
 /// P2 attacks the division by a negative w.
 void p2_behind_eye(StressRows& rows) {
-    rows.add_pictures(p2, "clipped, then divided", {}, 320, by_clipping);
+    rows.add_pictures(p2, "clipped, then divided", {}, 320, {}, by_clipping);
     rows.add("exact", "textbook: divided, not clipped", without_clipping(readable_scene(p2)),
              wrong(576, "", "256 pixels, 0 in common"));
 }
 
 /// P3 attacks the division by w = 0.
 void p3_beside_eye(StressRows& rows) {
-    rows.add_pictures(p3, "clipped, then divided", {}, 768, by_clipping);
+    rows.add_pictures(p3, "clipped, then divided", {}, 768, {}, by_clipping);
 }
 
 /// P4 attacks facing tests with >=.
@@ -413,7 +406,7 @@ void p9_no_view(StressRows& rows) {
 
 /// P10 attacks viewports that are a pixel too wide.
 void p10_last_column(StressRows& rows) {
-    rows.add_pictures(p10, "viewport: fit", {}, 3, canonical_points);
+    rows.add_pictures(p10, "viewport: fit", {}, 3, {}, canonical_points);
 }
 
 /// P11 attacks tests against the canvas that let its width pass.

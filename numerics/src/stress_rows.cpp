@@ -110,6 +110,13 @@ std::uint64_t drawn_in(const Colors& picture) {
            static_cast<std::uint64_t>(std::count(picture.begin(), picture.end(), no_color));
 }
 
+std::uint64_t common_pixels(const CoveredPixels& a, const CoveredPixels& b) {
+    std::uint64_t common = 0;
+    for (std::size_t i = 0; i < a.size(); ++i)
+        common += a[i] && b[i] ? 1 : 0;
+    return common;
+}
+
 void StressRows::add(std::string_view scalar, std::string_view method, Measured measured,
                      const Documented& documented) {
     rows_.push_back({std::string(scalar), std::string(method), std::move(measured), documented});
@@ -126,13 +133,7 @@ void StressRows::expect_same(std::string_view scalar, std::string_view method, s
 
 void StressRows::add_pictures(std::string_view json, std::string_view label,
                               const MethodOverrides& method, std::optional<std::uint64_t> pixels,
-                              const DocumentedOfScalars& documented) {
-    add_pictures(json, label, method, pixels, reference_picture, documented);
-}
-
-void StressRows::add_pictures(std::string_view json, std::string_view label,
-                              const MethodOverrides& method, std::optional<std::uint64_t> pixels,
-                              ReferenceOf reference_of, const DocumentedOfScalars& documented) {
+                              const DocumentedOfScalars& documented, ReferenceOf reference_of) {
     // The exact picture, of the vertices as typed and as `fixed` has them.
     const Scene typed = readable_scene(json, with_scalar_named(method, "exact"));
     const Colors reference = reference_of(typed);

@@ -187,15 +187,11 @@ public:
     /// Draws a scene with every scalar and compares each pixel with the reference. For `fixed` the
     /// reference is that of the vertices snapped to 1/256 pixel. The reference must have
     /// `pixels` pixels, if that is said.
-    void add_pictures(std::string_view json, std::string_view label, const MethodOverrides& method,
-                      std::optional<std::uint64_t> pixels,
-                      const DocumentedOfScalars& documented = {});
-
-    /// The same against another reference, given for a scene and, with `fixed`, for the scene snapped.
     using ReferenceOf = Colors (*)(const Scene& scene);
     void add_pictures(std::string_view json, std::string_view label, const MethodOverrides& method,
-                      std::optional<std::uint64_t> pixels, ReferenceOf reference,
-                      const DocumentedOfScalars& documented = {});
+                      std::optional<std::uint64_t> pixels,
+                      const DocumentedOfScalars& documented = {},
+                      ReferenceOf reference = reference_picture);
 
     /// Tries to read a scene with every scalar: it must be refused, with this in the message.
     void add_refusals(std::string_view json, std::string_view label, std::string_view message,
@@ -219,6 +215,9 @@ std::uint64_t differing(const Colors& a, const Colors& b);
 
 /// How many pixels are drawn.
 std::uint64_t drawn_in(const Colors& picture);
+
+/// How many pixels are covered in both.
+std::uint64_t common_pixels(const CoveredPixels& a, const CoveredPixels& b);
 
 // The families: each a table at the end of its file, below one function for each case.
 std::span<const StressCase> line_cases();

@@ -217,10 +217,7 @@ std::uint64_t drawn_twice(const MethodOverrides& method) {
     const auto other_half = readable_scene(half_of_square(lower_half), method);
     const auto a = covered_by(exact_corners(one_half, 0), one_half.method, one_half.canvas);
     const auto b = covered_by(exact_corners(other_half, 0), other_half.method, other_half.canvas);
-    std::uint64_t twice = 0;
-    for (std::size_t i = 0; i < a.size(); ++i)
-        twice += a[i] && b[i] ? 1 : 0;
-    return twice;
+    return common_pixels(a, b);
 }
 
 /// How many steps of a kind a scene's trace has, with every scalar; at most `most`.
@@ -261,12 +258,11 @@ void s2_floor_of_negatives(StressRows& rows) {
     rows.add_pictures(s1, "floor", {{"rounding", "floor"}}, 49);
     rows.add_pictures(s1, "truncate", {{"rounding", "truncate"}}, 45);
     rows.add_pictures(s1, "truncate, taken for floor", {{"rounding", "truncate"}}, 49,
-                      [](const Scene& scene) {
+                      {{"all", wrong(4)}}, [](const Scene& scene) {
                           Scene floored = scene;
                           floored.method.rounding = Rounding::floor;
                           return reference_picture(floored);
-                      },
-                      {{"all", wrong(4)}});
+                      });
 }
 
 /// S3 attacks the sum of a slope that no binary number is.
@@ -329,12 +325,11 @@ void s7_wide_row(StressRows& rows) {
 void s8_between_rows(StressRows& rows) {
     add_row_fills(rows, s8, 0);
     rows.add_pictures(s8, "scanline, vertices rounded", {{"snap", "nearest"}}, 0,
-                      [](const Scene& scene) {
+                      {{"all", wrong(5)}}, [](const Scene& scene) {
                           Scene unsnapped = scene;
                           unsnapped.method.snap = Snap::none;
                           return reference_picture(unsnapped);
-                      },
-                      {{"all", wrong(5)}});
+                      });
 }
 
 /// S9 attacks slopes of edges without height, and the choice of a left and a right edge.

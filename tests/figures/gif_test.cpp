@@ -146,7 +146,6 @@ TEST(Gif, TimesAddUp) {
 TEST(Gif, RepeatsIfItShould) {
     const std::vector<Bitmap> frames(2, plain(2, 2, white));
     EXPECT_TRUE(read_back(gif_of_all(frames).value()).repeats);
-    EXPECT_FALSE(read_back(gif_of_all(frames, {.repeats = false}).value()).repeats);
 }
 
 TEST(Gif, OfTooManyColorsTheMostFrequentStay) {

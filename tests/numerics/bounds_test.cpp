@@ -3,12 +3,12 @@
 // larger error against the bound, moving one number by a few last places or to another size. No step
 // may pass the bound; and it must come near enough to show that the bound says something.
 
+#include "bounds.h"
 #include "hill_climb.h"
 
 #include <rastertrace/core/raster/barycentric.h>
 #include <rastertrace/core/raster/edge.h>
 #include <rastertrace/core/raster/mixed_colors.h>
-#include <rastertrace/numerics/bounds.h>
 #include <rastertrace/numerics/knobs.h>
 
 #include <gtest/gtest.h>

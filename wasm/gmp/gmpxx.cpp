@@ -493,8 +493,3 @@ double mpz_get_d_2exp(long* exponent, const mpz_class* number) {
     *exponent = static_cast<long>(bits);
     return sgn(*number) < 0 ? -significand : significand;
 }
-
-void mpq_div_2exp(mpq_class* result, const mpq_class* number, mp_bitcnt_t bits) {
-    *result = mpq_class(number->get_num(), number->get_den() << bits);
-    result->canonicalize();
-}

@@ -197,8 +197,6 @@ public:
     const mpz_class* get_den_mpz_t() const { return &below_; }
     mpz_class* get_num_mpz_t() { return &above_; }
     mpz_class* get_den_mpz_t() { return &below_; }
-    const mpq_class* get_mpq_t() const { return this; }
-    mpq_class* get_mpq_t() { return this; }
 
     /// Brings the fraction to lowest terms.
     void canonicalize();
@@ -249,13 +247,9 @@ void mpz_ui_pow_ui(mpz_class* result, std::uint64_t base, std::uint64_t exponent
 void mpz_fdiv_q(mpz_class* quotient, const mpz_class* above, const mpz_class* below);
 void mpz_cdiv_q(mpz_class* quotient, const mpz_class* above, const mpz_class* below);
 std::uint64_t mpz_fdiv_ui(const mpz_class* above, std::uint64_t below);
-inline void mpz_lcm(mpz_class* result, const mpz_class* a, const mpz_class* b) {
-    *result = lcm(*a, *b);
-}
 mp_bitcnt_t mpz_remove(mpz_class* result, const mpz_class* from, const mpz_class* factor);
 /// For a base of 2 or 10; of 10 it may be 1 too large, as in GMP for others than powers of two.
 std::size_t mpz_sizeinbase(const mpz_class* number, int base);
 bool mpz_perfect_square_p(const mpz_class* number);
 /// d and exponent with 1/2 <= |d| < 1: the number, rounded toward 0, is d x 2^exponent.
 double mpz_get_d_2exp(long* exponent, const mpz_class* number);
-void mpq_div_2exp(mpq_class* result, const mpq_class* number, mp_bitcnt_t bits);

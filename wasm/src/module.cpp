@@ -129,10 +129,7 @@ template <typename Number> std::string numbers_of(const std::vector<Number>& num
 /// Who has drawn each pixel, and the depth that is stored there.
 struct LastFrame {
     explicit LastFrame(const Canvas& canvas)
-        : canvas(canvas),
-          owners(static_cast<std::size_t>(canvas.width) * static_cast<std::size_t>(canvas.height),
-                 -1),
-          depths(owners.size()) {}
+        : canvas(canvas), owners(canvas.area(), -1), depths(owners.size()) {}
 
     void operator()(const PrimitiveBegan<Quantity>& step) { names.emplace_back(step.name); }
     void operator()(const PixelPlotted& step) {

@@ -33,6 +33,9 @@ struct FaceGroups {
 FaceGroups face_groups(const Trace& trace, std::vector<std::size_t> primitives, std::size_t order,
                        std::size_t most);
 
+/// Those of all primitives of a trace that are painted.
+FaceGroups painted_face_groups(const Trace& trace, std::size_t most);
+
 /// The groups for all frames of a trace, where each keeps its place: those of the faces that can be seen at the end, and
 /// behind them those of others that plot a pixel. What finds no place among `most` is in no group. `before` are those
 /// of another trace of the same scene, which keep their places if the groups are of the same kind.

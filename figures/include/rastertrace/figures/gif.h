@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Bitmaps one after the other as an animated GIF. Each is asked for when it is its turn and only the rectangle
+// Bitmaps one after the other, over and over, as an animated GIF. Each is asked for when it is its turn and only the rectangle
 // that changed is written, so that a long animation takes the memory of three bitmaps and its file.
 //
 //     const auto gif = gif_of(
@@ -25,7 +25,6 @@ inline constexpr std::size_t most_gif_side = 65'535;
 
 struct GifOptions {
     double seconds = 0.5; ///< for each frame, 0.02 (browsers take less for 0.1) to 655.35
-    bool repeats = true;  ///< over and over; else once
 };
 
 /// The bytes of the file; or why there are none: no frame or too many, frames that are too large or differ in

@@ -37,6 +37,9 @@ std::vector<ShownSteps> film_of(const Trace& trace, std::size_t most);
 /// The pixel of a step, if it has one that the canvas has.
 std::optional<Pixel> pixel_of(const Trace& trace, std::size_t n);
 
+/// True if the fill of triangles tests samples.
+bool tests_samples(const Trace& trace);
+
 /// The pixels that steps have tested and not drawn, by their offset on the canvas.
 std::set<std::size_t> pixels_not_drawn(const Trace& trace, ShownSteps steps);
 

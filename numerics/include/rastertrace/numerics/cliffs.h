@@ -42,7 +42,6 @@ enum class CliffKind {
     near_plane,     ///< a vertex on the near plane, or cut off by it, or at the eye
     far_out,        ///< a coordinate beyond 2^23, where float has no halves of pixels
 };
-inline constexpr std::size_t cliff_kind_count = 11;
 
 /// "sliver", as JSON has it.
 std::string_view name_of(CliffKind kind);

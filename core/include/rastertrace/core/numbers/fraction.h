@@ -16,7 +16,6 @@
 namespace rastertrace {
 
 __extension__ using Int128 = __int128;
-__extension__ using UInt128 = unsigned __int128;
 
 /// numerator / denominator, not in lowest terms; the denominator is positive. Sums and differences
 /// of fractions over the same denominator keep it. No operation checks for overflow.

@@ -73,6 +73,11 @@ struct Canvas {
     Origin origin = Origin::center;
     bool is_turned = false; ///< rows count from the bottom of the picture instead
 
+    /// How many pixels there are.
+    std::size_t area() const {
+        return static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
+    }
+
     /// The x of the leftmost and of the rightmost column.
     int left() const { return origin == Origin::center ? -(width / 2) : 0; }
     int right() const { return left() + width - 1; }

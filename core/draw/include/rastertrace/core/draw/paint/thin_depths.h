@@ -37,8 +37,6 @@ public:
         return found == of_cells_.end() ? nullptr : &found->second;
     }
 
-    bool is_empty() const { return of_cells_.empty(); }
-
     void keep(std::size_t cell, const Thin& thin) { of_cells_[cell] = thin; }
 
 private:
