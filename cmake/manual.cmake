@@ -9,7 +9,7 @@ endfunction()
 file(REMOVE_RECURSE ${FOLDER}) # a command that is gone leaves no page
 file(MAKE_DIRECTORY ${FOLDER}/man1)
 write(man1/rastertrace.1 --man)
-execute_process(COMMAND ${PROGRAM} help --complete -- "" OUTPUT_VARIABLE commands COMMAND_ERROR_IS_FATAL ANY)
+execute_process(COMMAND ${PROGRAM} help -- "" OUTPUT_VARIABLE commands COMMAND_ERROR_IS_FATAL ANY)
 string(REGEX MATCHALL "[a-z-]+" commands "${commands}")
 foreach(command IN LISTS commands)
   write(man1/rastertrace-${command}.1 --man ${command})

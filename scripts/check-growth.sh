@@ -107,7 +107,7 @@ input() {
 # instructions COMMAND INPUT: how many the program executes.
 instructions() {
     case $1 in
-    show) set -- show "$2" --last ;;
+    show) set -- show "$2" --step last ;;
     diff)
         sed 's/"rastertrace":1/&,"title":"other"/' "$2" >"$folder/other.json"
         set -- diff "$2" "$folder/other.json"

@@ -16,7 +16,7 @@ import os
 import subprocess
 import tempfile
 
-CALLS = ["validate -", "stats -", "show --last -", "explain - --pixel 50,50"]
+CALLS = ["validate -", "stats -", "show --step last -", "explain - --pixel 50,50"]
 SIDE = 100
 
 

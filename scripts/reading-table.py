@@ -13,7 +13,7 @@ import sys
 import tempfile
 import time
 
-CALLS = ["show --last", "validate", "stats", "explain --pixel 300,300"]
+CALLS = ["show --step last", "validate", "stats", "explain --pixel 300,300"]
 
 
 def least_time(words, runs):

@@ -12,14 +12,14 @@ fail() {
 
 # A page of the manual for every command, which man can read.
 share=$prefix/share
-commands=$("$prefix/bin/rastertrace" help --complete -- '')
+commands=$("$prefix/bin/rastertrace" help -- '')
 case $commands in *show*) ;; *) fail "no commands" ;; esac
 for command in $commands; do
     man -l "$share/man/man1/rastertrace-$command.1.gz" 2>&1 | col -b | grep -q "rastertrace $command" || fail "no page of the manual: $command"
 done
 for file in bash-completion/completions/rastertrace zsh/site-functions/_rastertrace \
     fish/vendor_completions.d/rastertrace.fish; do
-    grep -q 'help --complete' "$share/$file" || fail "no completion: $file"
+    grep -q 'help --' "$share/$file" || fail "no completion: $file"
 done
 
 # The program finds the examples of its own prefix, wherever that is moved to.

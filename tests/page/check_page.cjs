@@ -447,7 +447,7 @@ async function checkMoving() {
     expectSame(await sentenceOf(page), sentences[step], what);
     expectThat(sentences[step].startsWith("scanline y=2"), `${what}: it stays in its row`);
     await page.keyboard.press("G");
-    expectSame(await bareOf(page), rastertrace("show", moved, "--last", "--bare").replace(/[@#]/g, "#"), `${what}: the pixels`);
+    expectSame(await bareOf(page), rastertrace("show", moved, "--step", "last", "--bare").replace(/[@#]/g, "#"), `${what}: the pixels`);
     await page.keyboard.type(`${step}G`);
   };
   // By mouse: two pixels to the left, one down.

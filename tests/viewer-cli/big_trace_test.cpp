@@ -25,7 +25,7 @@ bool is_long() {
 /// What is asked of a trace, each of one that lies beside a sound one.
 constexpr std::array<std::string_view, 5> questions{
     "stats --json t", "validate t", "diff --json t sound", "explain t --pixel 0,0 --json",
-    "show t --last"};
+    "show t --step last"};
 
 class BigTrace : public ProgramTest {
 protected:
@@ -339,7 +339,7 @@ TEST_F(BigTraceMemory, ATraceFromAPipeIsNotHeldInMemory) {
           "yes '{\"step\":\"pixel\",\"x\":0,\"y\":0}' | head -n 9000000; echo '{\"end\":{}}') > t");
     constexpr long most = 210'000'000;
     ASSERT_GT(fs::file_size(folder_ / "t"), std::uintmax_t{most});
-    for (const std::string command : {"stats --json", "show --last --bare"}) {
+    for (const std::string command : {"stats --json", "show --bare"}) {
         const std::string answer = run(command + " t").out;
         const Outcome piped = shell("cat t | $rastertrace " + command + " -");
         EXPECT_EQ(piped.status, 0) << piped.err;

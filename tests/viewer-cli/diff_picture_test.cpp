@@ -21,7 +21,7 @@ class DiffPictureTest : public ProgramTest {
 protected:
     /// The picture of a scene, as rows.
     Rows rows_of(const std::string& arguments) const {
-        Rows rows = split_at(run("show " + arguments + " --last --bare").out, '\n');
+        Rows rows = split_at(run("show " + arguments + " --bare").out, '\n');
         rows.pop_back();
         return rows;
     }

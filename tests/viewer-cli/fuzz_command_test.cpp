@@ -91,7 +91,7 @@ TEST_F(FuzzTest, AnswersMayBePicturesAndFiles) {
     // The rows that the program's own trace shows, and a file.
     write("rows.sh", std::string(RASTERTRACE_DRIVEN) + " $1 $2 > mine.jsonl; " +
                          std::string(RASTERTRACE_PROGRAM) +
-                         " show mine.jsonl --last --bare > \"$3\"\n");
+                         " show mine.jsonl --bare > \"$3\"\n");
     const auto with = [&](const std::string& mistake) {
         return run("fuzz --runs 60 --jobs 1 --shrink 40 --fill top-left --scalar exact -- sh "
                    "rows.sh {triangles} " +
@@ -108,7 +108,7 @@ TEST_F(FuzzTest, PicturesWithColorsAndTheOptionsOfTheTest) {
           std::string(RASTERTRACE_DRIVEN) + " $1 $2 > mine.jsonl; " +
               "set -- $(head -n 1 $1); echo P2 $2 $3 1 > mine.pgm; " +
               std::string(RASTERTRACE_PROGRAM) +
-              " show mine.jsonl --last --bare | tr '.#' '01' | sed 's/./& /g' >> mine.pgm; "
+              " show mine.jsonl --bare | tr '.#' '01' | sed 's/./& /g' >> mine.pgm; "
               "cat mine.pgm\n");
     const auto with = [&](const std::string& options, const std::string& mistake) {
         return run(

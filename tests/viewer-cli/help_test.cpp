@@ -16,7 +16,7 @@ namespace {
 class HelpTest : public ProgramTest {
 protected:
     std::vector<std::string> completions(const std::string& words) const {
-        const Outcome told = run("help --complete -- " + words);
+        const Outcome told = run("help -- " + words);
         EXPECT_EQ(told.status, 0) << words;
         EXPECT_EQ(told.err, "") << words;
         std::vector<std::string> lines = split_at(told.out, '\n');
@@ -123,7 +123,6 @@ TEST_F(HelpTest, WordsAreCompleted) {
     EXPECT_THAT(completions("--v"), ElementsAre("--version"));
     EXPECT_THAT(completions("help figu"), ElementsAre("figure"));
     EXPECT_THAT(completions("nothing --x"), IsEmpty());
-    EXPECT_THAT(run("help --complete").out, "");
 }
 
 TEST_F(HelpTest, BashCompletesWords) {

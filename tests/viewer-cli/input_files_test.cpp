@@ -337,7 +337,7 @@ TEST_F(ProgramTest, CaretsAndTitlesCountColumns) {
                                 "\":[1,1]},\"points\":[[\"" + name +
                                 "\"]],"
                                 "\"canvas\":{\"width\":5,\"height\":5}}");
-        std::string out = run("show scene.json --last").out;
+        std::string out = run("show scene.json --step last").out;
         EXPECT_THAT(out, HasSubstr("\n\n* " + name + " (1, 1)\n"));
         return out.substr(0, out.find("* ")).replace(0, title.size(), "TITLE");
     };

@@ -50,7 +50,7 @@ TEST_F(ProgramTest, ShowBeginsWithWhatTheSceneIsAbout) {
     EXPECT_THAT(summary, Not(HasSubstr("step 62"))); // nor marks of one
     EXPECT_THAT(summary, Not(HasSubstr("@")));
     EXPECT_THAT(summary, Not(HasSubstr(">-3")));
-    EXPECT_THAT(shell(show + " --last").out, HasSubstr("step 62 of 62\npixel (5, -3)"));
+    EXPECT_THAT(shell(show + " --step last").out, HasSubstr("step 62 of 62\npixel (5, -3)"));
     EXPECT_THAT(shell(show + " --bare").out, StartsWith("................."));
     EXPECT_THAT(shell(show + " --language pt").out, HasSubstr("tri\u00E2ngulo ABC"));
 }
@@ -61,7 +61,7 @@ TEST_F(ProgramTest, ShowLooksAtAFrameInManyWays) {
                          "c....\n"
                          "....d\n");
     const Outcome colored = shell("TERM=xterm COLORTERM= $rastertrace show "
-                                  "$examples/t2-lines/points.json --last --view shade "
+                                  "$examples/t2-lines/points.json --step last --view shade "
                                   "--color always | tail -3 | head -1");
     EXPECT_EQ(colored.out, "> 2   . . . . \x1b[97;40;7m-\x1b[0m  D x=4\n");
     const Outcome plain = run("show $examples/t2-lines/points.json --view shade");
@@ -154,7 +154,7 @@ TEST_F(ProgramTest, SentencesShortenWhatTheTraceHasWhole) {
 {"step":"face","name":"ABC","normal":["49977918000000000000000000001/10141204000000000000000000003",0,"1/3"],"view":[0,0,1],"dot":1,"cosine":-0.57735026918962573,"culled":false}
 ]})");
     EXPECT_THAT(
-        run("show long.json --last").out,
+        run("show long.json --step last").out,
         HasSubstr("\nface ABC: normal (49977918.../10141204... = 4.928204, 0, 1/3) . to eye "
                   "(0, 0, 1) = 1, cosine -0.57735 (125.26 degrees): drawn\n"));
 }
@@ -204,7 +204,7 @@ TEST_F(ProgramTest, ShowWalksAVertexThroughSixSpaces) {
 }
 
 TEST_F(ProgramTest, ShowsThePictureOfTheTextbook) {
-    EXPECT_THAT(run("show $examples/t0-fill/first-triangle.json --last --bare"),
+    EXPECT_THAT(run("show $examples/t0-fill/first-triangle.json --bare"),
                 Ends(0, textbook_picture, ""));
 }
 
@@ -268,7 +268,6 @@ TEST_F(ProgramTest, OneGrammarSaysWhichStep) {
     EXPECT_THAT(row, HasSubstr("step 14 of 62\nscanline y=2 "));
     EXPECT_EQ(shell(show + "--step 'scanline y=2'").out, row);
     EXPECT_EQ(shell(show + "--step 'scanline right=3.125'").out, row);
-    EXPECT_EQ(shell(show + "--step last").out, shell(show + "--last").out);
     EXPECT_EQ(shell(show + "--step first").out, shell(show + "--step 1").out);
     EXPECT_EQ(shell(show + "--step 0 --bare").status, 0);
     EXPECT_THAT(shell(show + "--every 'scanline y=2'").out, HasSubstr("steps 14 to 19 of 62\n"));
@@ -418,7 +417,7 @@ TEST_F(ProgramTest, StepsOutOfRangeAndKindsThatAreNotThere) {
                         "scanline y=9\n"
                         "         ^\n"
                         "hint: scanline has y: 5, 4, 3, 2, 1, ...\n"));
-    EXPECT_EQ(shell(show + "--last --all").status, 2);
+    EXPECT_EQ(shell(show + "--step last --all").status, 2);
 }
 
 TEST_F(ProgramTest, ALineWithoutADistanceHasNoOneOverZ) {
@@ -495,7 +494,7 @@ TEST_F(ProgramTest, AFileWithoutACommandIsShown) {
 TEST_F(ProgramTest, AWindowOfALargerCanvasNamesTheOptionThatShowsAllOfIt) {
     write("large.json", R"({"canvas": {"width": 512, "height": 512, "origin": "top-left"},
 "vertices": {"A": [0, 0], "B": [511, 0], "C": [0, 511]}, "triangles": ["ABC"]})");
-    EXPECT_THAT(shell("COLUMNS=80 LINES=24 $rastertrace show large.json --last").out,
+    EXPECT_THAT(shell("COLUMNS=80 LINES=24 $rastertrace show large.json --step last").out,
                 HasSubstr("\n(x 0 to 73, y 496 to 511 of a canvas of 512 x 512; --overview: all of "
                           "it)\n"));
     // The summary shows all of it.

@@ -31,66 +31,6 @@ TEST_F(ProgramTest, StressListsEveryCaseInOneLine) {
         EXPECT_LE(line.size(), 100u) << line;
 }
 
-TEST_F(ProgramTest, StressWritesTheEntriesOfTheDocumentation) {
-    EXPECT_EQ(
-        run("stress --case L2,L6,P7 --markdown").out,
-        "3 cases.\n"
-        "\n"
-        "## Lines\n"
-        "\n"
-        "[L2](#l2-many-ties), [L6](#l6-control-long-but-not-stiff)\n"
-        "\n"
-        "### L2: many ties\n"
-        "\n"
-        "(0,0)-(60,10).\n"
-        "\n"
-        "61 pixels. Naive with half away from zero and Bresenham differ at the 10 "
-        "ties, "
-        "first (3,1) against (3,0); with the same tie rule they are one line, unless rounded sums "
-        "miss the ties (dda).\n"
-        "\n"
-        "- dda: 2 pixels wrong (float); 8 pixels wrong (double)\n"
-        "- naive, away, taken for bresenham: 10 pixels wrong (exact)\n"
-
-        "\n"
-        "### L6: control: long, but not stiff\n"
-        "\n"
-        "(0,0)-(4095,4094).\n"
-        "\n"
-        "Every pixel right, with every method.\n"
-
-        "\n"
-        "## Pipeline\n"
-        "\n"
-        "[P7](#p7-no-normal-no-view)\n"
-        "\n"
-        "### P7: no normal, no view\n"
-        "\n"
-        "B = C; the eye on a vertex; the eye in the plane.\n"
-        "\n"
-        "Not drawn, and nothing is normalized to decide it. A textbook's N.E/|N.E| is "
-        "0/0.\n");
-}
-
-TEST_F(ProgramTest, StressWritesEntriesThatMarkdownReadsAsTheyAre) {
-    const auto entry = [this](const std::string& id) {
-        return run("stress --quick --markdown --case " + id).out;
-    };
-    EXPECT_THAT(entry("X2"), StartsWith("1 case.\n"));
-    EXPECT_THAT(entry("X2"), HasSubstr("[X2](#x2-division-by-w--1)\n"));
-    EXPECT_THAT(entry("Z3"), HasSubstr("[Z3](#z3-1z-falling-from-1-to-1r)\n"));
-    EXPECT_THAT(entry("Z7"), HasSubstr("(With &lt;= all would pass; ours is strict.)\n"));
-    EXPECT_THAT(entry("P9"), HasSubstr("eye = look\\_at"));
-    // What is code already stays, and what is a number's name.
-    EXPECT_THAT(entry("L11"), HasSubstr("a loop `while (x < x1)` draws none"));
-    EXPECT_THAT(entry("P6"), HasSubstr("\nnormal . view = -1: a back face. "));
-    EXPECT_THAT(entry("Z14"),
-                HasSubstr("\n- scanline, rounded ends: 17 pixels wrong (float, double, "
-                          "adaptive, exact); 16 pixels wrong (fixed)\n"));
-    EXPECT_THAT(entry("S2"), HasSubstr("4 pixels wrong (every scalar)\n"));
-    EXPECT_THAT(entry("C11"), EndsWith("\n\nAll of it is refused, with every scalar.\n"));
-}
-
 TEST_F(ProgramTest, StressShowsACaseInFull) {
     EXPECT_THAT(
         run("stress --case s6"),
@@ -120,9 +60,9 @@ TEST_F(ProgramTest, StressShowsACaseInFull) {
 }
 
 TEST_F(ProgramTest, StressPrintsTheSceneOfACaseToDraw) {
-    const Outcome shown = run("stress --case S1 --scene | $rastertrace show - --last --bare");
+    const Outcome shown = run("stress --case S1 --scene | $rastertrace show - --bare");
     EXPECT_EQ(shown.status, 0) << shown.err;
-    EXPECT_EQ(shown.out, run("show $examples/t0-fill/first-triangle.json --last --bare").out);
+    EXPECT_EQ(shown.out, run("show $examples/t0-fill/first-triangle.json --bare").out);
     EXPECT_NE(run("stress --case C15 --scene 2").out, run("stress --case C15 --scene").out);
     // A case that asks to be looked at can be.
     EXPECT_EQ(run("stress --case P2 --scene | $rastertrace stats - --json").status, 0);
@@ -200,9 +140,6 @@ TEST_F(ProgramTest, StressRefusesWhatItCannotRun) {
     EXPECT_EQ(refusal("--case S19"),
               "rastertrace: --case: expected a case of the catalogue, L1 to L13, S1 to S14, C1 to "
               "C18, Z1 to Z14, P1 to P12 or X1 to X9, found \"S19\"\nhint: did you mean S1?\n");
-    EXPECT_THAT(
-        refusal("--markdown --json"),
-        HasSubstr("--markdown: expected cases to print as entries of a page, found \"--json\""));
     EXPECT_EQ(
         refusal("--case Z5 --scene"),
         "rastertrace: --scene: expected a case with a scene, found Z5, which is a computation, "

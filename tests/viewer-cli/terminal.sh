@@ -57,7 +57,7 @@ for size in "80 24" "40 12" "200 60"; do
         case $title in
         "{"*) title=$(sed -n 's/.*"title": "\([^"]*\)".*/\1/p' "$scene" | cut -c 1-12) ;;
         esac
-        for step in "--step 1" --last; do
+        for step in "--step 1" "--step last"; do
             pane "$columns" "$lines" "COLORTERM=" "'$scene' $step"
             # The whole frame fits: its first line has not been pushed off the screen.
             head -n 1 "$folder/pane" | grep -qF "$title" || fail "$scene $step at $columns x $lines: no title on top"

@@ -93,7 +93,6 @@ struct PlayCommand {
     std::string trace;
     std::string step; ///< to begin with, see selector.h; empty: before the first
     std::optional<View> view;
-    std::size_t bytes = Snapshots::usual_bytes; ///< for pictures that are kept for going back
     std::optional<TextSize> screen;             ///< only print that of a terminal of this size
     ColorChoice color = ColorChoice::automatic;
     MethodOverrides method;

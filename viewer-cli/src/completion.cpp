@@ -232,7 +232,7 @@ namespace {
 constexpr std::string_view bash_script = R"(# bash completion for rastertrace
 _rastertrace() {
     local IFS=$'\n' found
-    found=$(rastertrace help --complete -- "${COMP_WORDS[@]:1:COMP_CWORD}" 2>/dev/null)
+    found=$(rastertrace help -- "${COMP_WORDS[@]:1:COMP_CWORD}" 2>/dev/null)
     if [ "$found" = :files ]; then
         COMPREPLY=($(compgen -f -- "${COMP_WORDS[COMP_CWORD]}"))
         compopt -o filenames
@@ -246,7 +246,7 @@ complete -F _rastertrace rastertrace
 constexpr std::string_view zsh_script = R"(#compdef rastertrace
 _rastertrace() {
     local -a found
-    found=("${(@f)$(rastertrace help --complete -- "${(@)words[2,CURRENT]}" 2>/dev/null)}")
+    found=("${(@f)$(rastertrace help -- "${(@)words[2,CURRENT]}" 2>/dev/null)}")
     if [[ "$found" == :files ]]; then
         _files
     else
@@ -263,7 +263,7 @@ fi
 constexpr std::string_view fish_script = R"(# fish completion for rastertrace
 function __rastertrace_complete
     set -l words (commandline -opc)
-    set -l found (rastertrace help --complete -- $words[2..-1] (commandline -ct) 2>/dev/null)
+    set -l found (rastertrace help -- $words[2..-1] (commandline -ct) 2>/dev/null)
     if test "$found" = :files
         __fish_complete_path (commandline -ct)
     else

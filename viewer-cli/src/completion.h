@@ -21,7 +21,7 @@ std::vector<std::string> completions(std::span<const std::string> words,
 /// bash, zsh, fish.
 std::vector<std::string_view> completed_shells();
 
-/// What a shell has to read, so that it asks `rastertrace help --complete`.
+/// What a shell has to read, so that it asks `rastertrace help -- WORDS`.
 std::string_view completion_script(std::string_view shell);
 
 } // namespace rastertrace

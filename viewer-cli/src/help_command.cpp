@@ -3,7 +3,7 @@
 
 #include "command.h"
 #include "completion.h"
-#include "convention_sheet.h"
+#include "conventions_text.h"
 #include "load.h"
 #include "option_values.h"
 
@@ -37,8 +37,6 @@ public:
             .option("--completion", shell_, "Print what a shell has to read to complete words",
                     "SHELL")
             .values(completed_shells());
-        options.flag("--complete", completes_,
-                     "Print what the last of the words behind -- can become, as a shell asks it");
     }
 
     std::size_t count_plain_words(std::span<const char* const> words) const override {
@@ -49,7 +47,8 @@ public:
     }
 
     void take_plain_words(std::span<const char* const> words) override {
-        words_.assign(words.begin() + (words.empty() ? 0 : 1), words.end());
+        completes_ = !words.empty();
+        words_.assign(words.begin() + (completes_ ? 1 : 0), words.end());
     }
 
     void read() override { value_of<std::size_t>("--completion", shell_, completed_shells()); }
@@ -75,7 +74,7 @@ private:
     const std::vector<CommandGroup>& groups_;
     std::string command_;
     std::string shell_;
-    std::vector<std::string> words_;
+    std::vector<std::string> words_; ///< behind --: a shell asks what the last of them can become
     bool is_man_ = false;
     bool completes_ = false;
 };

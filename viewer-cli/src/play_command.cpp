@@ -117,7 +117,7 @@ int show_instead(const PlayCommand& command) {
 }
 
 PlayerOptions player_options(const PlayCommand& command) {
-    return {.view = command.view, .step = command.step, .bytes = command.bytes};
+    return {.view = command.view, .step = command.step};
 }
 
 ScreenAbility ability_of(const PlayCommand& command) {
@@ -208,12 +208,6 @@ public:
         options.option("--step", command_.step, "Begin at this step; before the first if not given",
                        "STEP");
         add_view_to(options, view_);
-        options.option(
-            "--memory", memory_,
-            fmt::format(
-                "Megabytes for pictures, also those that are kept for going back, {} if not given",
-                Snapshots::usual_bytes / 1'000'000),
-            "N");
         options.option("--color", color_, "Colors", "WHEN").values(color_choices);
         options.option("--print", screen_size_,
                        "Print the first screen of a terminal of that size, and play nothing",
@@ -228,9 +222,6 @@ public:
         if (command_.trace.empty())
             refuse_value("TRACE", "a trace or a scene to play", "none");
         command_.view = value_of("--view", view_, view_names(), view_named);
-        if (const auto megabytes = number_in_option<std::size_t>("--memory", memory_, 1, 1'000'000,
-                                                                 "a number of megabytes"))
-            command_.bytes = *megabytes * 1'000'000;
         command_.color = color_choice_of(color_);
         if (!screen_size_.empty()) {
             const auto [columns, lines] = size_in_option(
@@ -251,7 +242,6 @@ private:
     PlayCommand command_;
     bool lists_keys_ = false;
     std::string view_;
-    std::string memory_;
     std::string color_;
     std::string screen_size_;
     DrawingOptions drawing_;

@@ -3,7 +3,6 @@
 
 #include "command.h"
 #include "commands.h"
-#include "convention_sheet.h"
 #include "load.h"
 #include "option_values.h"
 #include "output_ending.h"
@@ -35,7 +34,6 @@ struct ReportCommand {
     std::vector<std::string> outputs; ///< none: standard output
     std::optional<ReportFormat> format;
     bool quick = false;
-    bool by_conventions = false; ///< no measuring: the pictures by every convention
     MethodOverrides method;
     InputLimits input;
     FrameChoice frames;
@@ -65,28 +63,7 @@ std::string reasons_of(const SceneReport& scene) {
     return text;
 }
 
-/// The sheets of all scenes.
-int run_conventions(const ReportCommand& command) {
-    if (!command.jobs.empty() || command.format.value_or(ReportFormat::text) != ReportFormat::text)
-        throw problem_of("", "--conventions: expected neither --jobs nor another format than text "
-                             "beside it, found one");
-    std::string text;
-    for (const std::string& path : command.scenes)
-        text += (text.empty() ? "" : "\n") + convention_sheet(path, {.method = command.method,
-                                                                     .limits = command.input,
-                                                                     .frames = command.frames});
-    if (command.outputs.empty())
-        print(text);
-    FileOutputs outputs;
-    for (const std::string& path : command.outputs)
-        outputs.open(path, opened_files()).write(text);
-    outputs.commit();
-    return exit_fine;
-}
-
 int run_report(const ReportCommand& command) {
-    if (command.by_conventions)
-        return run_conventions(command);
     // Everything that can be refused is, before minutes of measuring: the scenes, and the files.
     std::vector<Scene> scenes;
     for (const std::string& path : command.scenes) {
@@ -152,8 +129,6 @@ public:
             .values({"text", "json", "csv", "svg", "html"});
         options.option("--jobs", jobs_, "Measure only these jobs", "JOB,...").values(job_names());
         options.flag("--quick", command_.quick, "Take seconds, not minutes; times are rough");
-        options.flag("--conventions", command_.by_conventions,
-                     "Draw each scene by every convention, and show where the pictures differ");
         drawing_.add_to(options, Holds::no_steps);
     }
 

@@ -256,7 +256,6 @@ public:
             "Which frames",
             "One of these; if none is given, what the scene is about and all of its picture");
         which.option("--step", step_, "After this step, from 0", "STEP");
-        which.flag("--last", last_, "After the last step");
         which.option("--every", every_,
                      "After every such step, together with the pixels that belong to it", "STEP");
         which.flag("--all", all_, "After every step");
@@ -279,7 +278,7 @@ public:
     }
 
     void read() override {
-        if (last_ || command_.bare || command_.has_working)
+        if (command_.bare || command_.has_working)
             command_.which = ShowCommand::Which::last;
         if (!step_.empty())
             command_.which = ShowCommand::Which::step;
@@ -329,7 +328,6 @@ private:
     ShowCommand command_;
     std::string step_;
     std::string every_;
-    bool last_ = false;
     bool all_ = false;
     std::string view_;
     std::string region_;

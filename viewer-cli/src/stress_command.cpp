@@ -8,7 +8,6 @@
 #include "progress.h"
 #include "run_case.h"
 #include "shared_options.h"
-#include "stress_markdown.h"
 
 #include <rastertrace/numerics/cliffs.h>
 #include <rastertrace/numerics/stress.h>
@@ -39,7 +38,6 @@ struct StressCommand {
     std::vector<std::string> cases;               ///< ids; none: all of them, as a table
     std::optional<std::size_t> scene_number = {}; ///< print this scene of the only case, from 1
     bool json = false;
-    bool markdown = false; ///< the entries of docs/stress.md
     bool quick = false;
     MethodOverrides method; ///< for the scene
     InputLimits input;
@@ -400,8 +398,6 @@ int run_stress(const StressCommand& command) {
     }
     if (command.json) {
         print(as_json(cases));
-    } else if (command.markdown) {
-        print(as_markdown(cases));
     } else if (command.cases.empty()) {
         print(as_table(cases));
     } else {
@@ -450,8 +446,6 @@ public:
                      .with_optional_value();
         options.flag("--quick", command_.quick, "Every case, the longest with one scalar only");
         options.flag("--json", command_.json, "Print JSON");
-        options.flag("--markdown", command_.markdown,
-                     "Print the cases as entries of a page, with what is wrong or refused");
         drawing_.add_to(options, Holds::no_steps);
     }
 
@@ -472,9 +466,6 @@ private:
                              ? fmt::format("several cases are one word: --case {},{}",
                                            joined(command_.cases, ","), command_.scene)
                              : "");
-        if (command_.markdown && (has_scene || command_.json))
-            refuse_value("--markdown", "cases to print as entries of a page",
-                         has_scene ? command_.scene : "--json");
         for (const auto& [key, value] : command_.method) {
             if (!has_scene)
                 refuse_value(option_named(key), "a scene to draw by another method", "none",
