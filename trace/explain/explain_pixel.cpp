@@ -352,7 +352,7 @@ Explanation explain_pixel(const Trace& trace, const Question& question) {
 }
 
 PixelExplainer::PixelExplainer(const Trace& trace) : trace_(trace) {
-    sentences_.resize(trace.size() + 1);
+    sentences_.resize(trace.size() == 0 ? 0 : trace.number_of(trace.size()) + 1);
     Replay replay(trace, {.depths = true});
     for (std::size_t n = 1; n <= trace.size(); ++n) {
         const auto kind = trace.kind_of(n);
