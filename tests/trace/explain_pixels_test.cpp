@@ -55,46 +55,6 @@ Rational floor_of(const Rational& number) {
     return whole;
 }
 
-// Whoever asks for the nearest gets the same of them as of all, and as many primitives for each reason.
-TEST(ExplainPixel, TheNearestAreToldOfAsAmongAll) {
-    const auto in_order = [](std::vector<WhyNot> all) {
-        std::stable_sort(all.begin(), all.end(), was_nearer_to_drawing);
-        return all;
-    };
-    const auto in_words = [](const WhyNot& why) {
-        return why.primitive + " " + why.reason + " " + why.sentence;
-    };
-    std::size_t counted = 0; // not told of
-    for (int seed = 0; seed < all_cases(300); ++seed) {
-        auto scene =
-            read_scene({"scene.json", RandomScene(static_cast<std::uint64_t>(seed)).text()});
-        if (!scene)
-            continue;
-        const Trace trace = trace_of(scene.value().scene);
-        const std::vector<Pixel> pixels = pixels_of(trace.canvas);
-        for (std::size_t i = 0; i < pixels.size(); i += 37) {
-            const std::size_t most = 1 + i % 2;
-            const auto all = in_order(about(trace, pixels[i]).why_not);
-            auto answer = explain(trace, {.pixel = pixels[i], .most_why_not = most});
-            ASSERT_TRUE(answer);
-            const auto nearest = in_order(answer.value().why_not);
-            ASSERT_GE(nearest.size(), std::min(most, all.size()));
-            for (std::size_t k = 0; k < std::min(most, all.size()); ++k)
-                EXPECT_EQ(in_words(nearest[k]), in_words(all[k])) << "seed " << seed;
-            std::map<std::string, std::size_t> reasons;
-            for (const WhyNot& why : all)
-                ++reasons[why.reason];
-            std::map<std::string, std::size_t> found = answer.value().farther;
-            for (const auto& [reason, count] : found)
-                counted += count;
-            for (const WhyNot& why : nearest)
-                ++found[why.reason];
-            EXPECT_EQ(found, reasons) << "seed " << seed;
-        }
-    }
-    EXPECT_GT(counted, static_cast<std::size_t>(all_cases(300)));
-}
-
 // The worked triangle of T0: AB is x = (3y - 7)/4, AC is x = (31 - 3y)/8, rows y = 5 to -3.
 TEST(ExplainPixel, EveryPixelOfTheWorkedTriangle) {
     const Trace trace = trace_of(first_triangle());

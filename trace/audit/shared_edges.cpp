@@ -107,40 +107,6 @@ bool is_at(const EdgeUse& edge, const TriangleSamples& samples, bool is_fold, co
     return true;
 }
 
-/// The pixels near an edge and between its ends, from the top, and from left to right; SharedEdge says which are near.
-std::vector<Pixel> pixels_near(const ScreenPoint& from, const ScreenPoint& to,
-                               const CanvasSamples& grid) {
-    const ExactEdge edge(from, to);
-    const bool runs_along_x =
-        abs(to.x.exact() - from.x.exact()) >= abs(to.y.exact() - from.y.exact());
-    const auto& [first, last] =
-        runs_along_x ? std::minmax(from.x, to.x) : std::minmax(from.y, to.y);
-    const auto is_near = [&](Index x, int y) {
-        const ScreenPoint sample = grid.sample_of(x, y);
-        const Coordinate& along = runs_along_x ? sample.x : sample.y;
-        if (along < first || last < along)
-            return false;
-        // The edge passes between the samples on both sides, or through one of them.
-        const ScreenPoint before =
-            runs_along_x ? grid.sample_of(x, y - 1) : grid.sample_of(x - 1, y);
-        const ScreenPoint behind =
-            runs_along_x ? grid.sample_of(x, y + 1) : grid.sample_of(x + 1, y);
-        return edge.sign(before) * edge.sign(behind) <= 0;
-    };
-
-    std::vector<Pixel> pixels;
-    const auto [low, high] = std::minmax(from.y, to.y);
-    const Span rows = grid.rows_about(low, high);
-    for (Index row = rows.first; row <= rows.last; ++row) {
-        const int y = grid.canvas.y_of(static_cast<int>(row));
-        const Span columns = edge.columns_near(y + grid.offset, grid.all_columns());
-        for (Index x = columns.first; x <= columns.last; ++x)
-            if (is_near(x, y))
-                pixels.push_back({static_cast<int>(x), y});
-    }
-    return pixels;
-}
-
 /// The pixels that both primitives drew.
 PixelList drawn_by_both(const DrawnPrimitive& one, const DrawnPrimitive& other,
                         const Canvas& canvas) {

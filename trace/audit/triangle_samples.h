@@ -17,6 +17,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <vector>
 
 namespace rastertrace {
 
@@ -78,6 +79,11 @@ private:
     EdgeFunction<double> near_; ///< of the nearest doubles
     double farthest_;           ///< coordinate of both points
 };
+
+/// The pixels whose sample lies at most one pixel from an edge, up or down where it is flatter than 45 degrees (or just
+/// that), to the left or right where it is steeper; within the edge's length. From the top row, left to right.
+std::vector<Pixel> pixels_near(const ScreenPoint& from, const ScreenPoint& to,
+                               const CanvasSamples& grid);
 
 /// The sign of a triangle's area: 1 if its corners turn left, where y points up; 0 if it has none.
 int orientation(const ScreenPoint& a, const ScreenPoint& b, const ScreenPoint& c);

@@ -435,9 +435,7 @@ private:
         const Pixel pixel = pixel_of(subject);
         const auto [known, is_new] = told_of_pixels_.try_emplace({pixel.x, pixel.y});
         if (is_new)
-            if (auto told =
-                    explain(truth_.decided().trace(),
-                            {.about = Topic::pixel, .pixel = pixel, .most_why_not = most_told}))
+            if (auto told = explain(truth_.decided().trace(), {.pixel = pixel}))
                 known->second = std::move(told.value());
         return known->second;
     }
@@ -481,9 +479,15 @@ private:
             std::find_if(subject.keys.data(), subject.keys.data() + subject.keys.size(),
                          [](const auto& key) { return key.first == "in"; });
         const bool names_one = in != subject.keys.data() + subject.keys.size();
-        for (const WhyNot& why : told->why_not) {
-            if (why.sentence.empty() || (names_one && why.primitive != in->second))
-                continue;
+        std::vector<WhyNot> nearest = told->why_not;
+        std::erase_if(nearest, [&](const WhyNot& why) {
+            return why.sentence.empty() || (names_one && why.primitive != in->second);
+        });
+        if (nearest.size() > most_told) {
+            std::stable_sort(nearest.begin(), nearest.end(), was_nearer_to_drawing);
+            nearest.resize(most_told);
+        }
+        for (const WhyNot& why : nearest) {
             lines.push_back(why.sentence);
             lines.insert(lines.end(), why.working.begin(), why.working.end());
         }

@@ -15,8 +15,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <limits>
-#include <map>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -45,10 +43,6 @@ struct Question {
     Topic about = Topic::pixel;
     Pixel pixel = {};   ///< of Topic::pixel; of Topic::scanline its y
     std::string text{}; ///< the name of a face, vertex or edge; `ABC,ACD` of a pair; a selector
-
-    /// So many of the primitives that have not drawn a pixel, the nearest, are told of in sentences at least. The others
-    /// may be counted alone.
-    std::size_t most_why_not = std::numeric_limits<std::size_t>::max();
 };
 
 /// The question in words: `pixel (4, 2)`.
@@ -96,8 +90,6 @@ struct Explanation {
     std::string answer{};          ///< one line
     std::vector<Try> tries{};      ///< in the order of the trace
     std::vector<WhyNot> why_not{}; ///< of a pixel: each primitive that has not drawn it
-    std::map<std::string, std::size_t>
-        farther{}; ///< other primitives, of which only the reason is told: how many of each
     std::vector<PixelAlongEdge> pixels{}; ///< of a pair, from one end of their edge to the other
     std::vector<std::string> lacks{};     ///< what cannot be told, because steps were left out
 };

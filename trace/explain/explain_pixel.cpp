@@ -4,7 +4,6 @@
 #include "explain_pixels.h"
 #include "explanation.h"
 #include "steps_of_pixel.h"
-#include "steps_to_read.h"
 #include "why_not.h"
 
 #include <rastertrace/trace/tell/describe.h>
@@ -29,9 +28,7 @@ public:
     PixelStory(const Trace& trace, Pixel pixel, const std::vector<std::string>* sentences = nullptr)
         : trace_(trace), pixel_(pixel), sentences_(sentences) {}
 
-    /// `farther`: primitives that the trace has no steps of.
-    Explanation tell(std::map<std::string, std::size_t> farther = {}) {
-        explanation_.farther = std::move(farther);
+    Explanation tell() {
         for (std::size_t n = 1; n <= trace_.size(); ++n)
             take(n);
         is_at_end_ = true;
@@ -230,13 +227,11 @@ private:
             return said({"not drawn: there is no primitive", "não desenhado: não há primitiva"});
         if (!covering_.empty())
             return answer_of_covered();
-        std::size_t count = why_not.size();
-        for (const auto& [reason, others] : explanation_.farther)
-            count += others;
-        return count == 1 ? said({"not drawn: {}", "não desenhado: {}"}, in_words(why_not.front()))
-                          : said({"not drawn by any of {} primitives",
-                                  "não desenhado por nenhuma de {} primitivas"},
-                                 count);
+        return why_not.size() == 1
+                   ? said({"not drawn: {}", "não desenhado: {}"}, in_words(why_not.front()))
+                   : said({"not drawn by any of {} primitives",
+                           "não desenhado por nenhuma de {} primitivas"},
+                          why_not.size());
     }
 
     /// Of a pixel that primitives cover, none of which has drawn it.
@@ -338,21 +333,12 @@ bool may_be_quoted(StepKind kind) {
 } // namespace
 
 Explanation explain_pixel(const Trace& trace, const Question& question) {
-    if (auto chosen = question.most_why_not < trace.size()
-                          ? steps_to_read(trace, question.pixel, question.most_why_not)
-                          : std::nullopt) {
-        StepsOfPixel steps(trace, question.pixel);
-        for (const std::size_t n : chosen->steps)
-            steps.take(trace.step(n), trace.kind_of(n), trace.number_of(n));
-        const Trace excerpt = std::move(steps).finish();
-        return PixelStory(excerpt, question.pixel).tell(std::move(chosen->others));
-    }
     const Trace excerpt = steps_about(trace, question.pixel);
     return PixelStory(excerpt, question.pixel).tell();
 }
 
 PixelExplainer::PixelExplainer(const Trace& trace) : trace_(trace) {
-    sentences_.resize(trace.size() + 1);
+    sentences_.resize(trace.size() == 0 ? 0 : trace.number_of(trace.size()) + 1);
     Replay replay(trace, {.depths = true});
     for (std::size_t n = 1; n <= trace.size(); ++n) {
         const auto kind = trace.kind_of(n);

@@ -20,7 +20,7 @@ namespace rastertrace {
 
 class PixelExplainer {
 public:
-    /// The trace is a whole one, no excerpt, and must outlive the explainer.
+    /// The trace must outlive the explainer.
     explicit PixelExplainer(const Trace& trace);
 
     /// The answer, and of each primitive that has not drawn the pixel, why: as explain() has them, but without tries

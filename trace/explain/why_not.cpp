@@ -21,8 +21,10 @@ namespace {
 constexpr std::array<std::string_view, 4> clipped_away{"behind the eye", "too near", "too far",
                                                        "outside the view"};
 
-bool is_clipped_away(std::string_view why) {
-    return std::find(clipped_away.begin(), clipped_away.end(), why) != clipped_away.end();
+/// culled, clipped or skipped: the reason (WhyNot) of a primitive that is skipped for one.
+std::string_view reason_of_skip(std::string_view why) {
+    const bool is_clipped = std::ranges::count(clipped_away, why) > 0;
+    return why == "culled" ? "culled" : is_clipped ? "clipped" : "skipped";
 }
 
 /// Where its corners are: `A (2, 5)   B (-4, -3)`.
@@ -71,10 +73,6 @@ WhyNot why_clipped(const PrimitiveSteps& steps) {
 }
 
 } // namespace
-
-std::string_view reason_of_skip(std::string_view why) {
-    return why == "culled" ? "culled" : is_clipped_away(why) ? "clipped" : "skipped";
-}
 
 WhyNot not_told(const PrimitiveSteps& steps, const std::string& sentence) {
     return {.reason = "unknown", .sentence = fmt::format("{}; {}", sentence, steps.may_lack)};

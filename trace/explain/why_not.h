@@ -41,9 +41,6 @@ struct PrimitiveSteps {
 /// The first step of a kind among some.
 std::optional<StepView> find_step(const Trace& trace, const PrimitiveSteps& steps, StepKind kind);
 
-/// culled, clipped or skipped: the reason (WhyNot) of a primitive that is skipped for one.
-std::string_view reason_of_skip(std::string_view why);
-
 WhyNot why_not(const Trace& trace, const PrimitiveSteps& steps, Pixel pixel);
 
 /// What rests on a step that is not there cannot be told of a primitive whose steps may be missing.

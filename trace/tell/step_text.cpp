@@ -164,13 +164,10 @@ std::string what_numbers_give(const Trace& trace, std::size_t step) {
                              printable(found->second));
 }
 
-PrimitiveText primitive_in(const PrimitiveStep& told) {
+PrimitiveText primitive_in(const StepView& step) {
+    const auto told = step.as<PrimitiveStep>();
     return {told.kind,   told.name.text(), told.vertices.texts(), text_rows(told.at), told.depths,
             told.colors, told.radius};
-}
-
-PrimitiveText primitive_in(const StepView& step) {
-    return primitive_in(step.as<PrimitiveStep>());
 }
 
 std::string place_in_code(const Trace& trace, std::size_t step) {

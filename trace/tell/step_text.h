@@ -118,7 +118,6 @@ std::string what_numbers_give(const Trace& trace, std::size_t step);
 std::string place_in_code(const Trace& trace, std::size_t step);
 
 /// What a `primitive` step says.
-PrimitiveText primitive_in(const PrimitiveStep& told);
 PrimitiveText primitive_in(const StepView& step);
 
 /// AB, or A1-B1: the edge between two of its vertices.

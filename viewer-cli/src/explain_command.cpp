@@ -161,8 +161,6 @@ public:
     void read() override {
         command_.json = is_json(format_, command_.json);
         command_.question = explain_question();
-        if (!command_.json)
-            command_.question.most_why_not = most_why_not_told;
         drawing_.read_into(command_);
     }
 

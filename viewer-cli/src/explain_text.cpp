@@ -74,23 +74,19 @@ std::string table_of(std::vector<Try> tries) {
     return text;
 }
 
-/// `count`: primitives farther away, by reason.
-std::string why_not_text(std::vector<WhyNot> why_not, std::map<std::string, std::size_t> count) {
+std::string why_not_text(std::vector<WhyNot> why_not) {
     std::string rest;
-    if (why_not.size() > most_why_not_told || !count.empty()) {
+    if (why_not.size() > most_why_not_told) {
         std::stable_sort(why_not.begin(), why_not.end(), was_nearer_to_drawing);
+        std::map<std::string, std::size_t> count;
         for (std::size_t i = most_why_not_told; i < why_not.size(); ++i)
             ++count[why_not[i].reason];
-        why_not.resize(std::min(why_not.size(), most_why_not_told));
-    }
-    if (!count.empty()) {
-        std::size_t more = 0;
         std::vector<std::string> counts;
-        for (const auto& [reason, number] : count) {
-            more += number;
+        for (const auto& [reason, number] : count)
             counts.push_back(fmt::format("{} {}", number, in_language_of_steps(reason)));
-        }
-        rest = said({"  and {} more: {}\n", "  e mais {}: {}\n"}, more, joined(counts, ", "));
+        rest = said({"  and {} more: {}\n", "  e mais {}: {}\n"},
+                    why_not.size() - most_why_not_told, joined(counts, ", "));
+        why_not.resize(most_why_not_told);
     }
     for (WhyNot& one : why_not)
         one.reason = in_language_of_steps(one.reason);
@@ -125,8 +121,8 @@ std::string details_text(const Explanation& explanation) {
     if (!explanation.tries.empty())
         text += "\n" + table_of(explanation.tries);
     if (!explanation.why_not.empty())
-        text += said({"\nnot drawn by\n", "\nnão desenhado por\n"}) +
-                why_not_text(explanation.why_not, explanation.farther);
+        text +=
+            said({"\nnot drawn by\n", "\nnão desenhado por\n"}) + why_not_text(explanation.why_not);
     if (!explanation.pixels.empty())
         text += "\n" + pixels_text(explanation.pixels);
     return text;
