@@ -10,7 +10,6 @@
 #include <rastertrace/trace/record/traced_steps.h>
 
 #include <algorithm>
-#include <fstream>
 #include <sstream>
 #include <string>
 #include <variant>
@@ -143,21 +142,6 @@ TEST_F(DiagnoseTest, TheFormulaOfAMistakeGivesWhatIsTold) {
 TEST_F(DiagnoseTest, AFrameSaysThatItIsDrawnWithAMistake) {
     EXPECT_THAT(run("show scene.json --mistake height-plus-one").out,
                 StartsWith("Two triangles of a quadrilateral, with height-plus-one"));
-}
-
-TEST_F(DiagnoseTest, ThePageOfMistakesShowsEachAndIsWhatTheProgramWrites) {
-    const std::string page =
-        shell("cd $examples/.. && $rastertrace diagnose --gallery examples").out;
-    std::ostringstream written;
-    written << std::ifstream(fs::path(RASTERTRACE_EXAMPLES) / "../docs/mistakes.md").rdbuf();
-    EXPECT_EQ(page, written.str())
-        << "to renew it: rastertrace diagnose --gallery examples > docs/mistakes.md";
-    for (const Mistake& mistake : mistakes()) {
-        const std::size_t begin = page.find("\n## " + std::string(mistake.name) + "\n");
-        ASSERT_NE(begin, std::string::npos) << mistake.name;
-        const std::size_t end = page.find("\n## ", begin + 1);
-        EXPECT_THAT(page.substr(begin, end - begin), HasSubstr("\nscene     examples/"));
-    }
 }
 
 } // namespace

@@ -374,10 +374,6 @@ public:
                             "[NAME]")
                     .with_optional_value()
                     .names_of(NamesOf::mistakes);
-        alone.option("--gallery", gallery_,
-                     "Print a page in Markdown: each mistake with a picture of one of the scenes "
-                     "in this folder",
-                     "FOLDER");
         alone
             .option("--tell-apart", command_.rules_apart,
                     "Print a small scene that two rules draw differently", "RULE RULE")
@@ -407,22 +403,17 @@ public:
         if (!tells_apart && !command_.method.empty())
             throw problem_of("", "expected --tell-apart beside a choice of the method, found none",
                              "a scene says its method itself");
-        const bool is_alone =
-            list_->is_given() || !gallery_.empty() || tells_apart || command_.writes_probes;
+        const bool is_alone = list_->is_given() || tells_apart || command_.writes_probes;
         if (command_.files.empty() != is_alone)
-            throw problem_of(
-                "", is_alone ? "expected --list, --gallery, --tell-apart or --probe alone, found "
-                               "files beside it"
-                             : "expected a scene and what was drawn of it, found nothing");
+            throw problem_of("", is_alone
+                                     ? "expected --list, --tell-apart or --probe alone, found "
+                                       "files beside it"
+                                     : "expected a scene and what was drawn of it, found nothing");
     }
 
     int run() override {
         if (list_->is_given())
             return list_mistakes(mistake_, json_);
-        if (!gallery_.empty()) {
-            print(mistake_gallery(gallery_));
-            return exit_fine;
-        }
         if (!command_.rules_apart.empty())
             return tell_apart(command_);
         return command_.writes_probes ? write_probes(command_) : answer(command_);
@@ -433,7 +424,6 @@ private:
     std::string meant_;
     std::string jobs_;
     std::string mistake_;
-    std::string gallery_;
     bool json_ = false;
     std::optional<AddedOption> list_;
     MethodOptions method_;

@@ -18,8 +18,4 @@ std::string mistake_text(const Mistake& mistake);
 /// All that is known of each.
 std::string mistakes_json();
 
-/// A page in Markdown: each with a picture of one of the small scenes in this folder. Throws a Problem if there is no
-/// such folder.
-std::string mistake_gallery(const std::string& folder);
-
 } // namespace rastertrace
