@@ -46,22 +46,22 @@ TEST_F(DiffTest, OneNumberOfOneRow) {
 }
 
 TEST_F(DiffTest, OneNumberOfOneRowInPortuguese) {
-    const std::string told = diff("a.json b.json --language pt").out;
-    EXPECT_THAT(told, StartsWith("a: a.json\n"
-                                 "b: b.json\n"
-                                 "1 passo difere\n"
-                                 "\n"
-                                 "primeira diferença, em ABC\n"
-                                 "a   passo 13 (linha 14 do arquivo): pixel (2, 3)   linha y=3: 0 "
-                                 "a 2\n"));
-    EXPECT_THAT(told, HasSubstr("    left: -1/4 em a, -1/2 em b, 0.25 de distância\n"
-                                "    não muda nenhum pixel\n"
-                                "\n"
-                                "passos    mudados  só em a  só em b  movidos\n"
-                                "scanline        1        .        .        .   left 1 (por no "
-                                "máximo 0.25)\n"
-                                "\n"
-                                "as imagens são iguais\n"));
+    EXPECT_THAT(
+        diff("a.json b.json --language pt").out,
+        AllOf(
+            StartsWith("a: a.json\n"
+                       "b: b.json\n"
+                       "1 passo difere\n"
+                       "\n"
+                       "primeira diferença, em ABC\n"
+                       "a   passo 13 (linha 14 do arquivo): pixel (2, 3)   linha y=3: 0 a 2\n"),
+            HasSubstr("    left: -1/4 em a, -1/2 em b, 0.25 de distância\n"
+                      "    não muda nenhum pixel\n"
+                      "\n"
+                      "passos    mudados  só em a  só em b  movidos\n"
+                      "scanline        1        .        .        .   left 1 (por no máximo 0.25)\n"
+                      "\n"
+                      "as imagens são iguais\n")));
     EXPECT_EQ(diff("a.json a.json --language pt").out, "a: a.json\n"
                                                        "b: a.json\n"
                                                        "ambos são o mesmo arquivo\n"

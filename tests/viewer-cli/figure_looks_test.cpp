@@ -66,10 +66,8 @@ TEST_F(FigureLooks, NotesPointToPlaces) {
                   "rastertrace: --note: expected a place and words, like \"3,2: the tie goes up\", "
                   "found \"" +
                       note + "\"\n");
-    const Outcome told =
-        figure("--note '-4,-3: the first: B' --note '2,5: the top' --format svg -o -");
-    EXPECT_THAT(told.out, HasSubstr(">the first: B</text>"));
-    EXPECT_THAT(told.out, HasSubstr(">the top</text>"));
+    EXPECT_THAT(figure("--note '-4,-3: the first: B' --note '2,5: the top' --format svg -o -").out,
+                AllOf(HasSubstr(">the first: B</text>"), HasSubstr(">the top</text>")));
 }
 
 TEST_F(FigureLooks, FramesOfAStepInSpaceStandOnASheet) {
@@ -208,10 +206,10 @@ TEST_F(FigureLooks, WordsAreInTheLanguageThatWasChosen) {
     const auto in_portuguese = [this](const std::string& arguments) {
         return run("figure --language pt --format svg -o - " + arguments).out;
     };
-    const std::string in_space = in_portuguese(
-        "$examples/t4-pipeline/six-spaces.json --view space --step 'vertex name=C space=clip'");
-    EXPECT_THAT(in_space, HasSubstr(">olho</text>"));
-    EXPECT_THAT(in_space, HasSubstr(">passo "));
+    EXPECT_THAT(
+        in_portuguese(
+            "$examples/t4-pipeline/six-spaces.json --view space --step 'vertex name=C space=clip'"),
+        AllOf(HasSubstr(">olho</text>"), HasSubstr(">passo ")));
     EXPECT_THAT(in_portuguese("$examples/t0-hidden/two-depths.json --view depth --with legend"),
                 HasSubstr(">mais distante</text>"));
     EXPECT_THAT(in_portuguese("$examples/faces/arrow.json --sheet ears"),

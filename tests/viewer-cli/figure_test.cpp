@@ -202,9 +202,8 @@ TEST_F(FigureTest, PartsThatTheSceneCannotHave) {
     EXPECT_EQ(figure("--with rejected --fill barycentric -o x.svg").status, 0);
     EXPECT_EQ(figure("--with plot,depths --depth linear-z --keep depth -o x.svg").status, 0);
     // All of its depths are 0: 1/z has no place in a plot.
-    const std::string plotted = shell("cat x.svg").out;
-    EXPECT_THAT(plotted, HasSubstr(">z</text>"));
-    EXPECT_THAT(plotted, Not(HasSubstr(">1/z</text>")));
+    EXPECT_THAT(shell("cat x.svg").out,
+                AllOf(HasSubstr(">z</text>"), Not(HasSubstr(">1/z</text>"))));
     EXPECT_EQ(figure("--with weights --fill barycentric -o x.svg").status, 0);
     // Of several frames, those that have none of it go without.
     EXPECT_EQ(figure("--with row,half-planes --every edge --sheet 3x1 -o x.svg").status, 0);
@@ -331,10 +330,10 @@ TEST_F(FigureTest, WhatMovesIsAFilmOfRowsPixelsOfLinesAndVertices) {
         return captions;
     };
     // Nine rows; of a box that is gone through sample by sample, too.
-    const auto rows = frames("$examples/t0-fill/first-triangle.json");
-    EXPECT_THAT(rows, ElementsAre("scanline y=5", "scanline y=4", "scanline y=3", "scanline y=2",
-                                  "scanline y=1", "scanline y=0", "scanline y=-1", "scanline y=-2",
-                                  "scanline y=-3"));
+    EXPECT_THAT(frames("$examples/t0-fill/first-triangle.json"),
+                ElementsAre("scanline y=5", "scanline y=4", "scanline y=3", "scanline y=2",
+                            "scanline y=1", "scanline y=0", "scanline y=-1", "scanline y=-2",
+                            "scanline y=-3"));
     const auto samples = frames("$examples/t3-sweep-and-box/barycentric.json");
     EXPECT_EQ(samples.size(), 9U);
     EXPECT_THAT(samples, Each(StartsWith("sample of (-4, ")));
@@ -438,9 +437,9 @@ TEST_F(FigureTest, APageRefusesWhatItHasNot) {
     for (const std::string option :
          {"--until 3", "--every scanline", "--with edges", "--without edges", "--caption x",
           "--region 0,0,1,1", "--bare"}) {
-        const std::string told = refusal(option + " -o x.html");
-        EXPECT_THAT(told, HasSubstr(formats)) << option;
-        EXPECT_THAT(told, HasSubstr(option.substr(0, option.find(' ')))) << option;
+        EXPECT_THAT(refusal(option + " -o x.html"),
+                    AllOf(HasSubstr(formats), HasSubstr(option.substr(0, option.find(' ')))))
+            << option;
     }
     for (const std::string option :
          {"--sheet 2x2", "--animate", "--seconds 1", "--scale 2", "--width 100", "--cell 10",
@@ -453,10 +452,10 @@ TEST_F(FigureTest, APageTakesWhatSaysHowItBegins) {
         figure("--step \"scanline y=2\" --view writes --title \"<T>\" --theme dark "
                "--rounding nearest -o x.html");
     EXPECT_EQ(told.status, 0) << told.err;
-    const std::string page = content("x.html");
-    EXPECT_THAT(page, HasSubstr("\"view\":\"writes\",\"step\":"));
-    EXPECT_THAT(page, HasSubstr("<title>&lt;T&gt;</title>"));
-    EXPECT_THAT(page, HasSubstr("<raster-trace whole-page theme=\"dark\">\n<svg "));
+    EXPECT_THAT(content("x.html"),
+                AllOf(HasSubstr("\"view\":\"writes\",\"step\":"),
+                      HasSubstr("<title>&lt;T&gt;</title>"),
+                      HasSubstr("<raster-trace whole-page theme=\"dark\">\n<svg ")));
     EXPECT_EQ(figure("--format html -o -").out, (figure("-o y.html"), content("y.html")));
 }
 
@@ -599,11 +598,11 @@ TEST_F(FigureTest, ABarePictureWithoutColorsFollowsTheTheme) {
     };
     EXPECT_EQ(pixel_in("--theme light"), (Color{0, 0, 0}));
     EXPECT_EQ(pixel_in("--theme dark"), (Color{0xf4, 0xf4, 0xf4}));
-    const std::string svg = figure("--bare --format svg -o -").out;
-    EXPECT_THAT(svg, HasSubstr(".ink{fill:#000000;"));
     EXPECT_THAT(
-        svg,
-        ContainsRegex("\\(prefers-color-scheme:dark\\)\\{\n\\.r[0-9a-f]+ \\.ink\\{fill:#f4f4f4;"));
+        figure("--bare --format svg -o -").out,
+        AllOf(HasSubstr(".ink{fill:#000000;"),
+              ContainsRegex(
+                  "\\(prefers-color-scheme:dark\\)\\{\n\\.r[0-9a-f]+ \\.ink\\{fill:#f4f4f4;")));
     // What has a color, or is on a background, keeps it.
     const auto in_dark = [this](const std::string& scene) {
         write("scene.json", scene);

@@ -98,8 +98,8 @@ TEST_F(ProgramTest, AFileNameIsShownAndNotStored) {
 }
 
 TEST_F(ProgramTest, MethodIsOverriddenOnTheCommandLine) {
-    const Outcome outcome = run("stats $examples/t0-fill/first-triangle.json --rounding truncate");
-    EXPECT_THAT(outcome.out, HasSubstr("pixels      45 of 238"));
+    EXPECT_THAT(run("stats $examples/t0-fill/first-triangle.json --rounding truncate").out,
+                HasSubstr("pixels      45 of 238"));
     EXPECT_THAT(run("trace $examples/t0-fill/first-triangle.json -o t.json; $rastertrace show "
                     "t.json --rounding truncate"),
                 Refused("rastertrace: t.json: expected a scene to draw with --rounding truncate, "
