@@ -44,10 +44,7 @@ TEST_F(ProgramTest, TheExitStatusStandsWhereStandardErrorCannotBeWritten) {
         2)
         << "a pipe that nobody reads";
     // No file gets the number of a closed descriptor, and so no message or picture.
-    EXPECT_EQ(run("trace $examples/t0-fill/first-triangle.json -o t.json "
-                  "<&- >&- 2>&-")
-                  .status,
-              0);
+    EXPECT_EQ(run("trace $examples/t0-fill/first-triangle.json -o t.json <&- >&- 2>&-").status, 0);
     EXPECT_EQ(content("t.json"), run("trace $examples/t0-fill/first-triangle.json").out);
 }
 
@@ -68,11 +65,9 @@ TEST_F(ProgramTest, HelpThatCannotBeWrittenIsAFailure) {
 
 TEST_F(ProgramTest, UsageErrorsNameTheWordAndANearOne) {
     EXPECT_THAT(shell("$rastertrace"), Refused(HasSubstr("rastertrace show examples/")));
-    EXPECT_EQ(run("shw x").err, "rastertrace: expected a command out of trace, "
-                                "show, play, figure, explain, stats, check, sheet, diff, "
-                                "diagnose, fuzz, stress, report, validate, plan, "
-                                "examples, renew, help, found "
-                                "\"shw\"\n"
+    EXPECT_EQ(run("shw x").err, "rastertrace: expected a command out of trace, show, play, figure, "
+                                "explain, stats, check, sheet, diff, diagnose, fuzz, stress, "
+                                "report, validate, plan, examples, renew, help, found \"shw\"\n"
                                 "hint: did you mean show?\n");
     EXPECT_THAT(run("show x --evry pixel"),
                 Refused("rastertrace show: --evry: no such option\nhint: did you mean --every?\n"
@@ -84,14 +79,10 @@ TEST_F(ProgramTest, UsageErrorsNameTheWordAndANearOne) {
     EXPECT_EQ(run("trace x --only pixle").err,
               "rastertrace: --only: expected kinds of step out of "
               "triangulate,matrix,vertex,order,primitive,face,light,clip,edge,half,ray,crossings,"
-              "scanline,"
-              "along,decide,"
-              "sample,depth,pixel,"
-              "reject,skip,undecided, found \"pixle\"\n"
+              "scanline,along,decide,sample,depth,pixel,reject,skip,undecided, found \"pixle\"\n"
               "hint: did you mean pixel?\n");
-    EXPECT_EQ(run("trace x --region 1,2,3").err,
-              "rastertrace: --region: expected two corners as x0,y0,x1,y1, like -4,-3,2,5, found "
-              "\"1,2,3\"\n");
+    EXPECT_EQ(run("trace x --region 1,2,3").err, "rastertrace: --region: expected two corners as "
+                                                 "x0,y0,x1,y1, like -4,-3,2,5, found \"1,2,3\"\n");
 }
 
 TEST_F(ProgramTest, NothingFromAFileReachesTheTerminalRaw) {

@@ -44,12 +44,11 @@ TEST_F(FigureLooks, ThePictureInSpaceHasNoPixels) {
               "rastertrace: --view space: expected no --region, found one\n" + beside);
     EXPECT_EQ(refusal("--view space --bare -o x.svg"),
               "rastertrace: --view space: expected no --bare, found one\n" + beside);
-    EXPECT_EQ(run("figure $examples/t4-pipeline/six-spaces.json --view space --with "
-                  "row -o x.svg")
-                  .err,
-              "rastertrace: --with row: expected title, step, caption or working in the picture in "
-              "space, found a part of pixels\n"
-              "hint: --with space shows that picture beside the pixels\n");
+    EXPECT_EQ(
+        run("figure $examples/t4-pipeline/six-spaces.json --view space --with row -o x.svg").err,
+        "rastertrace: --with row: expected title, step, caption or working in the picture in "
+        "space, found a part of pixels\n"
+        "hint: --with space shows that picture beside the pixels\n");
     EXPECT_EQ(refusal("--view space -o x.html"),
               "rastertrace: --view space: expected one of svg, png, tex, gif, found html\n"
               "hint: a page has the picture in space beside the pixels\n");

@@ -163,8 +163,8 @@ TEST_F(FigureTest, PartsThatTheSceneCannotHave) {
               "rastertrace: --with weights: expected a fill that tests samples by weights, found "
               "none\n"
               "hint: --fill barycentric\n");
-    EXPECT_EQ(run("figure $examples/t0-hidden/two-depths.json --with plot --step "
-                  "\"scanline in=DEF y=1\" -o x.svg")
+    EXPECT_EQ(run("figure $examples/t0-hidden/two-depths.json --with plot --step \"scanline in=DEF "
+                  "y=1\" -o x.svg")
                   .err,
               "rastertrace: --with plot: expected a frame with two depths along a row or a side, "
               "found fewer\n"
@@ -181,11 +181,11 @@ TEST_F(FigureTest, PartsThatTheSceneCannotHave) {
     EXPECT_EQ(refusal("--with half-planes --until 1 -o x.svg"),
               "rastertrace: --with half-planes: expected a frame of a triangle, found another\n"
               "hint: --step \"primitive ...\", or another step of a triangle\n");
-    EXPECT_EQ(run("figure $examples/t2-lines/bresenham.json --every decide --with "
-                  "half-planes -o x.svg")
-                  .err,
-              "rastertrace: --with half-planes: expected a scene with triangles on the screen, "
-              "found none\n");
+    EXPECT_EQ(
+        run("figure $examples/t2-lines/bresenham.json --every decide --with half-planes -o x.svg")
+            .err,
+        "rastertrace: --with half-planes: expected a scene with triangles on the screen, found "
+        "none\n");
     EXPECT_EQ(refusal("--with rejected -o x.svg"),
               "rastertrace: --with rejected: expected a scene with pixels that are tested and not "
               "drawn, found none\n"
@@ -360,8 +360,8 @@ TEST_F(FigureTest, WhatMovesIsAFilmOfRowsPixelsOfLinesAndVertices) {
     }
     EXPECT_EQ(figure("--step last --animate -o x.svg").status, 0);
     EXPECT_EQ(shell("grep -c 'class=\"frame' x.svg").out, "0\n");
-    EXPECT_EQ(run("figure $examples/t0-projection/turning.json --animate -o x.svg; "
-                  "grep -c 'class=\"frame' x.svg")
+    EXPECT_EQ(run("figure $examples/t0-projection/turning.json --animate -o x.svg; grep -c "
+                  "'class=\"frame' x.svg")
                   .out,
               "6\n")
         << "the frames of the sequence";
@@ -482,10 +482,10 @@ TEST_F(FigureTest, APageHasLimits) {
               "rastertrace: expected at most 1048576 pixels for a page, found 1025 x 1025\n"
               "hint: a .png or .svg shows it, or a page of the scene on a smaller canvas\n");
     write("scene.json", scene_of_size(400));
-    EXPECT_EQ(run("figure scene.json --vary /vertices/A/0=0:1:9 -o x.html").err,
-              "rastertrace: expected at most 200000 steps for a page, found more in the first 5 "
-              "frames\n"
-              "hint: --frame N makes a page of one frame\n");
+    EXPECT_EQ(
+        run("figure scene.json --vary /vertices/A/0=0:1:9 -o x.html").err,
+        "rastertrace: expected at most 200000 steps for a page, found more in the first 5 frames\n"
+        "hint: --frame N makes a page of one frame\n");
     EXPECT_EQ(visible_files(), 1U);
 }
 

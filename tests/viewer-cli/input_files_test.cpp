@@ -70,9 +70,10 @@ TEST_F(ProgramTest, HintsSayWhereAKeyOfTheMethodBelongs) {
                                " ^\n"
                                "hint: \"rounding\" belongs in \"method\": {\"rounding\": ...}\n")));
     write("line.json", R"({"line": ["AB"]})");
-    EXPECT_THAT(run("show line.json").err,
-                EndsWith("hint: \"line\" belongs in \"method\": {\"line\": ...}; did you mean "
-                         "\"lines\"?\n"));
+    EXPECT_THAT(
+        run("show line.json").err,
+        EndsWith(
+            "hint: \"line\" belongs in \"method\": {\"line\": ...}; did you mean \"lines\"?\n"));
     write("canvas.json", R"({"vertices": {"A": [0, 0]}, "points": ["A"], "canvas": {"fill": 1}})");
     EXPECT_THAT(run("show canvas.json").err,
                 EndsWith("hint: \"fill\" belongs in \"method\": {\"fill\": ...}\n"));
@@ -166,13 +167,11 @@ TEST_F(ProgramTest, TheLimitOnInputCanBeRaised) {
     EXPECT_EQ(run("plan scene.json --max-input 3kB").status, 0);
 
     // A trace may have any size.
-    EXPECT_EQ(run("trace scene.json -o t.json; $rastertrace stats t.json "
-                  "--max-input 1kB")
-                  .status,
+    EXPECT_EQ(run("trace scene.json -o t.json; $rastertrace stats t.json --max-input 1kB").status,
               0);
-    EXPECT_EQ(run("show scene.json --max-input lots").err,
-              "rastertrace: --max-input: expected a size in kB, MB or GB, like 512MB, found "
-              "\"lots\"\n");
+    EXPECT_EQ(
+        run("show scene.json --max-input lots").err,
+        "rastertrace: --max-input: expected a size in kB, MB or GB, like 512MB, found \"lots\"\n");
 }
 
 TEST_F(ProgramTest, StepsThatAreHeldHaveALimitThatCanBeRaised) {
@@ -313,20 +312,19 @@ TEST_F(ProgramTest, AnObjFileLiesInTheFolderOfItsScene) {
 
     write("scenes/shadow", "root:$6$secret:19000:0:99999:7:::\n");
     write("scenes/scene.json", scene("shadow"));
-    EXPECT_EQ(run("plan scenes/scene.json").err,
-              "rastertrace: scenes/shadow:1:1: expected an OBJ file, found a line that is none of "
-              "it\n"
-              "hint: its statements are v, vt, vn, f, l, p, g, o, s, usemtl, mtllib\n");
+    EXPECT_EQ(
+        run("plan scenes/scene.json").err,
+        "rastertrace: scenes/shadow:1:1: expected an OBJ file, found a line that is none of it\n"
+        "hint: its statements are v, vt, vn, f, l, p, g, o, s, usemtl, mtllib\n");
 }
 
 TEST_F(ProgramTest, CaretsAndTitlesCountColumns) {
     write("scene.json", "{\"title\":\"三e\u0301\", \"tile\":1}");
     EXPECT_EQ(
         run("plan scene.json").err,
-        "rastertrace: scene.json:1:17: expected a key out of title, canvas, background, "
-        "vertices, colors, "
-        "triangles, polygons, outlines, lines, circles, points, meshes, model, camera, projection, "
-        "viewport, light, convention, method, keep, vary, found \"tile\"\n"
+        "rastertrace: scene.json:1:17: expected a key out of title, canvas, background, vertices, "
+        "colors, triangles, polygons, outlines, lines, circles, points, meshes, model, camera, "
+        "projection, viewport, light, convention, method, keep, vary, found \"tile\"\n"
         "{\"title\":\"三e\u0301\", \"tile\":1}\n"
         "                ^\n"
         "hint: did you mean \"title\"?\n");
@@ -335,8 +333,7 @@ TEST_F(ProgramTest, CaretsAndTitlesCountColumns) {
     const auto shown = [this](const std::string& title, const std::string& name) {
         write("scene.json", "{\"title\":\"" + title + "\",\"vertices\":{\"" + name +
                                 "\":[1,1]},\"points\":[[\"" + name +
-                                "\"]],"
-                                "\"canvas\":{\"width\":5,\"height\":5}}");
+                                "\"]],\"canvas\":{\"width\":5,\"height\":5}}");
         std::string out = run("show scene.json --last").out;
         EXPECT_THAT(out, HasSubstr("\n\n* " + name + " (1, 1)\n"));
         return out.substr(0, out.find("* ")).replace(0, title.size(), "TITLE");

@@ -15,13 +15,11 @@ namespace {
 TEST_F(ProgramTest, SentencesOfWrongStepsSayWhatTheirNumbersGive) {
     const std::string fast = "$examples/regression/fast.jsonl";
     EXPECT_EQ(run("show --all " + fast +
-                  " | grep -o 'scanline y=.* left\\|\\[!\\].*' | "
-                  "grep -B1 '!' | tr '\\n' ' '")
+                  " | grep -o 'scanline y=.* left\\|\\[!\\].*' | grep -B1 '!' | tr '\\n' ' '")
                   .out,
-              "scanline y=2   left [!] its numbers give from = -1 -- "
-              "scanline y=0   left [!] its numbers give from = -2 "
-              "scanline y=-1   left [!] its numbers give from = -3 "
-              "scanline y=-2   left [!] its numbers give from = -4 ");
+              "scanline y=2   left [!] its numbers give from = -1 -- scanline y=0   left [!] its "
+              "numbers give from = -2 scanline y=-1   left [!] its numbers give from = -3 scanline "
+              "y=-2   left [!] its numbers give from = -4 ");
     for (const std::string question : {"--step 11", "--scanline 2", "--pixel 0,2", "--pixel=-1,2"})
         EXPECT_THAT(run("explain " + fast + " " + question).out,
                     HasSubstr("   [!] its numbers give from = -1\n"))
@@ -150,10 +148,9 @@ TEST_F(ProgramTest, SentencesShortenWhatTheTraceHasWhole) {
         R"({"rastertrace":1,"canvas":{"width":3,"height":3,"origin":"center"},"method":{"cull":"back"},"steps":[
 {"step":"face","name":"ABC","normal":["49977918000000000000000000001/10141204000000000000000000003",0,"1/3"],"view":[0,0,1],"dot":1,"cosine":-0.57735026918962573,"culled":false}
 ]})");
-    EXPECT_THAT(
-        run("show long.json --last").out,
-        HasSubstr("\nface ABC: normal (49977918.../10141204... = 4.928204, 0, 1/3) . to eye "
-                  "(0, 0, 1) = 1, cosine -0.57735 (125.26 degrees): drawn\n"));
+    EXPECT_THAT(run("show long.json --last").out,
+                HasSubstr("\nface ABC: normal (49977918.../10141204... = 4.928204, 0, 1/3) . to "
+                          "eye (0, 0, 1) = 1, cosine -0.57735 (125.26 degrees): drawn\n"));
 }
 
 TEST_F(ProgramTest, AdaptiveWritesJsonBeyondTheDoubles) {
@@ -190,12 +187,11 @@ TEST_F(ProgramTest, ShowWalksAVertexThroughSixSpaces) {
                     "   9  vertex A in canonical space: (0, 2, -2) / 3 = (0, 2/3, -2/3)\n"
                     "  10  vertex A in screen space: (20, 10/3), from canonical (0, 2/3, -2/3)\n"
                     "  11  vertex B in object space: (1, -1, -1)\n")));
-    EXPECT_THAT(
-        run("show $examples/t4-pipeline/six-spaces.json --every matrix").out,
-        StartsWith("A vertex through six spaces\n"
-                   "\n"
-                   "   1  model matrix = translate x rotate x scale:  [0 -1 0 1]  [2 0 0 0]  "
-                   "[0 0 1 0]  [0 0 0 1]\n"));
+    EXPECT_THAT(run("show $examples/t4-pipeline/six-spaces.json --every matrix").out,
+                StartsWith("A vertex through six spaces\n"
+                           "\n"
+                           "   1  model matrix = translate x rotate x scale:  [0 -1 0 1]  [2 0 0 "
+                           "0]  [0 0 1 0]  [0 0 0 1]\n"));
     EXPECT_THAT(run("show $examples/t4-pipeline/behind-the-eye.json --every clip").out,
                 HasSubstr("wing clipped at the near plane: 2 of 3 vertices inside, 4 left\n"));
 }
@@ -230,11 +226,9 @@ TEST_F(ProgramTest, FacesOfAFileAreCutAndToldOf) {
     EXPECT_EQ(outcome.status, 0);
     EXPECT_THAT(outcome.out,
                 HasSubstr("\na.f1.1\na.f1.2\na.f2.1\na.f2.2\na.f3.1\na.f3.2\na.f4\na-2.f1.1\n"));
-    EXPECT_THAT(
-        run("show scene.json --every triangulate").out,
-        HasSubstr(
-            "\n   1  face a.f2 is not convex; its normal (0, 0, 32) is largest in z, which is "
-            "dropped; ears: a.f2.1; what is left is a.f2.2\n"));
+    EXPECT_THAT(run("show scene.json --every triangulate").out,
+                HasSubstr("\n   1  face a.f2 is not convex; its normal (0, 0, 32) is largest in z, "
+                          "which is dropped; ears: a.f2.1; what is left is a.f2.2\n"));
     const std::string of_face =
         "remark: expected faces whose edges do not cross, found 1 face whose "
         "edges do; in ";
@@ -286,9 +280,7 @@ TEST_F(ProgramTest, WorkingIsWrittenBelowTheSentence) {
                 AllOf(HasSubstr("-> floor -> 3\n    " + crossing), HasSubstr("\n> 2   . . . ")));
     EXPECT_THAT(shell(show + "--every scanline --format table --working").out,
                 HasSubstr("-> floor -> 3\n          " + crossing));
-    EXPECT_THAT(run("show $examples/t4-pipeline/six-spaces.json --every matrix "
-                    "--working")
-                    .out,
+    EXPECT_THAT(run("show $examples/t4-pipeline/six-spaces.json --every matrix --working").out,
                 HasSubstr("  [0 0 1 -4]  [0 0 0 1]\n"
                           "          d = p - l = (0, 0, 4) - (0, 0, 0) = (0, 0, 4), |d| = 4\n"));
     for (const std::string beside : {"--bare", "--every edge --format csv"})
@@ -314,10 +306,9 @@ TEST_F(ProgramTest, OptionsOfTheGridAskForFrames) {
 }
 
 TEST_F(ProgramTest, ListsOfListsAreReadableInTables) {
-    EXPECT_THAT(run("show $examples/t0-fill/first-triangle.json --every primitive "
-                    "--format markdown")
-                    .out,
-                HasSubstr(" | ((2, 5), (-4, -3), (5, -3)) | "));
+    EXPECT_THAT(
+        run("show $examples/t0-fill/first-triangle.json --every primitive --format markdown").out,
+        HasSubstr(" | ((2, 5), (-4, -3), (5, -3)) | "));
 }
 
 TEST_F(ProgramTest, ThePaintersOrderIsToldWhole) {
@@ -482,9 +473,8 @@ TEST_F(ProgramTest, AFileWithoutACommandIsShown) {
     EXPECT_EQ(shown.status, 0);
     EXPECT_EQ(run(scene + " --bare").out, shown.out);
     EXPECT_EQ(shell("cp " + scene + " a.json; $rastertrace a.json --bare").out, shown.out);
-    EXPECT_EQ(run("none.json").err,
-              "rastertrace: none.json: expected a file that can be read, found: No such file or "
-              "directory\n");
+    EXPECT_EQ(run("none.json").err, "rastertrace: none.json: expected a file that can be read, "
+                                    "found: No such file or directory\n");
 }
 
 TEST_F(ProgramTest, AWindowOfALargerCanvasNamesTheOptionThatShowsAllOfIt) {

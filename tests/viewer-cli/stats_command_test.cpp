@@ -41,15 +41,15 @@ TEST_F(ProgramTest, StatsNamesThePixelsOfSharedEdges) {
                 EndsWith("triangle ABC: 10 writes\n"
                          "triangle ACD: 10 writes, 4 over a pixel drawn before\n"
                          "outline ABC: 12 writes to 9 pixels, 12 over a pixel drawn before\n"
-                         "edge AC of ABC and ACD: 4 pixels written twice: "
-                         "(3, 3) (2, 2) (1, 1) (0, 0); 0 never\n"));
+                         "edge AC of ABC and ACD: 4 pixels written twice: (3, 3) (2, 2) (1, 1) (0, "
+                         "0); 0 never\n"));
     EXPECT_THAT(run("stats square.json --fill top-left").out,
                 EndsWith("triangle ABC: 6 writes\n"
                          "triangle ACD: 3 writes\n"
                          "  3 pixels on its boundary not drawn: (2, 2) (1, 1) (0, 0)\n"
                          "outline ABC: 12 writes to 9 pixels, 8 over a pixel drawn before\n"
-                         "outline ABC on triangle ABC: 4 pixels outside the fill: "
-                         "(3, 3) (3, 2) (3, 1) (3, 0)\n"));
+                         "outline ABC on triangle ABC: 4 pixels outside the fill: (3, 3) (3, 2) "
+                         "(3, 1) (3, 0)\n"));
     EXPECT_THAT(run("stats --json square.json").out,
                 HasSubstr(R"("edges":[{"edge":"AC","triangles":["ABC","ACD"],)"
                           R"("twice":{"count":4,"pixels":[[3,3],[2,2],[1,1],[0,0]]},)"
@@ -66,13 +66,12 @@ TEST_F(ProgramTest, StatsCountsHiddenPixelsAsCovered) {
                                          "G":[0,0,1],"H":[3,0,1],"I":[3,3,1]},
                              "triangles":["ABC","DEF",{"vertices":"GHI","color":"blue"}],
                              "method":{"fill":"barycentric","depth":"linear-z"}})");
-    EXPECT_THAT(
-        run("stats hidden.json").out,
-        EndsWith("triangle ABC: 10 writes\n"
-                 "triangle DEF: 0 writes, 10 hidden\n"
-                 "triangle GHI: 0 writes, 10 hidden\n"
-                 "depth ties: 10 pixels would have another color in another order: "
-                 "(3, 3) (2, 2) (3, 2) (1, 1) (2, 1) (3, 1) (0, 0) (1, 0) (2, 0) (3, 0)\n"));
+    EXPECT_THAT(run("stats hidden.json").out,
+                EndsWith("triangle ABC: 10 writes\n"
+                         "triangle DEF: 0 writes, 10 hidden\n"
+                         "triangle GHI: 0 writes, 10 hidden\n"
+                         "depth ties: 10 pixels would have another color in another order: (3, 3) "
+                         "(2, 2) (3, 2) (1, 1) (2, 1) (3, 1) (0, 0) (1, 0) (2, 0) (3, 0)\n"));
     write("culled.json", R"({"vertices":{"A":[0,0,1],"B":[3,0,1],"C":[3,3,1]},
                              "triangles":["ABC","ACB"],
                              "method":{"fill":"barycentric","cull":"back"}})");
@@ -104,8 +103,8 @@ TEST_F(ProgramTest, StatsAddsUpTheFacesOfAMesh) {
     EXPECT_THAT(run("stats mesh.json").out,
                 EndsWith("triangle PQR: 6 writes\n"
                          "mesh square: 2 primitives, 30 writes, 5 over a pixel drawn before\n"
-                         "1 edge within square: 5 pixels written twice: (0, 0) (1, 1) (2, 2) "
-                         "(3, 3) (4, 4); 0 never\n"));
+                         "1 edge within square: 5 pixels written twice: (0, 0) (1, 1) (2, 2) (3, "
+                         "3) (4, 4); 0 never\n"));
     EXPECT_THAT(run("stats mesh.json --json").out,
                 HasSubstr(R"({"kind":"triangle","name":"square.ACD","writes":15,)"));
     const Outcome cube = run("stats $examples/t3-light/lambert.json");

@@ -44,10 +44,9 @@ TEST_F(ProgramTest, StressWritesTheEntriesOfTheDocumentation) {
         "\n"
         "(0,0)-(60,10).\n"
         "\n"
-        "61 pixels. Naive with half away from zero and Bresenham differ at the 10 "
-        "ties, "
-        "first (3,1) against (3,0); with the same tie rule they are one line, unless rounded sums "
-        "miss the ties (dda).\n"
+        "61 pixels. Naive with half away from zero and Bresenham differ at the 10 ties, first "
+        "(3,1) against (3,0); with the same tie rule they are one line, unless rounded sums miss "
+        "the ties (dda).\n"
         "\n"
         "- dda: 2 pixels wrong (float); 8 pixels wrong (double)\n"
         "- naive, away, taken for bresenham: 10 pixels wrong (exact)\n"
@@ -68,8 +67,7 @@ TEST_F(ProgramTest, StressWritesTheEntriesOfTheDocumentation) {
         "\n"
         "B = C; the eye on a vertex; the eye in the plane.\n"
         "\n"
-        "Not drawn, and nothing is normalized to decide it. A textbook's N.E/|N.E| is "
-        "0/0.\n");
+        "Not drawn, and nothing is normalized to decide it. A textbook's N.E/|N.E| is 0/0.\n");
 }
 
 TEST_F(ProgramTest, StressWritesEntriesThatMarkdownReadsAsTheyAre) {
@@ -181,13 +179,12 @@ TEST_F(ProgramTest, StressLooksForCliffsInAScene) {
     write("calm.json", R"({"canvas": {"width": 16, "height": 16, "origin": "top-left"},
         "vertices": {"A": [1.25, 1.75], "B": [13.5, 3.25], "C": [4.75, 12.5]},
         "triangles": ["ABC"], "method": {"fill": "top-left"}})");
-    EXPECT_THAT(
-        run("stress calm.json").out,
-        StartsWith("calm.json\n"
-                   "\n"
-                   "Near no cliff: no sample within 2^-20 px of an edge, no sliver, nothing "
-                   "steep, deep, far out\n"
-                   "or edge-on.\n"));
+    EXPECT_THAT(run("stress calm.json").out,
+                StartsWith("calm.json\n"
+                           "\n"
+                           "Near no cliff: no sample within 2^-20 px of an edge, no sliver, "
+                           "nothing steep, deep, far out\n"
+                           "or edge-on.\n"));
 }
 
 TEST_F(ProgramTest, StressRefusesWhatItCannotRun) {

@@ -61,12 +61,12 @@ TEST_F(ProgramTest, ATraceIsCutDownAsIfItWereDrawnSo) {
     write("foreign.jsonl",
           "{\"rastertrace\":1,\"title\":\"\\u202e\",\"canvas\":{\"width\":3,\"height\":3}}\n"
           "{\"step\":\"\\u009b\\u007f\\u202e\\u00e9\"}\n{\"step\":\"\xC2\x9B\"}\n{\"end\":{}}\n");
-    EXPECT_EQ(run("trace foreign.jsonl --format jsonl").out,
-              "{\"rastertrace\":1,\"title\":\"\\u202e\",\"canvas\":{\"width\":3,\"height\":3}}\n"
-              "{\"step\":\"\\u009b\\u007f\\u202e\\u00e9\"}\n"
-              "{\"step\":\"\\u009b\"}\n"
-              "{\"end\":{\"steps\":2,\"count\":{\"\\u009b\":1,"
-              "\"\\u009b\\u007f\\u202e\xC3\xA9\":1}}}\n");
+    EXPECT_EQ(
+        run("trace foreign.jsonl --format jsonl").out,
+        "{\"rastertrace\":1,\"title\":\"\\u202e\",\"canvas\":{\"width\":3,\"height\":3}}\n"
+        "{\"step\":\"\\u009b\\u007f\\u202e\\u00e9\"}\n"
+        "{\"step\":\"\\u009b\"}\n"
+        "{\"end\":{\"steps\":2,\"count\":{\"\\u009b\":1,\"\\u009b\\u007f\\u202e\xC3\xA9\":1}}}\n");
     // Neither a trace that breaks off nor itself is written.
     shell("head -n 20 whole.jsonl >cut.jsonl; cp whole.json older.json");
     EXPECT_THAT(refusal("cut.jsonl --only vertex -o older.json"), HasSubstr("truncated"));
@@ -106,8 +106,7 @@ TEST_F(ProgramTest, MethodIsOverriddenOnTheCommandLine) {
                         "found a trace, which is drawn already\n"));
     EXPECT_EQ(run("show x --rounding trunkate").err,
               "rastertrace: --rounding: expected one of floor, nearest, truncate, inside, "
-              "half-open, found "
-              "\"trunkate\"\nhint: did you mean truncate?\n");
+              "half-open, found \"trunkate\"\nhint: did you mean truncate?\n");
 }
 
 TEST_F(ProgramTest, AMethodMayStandInAFile) {

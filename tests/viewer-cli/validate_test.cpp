@@ -182,8 +182,8 @@ TEST_F(ValidateTest, WhatComesBeforeTheEndOfTheReadingIsToldToo) {
 TEST_F(ValidateTest, ATextOfAnyKindIsTakenForClaims) {
     write("letter.txt", "Dear reader,\n");
     EXPECT_THAT(run("validate letter.txt").err,
-                StartsWith("rastertrace: letter.txt:1:6: taken for claims, since it is no "
-                           "JSON: expected a space ("));
+                StartsWith("rastertrace: letter.txt:1:6: taken for claims, since it is no JSON: "
+                           "expected a space ("));
     write("claims.txt", "scene: scene.json\nDear reader\n");
     EXPECT_THAT(run("validate claims.txt").err,
                 StartsWith("rastertrace: claims.txt:2:6: expected a space ("));
