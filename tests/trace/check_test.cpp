@@ -29,16 +29,13 @@ using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
 
-/// T0's triangle.
-const std::string triangle = R"({"canvas":{"width":17,"height":14},
- "vertices":{"A":[2,5],"B":[-4,-3],"C":[5,-3]},"triangles":["ABC"],"method":{"scalar":"exact"}})";
-
-/// The triangle, drawn with other choices.
+/// T0's triangle, drawn by a method.
 std::string triangle_by(const std::string& method) {
     return R"({"canvas":{"width":17,"height":14},"vertices":{"A":[2,5],"B":[-4,-3],"C":[5,-3]},)"
            R"("triangles":["ABC"],"method":{)" +
            method + "}}";
 }
+const std::string triangle = triangle_by(R"("scalar":"exact")");
 
 /// The verdicts, a letter each: r, w, f, o.
 std::string verdicts(const Checked& checked) {

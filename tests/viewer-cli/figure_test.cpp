@@ -141,61 +141,52 @@ TEST_F(FigureTest, Parts) {
 }
 
 TEST_F(FigureTest, PartsThatTheSceneCannotHave) {
-    EXPECT_EQ(refusal("--with space -o x.svg"),
-              "rastertrace: --with space: expected vertices in space, found a scene that is typed "
-              "in pixels, or in clip space\n"
-              "hint: of a scene whose vertices have z: --keep model tells where they are\n");
-    EXPECT_EQ(refusal("--view space -o x.svg"),
-              "rastertrace: --view space: expected vertices in space, found a scene that is typed "
-              "in pixels, or in clip space\n"
-              "hint: of a scene whose vertices have z: --keep model tells where they are\n");
-    EXPECT_EQ(refusal("--with errors -o x.svg"),
-              "rastertrace: --with errors: expected a frame of Bresenham's line, found another\n"
-              "hint: --step last, or another step of such a line\n");
-    EXPECT_EQ(refusal("--with plot -o x.svg"),
-              "rastertrace: --with plot: expected a triangle with depths of linear-z or inverse-z, "
-              "found none\n"
-              "hint: --depth linear-z --keep depth tests a triangle that no other one can hide\n");
-    EXPECT_EQ(refusal("--with depths -o x.svg"),
-              "rastertrace: --with depths: expected a scene with depth tests, found none\n"
-              "hint: --depth linear-z --keep depth tests what no other triangle can hide, too\n");
-    EXPECT_EQ(refusal("--with weights -o x.svg"),
-              "rastertrace: --with weights: expected a fill that tests samples by weights, found "
-              "none\n"
-              "hint: --fill barycentric\n");
+    struct Row {
+        std::string part, more, message, hint;
+    };
+    const std::vector<Row> rows{
+        {"--with space", "",
+         "vertices in space, found a scene that is typed in pixels, or in clip space",
+         "of a scene whose vertices have z: --keep model tells where they are"},
+        {"--view space", "",
+         "vertices in space, found a scene that is typed in pixels, or in clip space",
+         "of a scene whose vertices have z: --keep model tells where they are"},
+        {"--with errors", "", "a frame of Bresenham's line, found another",
+         "--step last, or another step of such a line"},
+        {"--with plot", "", "a triangle with depths of linear-z or inverse-z, found none",
+         "--depth linear-z --keep depth tests a triangle that no other one can hide"},
+        {"--with depths", "", "a scene with depth tests, found none",
+         "--depth linear-z --keep depth tests what no other triangle can hide, too"},
+        {"--with weights", "", "a fill that tests samples by weights, found none",
+         "--fill barycentric"},
+        {"--with row", "", "a frame with a scanline, found none",
+         "--step \"scanline ...\", or another step of its row"},
+        {"--with row", " --step \"scanline y=2\" --region -8,-6,8,1",
+         "a frame with a scanline, found none",
+         "--step \"scanline ...\", or another step of its row"},
+        {"--with row", " --fill barycentric", "a scene with scanlines, found none",
+         "--fill scanline draws triangles row by row"},
+        {"--with half-planes", " --until 1", "a frame of a triangle, found another",
+         "--step \"primitive ...\", or another step of a triangle"},
+        {"--with rejected", "", "a scene with pixels that are tested and not drawn, found none",
+         "--fill barycentric tests pixels beside a triangle, too"},
+        {"--with rejected", " --fill barycentric --step \"sample inside=true x=0 y=0\"",
+         "a frame with a pixel that was tested and not drawn, found none",
+         "--step of a sample or of a depth test that fails; without --step, all of them"}};
+    for (const auto& [part, more, message, hint] : rows)
+        EXPECT_EQ(refusal(part + more + " -o x.svg"),
+                  "rastertrace: " + part + ": expected " + message + "\nhint: " + hint + "\n");
     EXPECT_EQ(run("figure $examples/t0-hidden/two-depths.json --with plot --step \"scanline in=DEF "
                   "y=1\" -o x.svg")
                   .err,
               "rastertrace: --with plot: expected a frame with two depths along a row or a side, "
               "found fewer\n"
               "hint: --step \"scanline ...\" of a longer row\n");
-    EXPECT_EQ(refusal("--with row -o x.svg"),
-              "rastertrace: --with row: expected a frame with a scanline, found none\n"
-              "hint: --step \"scanline ...\", or another step of its row\n");
-    EXPECT_EQ(refusal("--with row --step \"scanline y=2\" --region -8,-6,8,1 -o x.svg"),
-              "rastertrace: --with row: expected a frame with a scanline, found none\n"
-              "hint: --step \"scanline ...\", or another step of its row\n");
-    EXPECT_EQ(refusal("--with row --fill barycentric -o x.svg"),
-              "rastertrace: --with row: expected a scene with scanlines, found none\n"
-              "hint: --fill scanline draws triangles row by row\n");
-    EXPECT_EQ(refusal("--with half-planes --until 1 -o x.svg"),
-              "rastertrace: --with half-planes: expected a frame of a triangle, found another\n"
-              "hint: --step \"primitive ...\", or another step of a triangle\n");
     EXPECT_EQ(
         run("figure $examples/t2-lines/bresenham.json --every decide --with half-planes -o x.svg")
             .err,
         "rastertrace: --with half-planes: expected a scene with triangles on the screen, found "
         "none\n");
-    EXPECT_EQ(refusal("--with rejected -o x.svg"),
-              "rastertrace: --with rejected: expected a scene with pixels that are tested and not "
-              "drawn, found none\n"
-              "hint: --fill barycentric tests pixels beside a triangle, too\n");
-    EXPECT_EQ(refusal("--with rejected --fill barycentric --step \"sample inside=true x=0 y=0\" -o "
-                      "x.svg"),
-              "rastertrace: --with rejected: expected a frame with a pixel that was tested and not "
-              "drawn, found none\n"
-              "hint: --step of a sample or of a depth test that fails; without --step, all of "
-              "them\n");
     // The hints help.
     EXPECT_EQ(figure("--with row --step \"scanline y=2\" -o x.svg").status, 0);
     EXPECT_EQ(figure("--with half-planes --step \"primitive\" -o x.svg").status, 0);

@@ -61,11 +61,11 @@ TEST_F(ProgramTest, ReportQuotesTitlesForEveryFormat) {
 TEST_F(ProgramTest, ReportHasTheSameNumbersTwiceButForTheTimes) {
     write("line.json", R"({"vertices":{"A":[0,0],"B":[100,300]},"lines":["AB"]})");
     const std::string numbers =
-        "$rastertrace report --quick line.json --jobs edge --format json | grep -E "
+        "report --quick line.json --jobs edge --format json | grep -E "
         "'\"(method|setting|value|count|of|adds|multiplies|divides|comparisons)\"'";
-    const Outcome once = shell(numbers);
+    const Outcome once = run(numbers);
     EXPECT_THAT(once.out, HasSubstr("\"value\": "));
-    EXPECT_EQ(shell(numbers).out, once.out);
+    EXPECT_EQ(run(numbers).out, once.out);
 }
 
 TEST_F(ProgramTest, ReportRefusesBeforeItMeasures) {

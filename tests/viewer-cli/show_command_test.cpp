@@ -83,21 +83,20 @@ TEST_F(ProgramTest, ShowTellsManyStepsOfAKindAsATable) {
                       Not(HasSubstr("-5-4-3"))));
     EXPECT_THAT(shell(cube + "--every depth --frames").out, HasSubstr("-5-4-3"));
 
-    const std::string rows =
-        "$rastertrace show $examples/t0-fill/first-triangle.json --every scanline ";
+    const std::string rows = "show $examples/t0-fill/first-triangle.json --every scanline ";
     EXPECT_THAT(
-        shell(rows + "--format csv").out,
+        run(rows + "--format csv").out,
         StartsWith("step,y,left,right,from,to,left_edge,right_edge,left_depth,right_depth\r\n"
                    "5,5,2,2,2,2,AB,AC,,\r\n"
                    "7,4,5/4,19/8,1,2,AB,AC,,\r\n"));
-    EXPECT_THAT(shell(rows + "--format markdown").out,
+    EXPECT_THAT(run(rows + "--format markdown").out,
                 HasSubstr("\n| 7 | 4 | 5/4 | 19/8 | 1 | 2 | AB | AC |  |  |\n"));
-    const auto steps = nlohmann::json::parse(shell(rows + "--format json").out);
+    const auto steps = nlohmann::json::parse(run(rows + "--format json").out);
     ASSERT_EQ(steps.size(), 9u);
     EXPECT_EQ(steps[1]["left"], "5/4");
     EXPECT_EQ(run("show $examples/t0-fill/first-triangle.json --format csv").err,
               "rastertrace: --format: expected --every or --step beside it, found \"csv\"\n");
-    EXPECT_EQ(shell(rows + "--format cvs").err,
+    EXPECT_EQ(run(rows + "--format cvs").err,
               "rastertrace: --format: expected one of table, markdown, csv, json, found \"cvs\"\n"
               "hint: did you mean csv?\n");
 }

@@ -219,8 +219,8 @@ TEST_F(ValidateTest, AColorIsOneThatCanBeDrawn) {
     // Each digit of #rgb counts twice: it is the red of #ff0000.
     EXPECT_THAT(changed("2s/#000000/#f00/;$s/\"frame\":\"[^\"]*\"/\"title\":\"\"/"),
                 Ends(0, _, ""));
-    const std::string view = "$rastertrace explain bad.json --pixel 3,2 --json";
-    EXPECT_THAT(shell(view).out, HasSubstr("\"after\":\"ABC #ff0000\""));
+    const std::string view = "explain bad.json --pixel 3,2 --json";
+    EXPECT_THAT(run(view).out, HasSubstr("\"after\":\"ABC #ff0000\""));
 
     for (const char* const color : {"\"blurple\"", "\"#12\"", "\"#ff00f\"", "\"\"", "7", "null"}) {
         const std::string message =
