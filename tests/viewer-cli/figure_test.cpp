@@ -427,11 +427,10 @@ TEST_F(FigureTest, APageRefusesWhatItHasNot) {
     const std::string formats = "expected one of svg, png, tex, txt, gif, found html\n";
     for (const std::string option :
          {"--until 3", "--every scanline", "--with edges", "--without edges", "--caption x",
-          "--region 0,0,1,1", "--bare"}) {
+          "--region 0,0,1,1", "--bare"})
         EXPECT_THAT(refusal(option + " -o x.html"),
                     AllOf(HasSubstr(formats), HasSubstr(option.substr(0, option.find(' ')))))
             << option;
-    }
     for (const std::string option :
          {"--sheet 2x2", "--animate", "--seconds 1", "--scale 2", "--width 100", "--cell 10",
           "--palette scene", "--against rounding=nearest"})
@@ -439,10 +438,9 @@ TEST_F(FigureTest, APageRefusesWhatItHasNot) {
 }
 
 TEST_F(FigureTest, APageTakesWhatSaysHowItBegins) {
-    const Outcome told =
-        figure("--step \"scanline y=2\" --view writes --title \"<T>\" --theme dark "
-               "--rounding nearest -o x.html");
-    EXPECT_EQ(told.status, 0) << told.err;
+    EXPECT_THAT(figure("--step \"scanline y=2\" --view writes --title \"<T>\" --theme dark "
+                       "--rounding nearest -o x.html"),
+                Ends(0));
     EXPECT_THAT(content("x.html"),
                 AllOf(HasSubstr("\"view\":\"writes\",\"step\":"),
                       HasSubstr("<title>&lt;T&gt;</title>"),

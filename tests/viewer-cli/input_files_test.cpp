@@ -201,13 +201,11 @@ TEST_F(ProgramTest, StepsThatAreHeldHaveALimitThatCanBeRaised) {
 }
 
 TEST_F(ProgramTest, ALineOfATraceHasAnEnd) {
-    const Outcome refused =
-        shell("(echo '{\"rastertrace\":1,\"canvas\":{\"width\":3,\"height\":3}}'; "
-              "head -c 16000001 /dev/zero | tr '\\000' ' '; echo '{\"step\":\"pixel\"}') | "
-              "$rastertrace stats -");
-    EXPECT_EQ(refused.status, 2);
-    EXPECT_THAT(refused.err, HasSubstr("standard input:2:1: expected lines of at most 16 MB in a "
-                                       "trace, found a longer one"));
+    EXPECT_THAT(
+        shell("(echo '{\"rastertrace\":1,\"canvas\":{\"width\":3,\"height\":3}}'; head -c 16000001 "
+              "/dev/zero | tr '\\000' ' '; echo '{\"step\":\"pixel\"}') | $rastertrace stats -"),
+        Refused(HasSubstr(
+            "standard input:2:1: expected lines of at most 16 MB in a trace, found a longer one")));
 }
 
 // The largest file that the file system makes has no byte on the disk.
@@ -302,9 +300,8 @@ TEST_F(ProgramTest, AnObjFileLiesInTheFolderOfItsScene) {
                         HasSubstr("expected an OBJ file in the scene's folder or below, found \""),
                         EndsWith("hint: --allow-outside lets it lie anywhere\n"))))
             << path;
-        for (const std::string command : {"plan", "trace", "show", "stats", "stress"}) {
+        for (const std::string command : {"plan", "trace", "show", "stats", "stress"})
             EXPECT_THAT(run(command + " scenes/scene.json --allow-outside"), Ends(0)) << path;
-        }
     }
     write("scenes/scene.json", scene("../no-such-file.obj"));
     EXPECT_THAT(run("plan scenes/scene.json").err, HasSubstr("or below, found"))
@@ -355,22 +352,19 @@ TEST_F(ProgramTest, NamesThatDifferLookDifferent) {
 TEST_F(ProgramTest, ASystemThatCannotOpenFilesIsNoBadInput) {
     write("bad.json", "not JSON");
     // 5: EIO, 12: ENOMEM, 23: ENFILE, 24: EMFILE
-    for (const std::string error : {"5", "12", "23", "24"}) {
-        const Outcome outcome =
+    for (const std::string error : {"5", "12", "23", "24"})
+        EXPECT_THAT(
             shell("FAIL_CALL=open FAIL_AT=1 FAIL_ERRNO=" + error +
-                  " LD_PRELOAD=" RASTERTRACE_FAILING_CALLS " $rastertrace show bad.json");
-        EXPECT_EQ(outcome.status, 3) << error;
-        EXPECT_THAT(outcome.err,
-                    StartsWith("rastertrace: bad.json: expected a file that can be read, found: "));
-    }
+                  " LD_PRELOAD=" RASTERTRACE_FAILING_CALLS " $rastertrace show bad.json"),
+            Ends(3, _,
+                 StartsWith("rastertrace: bad.json: expected a file that can be read, found: ")))
+            << error;
     write("mesh.json", R"({"canvas": {"width": 9, "height": 9}, "meshes": [{"obj": "c.obj"}]})");
-    const Outcome mesh =
-        shell("FAIL_CALL=open FAIL_AT=3 "
-              "LD_PRELOAD=" RASTERTRACE_FAILING_CALLS " $rastertrace show mesh.json");
-    EXPECT_EQ(mesh.status, 3);
-    EXPECT_EQ(mesh.err,
-              "rastertrace: c.obj: expected a file that can be read, found: Too many open "
-              "files\n");
+    EXPECT_THAT(
+        shell("FAIL_CALL=open FAIL_AT=3 LD_PRELOAD=" RASTERTRACE_FAILING_CALLS
+              " $rastertrace show mesh.json"),
+        Ends(3, _,
+             "rastertrace: c.obj: expected a file that can be read, found: Too many open files\n"));
 }
 
 // A depth for each of 500,000 pixels, each a fraction whose digits GMP keeps.

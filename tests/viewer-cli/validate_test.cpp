@@ -115,11 +115,10 @@ TEST_F(ValidateTest, ASceneIsValidIfEveryFrameCanBeDrawn) {
 
 TEST_F(ValidateTest, ATraceIsReadToItsEnd) {
     for (const char* const trace : {"trace.json", "trace.jsonl"}) {
-        const Outcome cut =
-            shell("head -20 " + std::string(trace) + " > cut.json; $rastertrace validate cut.json");
-        EXPECT_EQ(cut.status, 2);
-        EXPECT_EQ(cut.err, "rastertrace: cut.json:21:1: expected the rest of the trace, found the "
-                           "end of the file: the trace is truncated after 19 whole steps\n");
+        EXPECT_THAT(
+            shell("head -20 " + std::string(trace) + " > cut.json; $rastertrace validate cut.json"),
+            Refused("rastertrace: cut.json:21:1: expected the rest of the trace, found the end of "
+                    "the file: the trace is truncated after 19 whole steps\n"));
         // The picture is drawn, and each count compared.
         EXPECT_THAT(changed("$s/\"pixels\":49/\"pixels\":48/", trace).err,
                     HasSubstr("expected 48 pixels as the end record says, found 49\n"));
@@ -157,20 +156,17 @@ TEST_F(ValidateTest, FieldsThatReadersPassOverAreTold) {
 }
 
 TEST_F(ValidateTest, StepsThatCannotBeUsedDoNotHideTheRest) {
-    for (const char* const trace : {"trace.json", "trace.jsonl"}) {
-        const Outcome told =
+    for (const char* const trace : {"trace.json", "trace.jsonl"})
+        EXPECT_THAT(
             changed("3s/\"edge\":\"AB\",//;4s/\"step\":\"edge\"/\"step\":5/;6s/\"y\":5/\"y\":0.5/;"
                     "8s/\"left_edge\":\"AB\"/\"left_edge\":1/",
-                    trace);
-        EXPECT_EQ(told.status, 2);
-        EXPECT_THAT(told.err, HasSubstr("bad.json:3:1: expected a edge step with the key "
-                                        "\"edge\", found none\n"));
-        EXPECT_THAT(told.err, HasSubstr("bad.json:4:1: expected"));
-        EXPECT_THAT(told.err, HasSubstr("bad.json:6:24: expected a whole number, found 0.5\n"));
-        EXPECT_THAT(told.err, HasSubstr("expected a string for left_edge, found 1\n"));
-        EXPECT_THAT(told.err, Not(HasSubstr("as the end record says")));
-        EXPECT_THAT(told.err, Not(HasSubstr("remark")));
-    }
+                    trace),
+            Refused(AllOf(
+                HasSubstr("bad.json:3:1: expected a edge step with the key \"edge\", found none\n"),
+                HasSubstr("bad.json:4:1: expected"),
+                HasSubstr("bad.json:6:24: expected a whole number, found 0.5\n"),
+                HasSubstr("expected a string for left_edge, found 1\n"),
+                Not(HasSubstr("as the end record says")), Not(HasSubstr("remark")))));
 }
 
 TEST_F(ValidateTest, WhatComesBeforeTheEndOfTheReadingIsToldToo) {
@@ -203,16 +199,15 @@ TEST_F(ValidateTest, APlaceFarBehindTheFirstBlockIsTold) {
 }
 
 TEST_F(ValidateTest, WhatAForeignRasterizerAddsIsARemark) {
-    const Outcome foreign =
-        changed("6s/\"step\":\"scanline\"/\"step\":\"wobble\"/;3s/\"AB\"/\"AB\",\"slope\":3/;"
-                "$s/\"scanline\":9/\"scanline\":8/");
-    EXPECT_EQ(foreign.status, 0);
-    EXPECT_EQ(foreign.out, "bad.json: a trace of version 1, 62 steps, complete; stats can judge "
-                           "holes, twice, outside, rows\n");
-    EXPECT_EQ(foreign.err, "rastertrace: bad.json: remark: kinds of step that this program does "
-                           "not know: wobble (1)\n"
-                           "rastertrace: bad.json: remark: fields that steps of these kinds do not "
-                           "have: edge.slope (1)\n");
+    EXPECT_THAT(changed("6s/\"step\":\"scanline\"/\"step\":\"wobble\"/;3s/\"AB\"/"
+                        "\"AB\",\"slope\":3/;$s/\"scanline\":9/\"scanline\":8/"),
+                Ends(0,
+                     "bad.json: a trace of version 1, 62 steps, complete; stats can judge holes, "
+                     "twice, outside, rows\n",
+                     "rastertrace: bad.json: remark: kinds of step that this program does not "
+                     "know: wobble (1)\n"
+                     "rastertrace: bad.json: remark: fields that steps of these kinds do not have: "
+                     "edge.slope (1)\n"));
 }
 
 TEST_F(ValidateTest, AColorIsOneThatCanBeDrawn) {
