@@ -34,11 +34,10 @@ protected:
     /// The message of a figure that is refused, and that it left no file.
     std::string refusal(const std::string& arguments) const {
         const std::size_t files = visible_files();
-        const Outcome told = figure(arguments);
-        EXPECT_EQ(told.status, 2) << arguments;
-        EXPECT_EQ(told.out, "") << arguments;
+        const std::string told =
+            ProgramTest::refusal("figure $examples/t0-fill/first-triangle.json " + arguments);
         EXPECT_EQ(visible_files(), files) << arguments;
-        return told.err;
+        return told;
     }
 };
 

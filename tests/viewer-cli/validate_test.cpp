@@ -150,8 +150,8 @@ TEST_F(ValidateTest, FieldsThatReadersPassOverAreTold) {
     const std::size_t title = both.err.find(":1:");
     const std::size_t edge = both.err.find(":3:36: expected a number, an exact one");
     const std::size_t frame = both.err.find(":64:");
-    EXPECT_NE(both.err.find("expected a string for title, found 7\n"), std::string::npos);
-    EXPECT_NE(both.err.find("expected a string for frame, found 5\n"), std::string::npos);
+    EXPECT_THAT(both.err, HasSubstr("expected a string for title, found 7\n"));
+    EXPECT_THAT(both.err, HasSubstr("expected a string for frame, found 5\n"));
     EXPECT_TRUE(title < edge && edge < frame && frame != std::string::npos) << both.err;
 }
 
