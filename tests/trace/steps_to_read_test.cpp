@@ -11,7 +11,6 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <map>
@@ -20,8 +19,6 @@
 
 namespace rastertrace {
 namespace {
-
-namespace fs = std::filesystem;
 
 /// A triangle in each cell of a grid.
 std::string many_triangles(std::string_view method) {
@@ -101,16 +98,11 @@ std::size_t expect_same_answers(const Trace& trace, std::size_t most, int every)
 }
 
 TEST(StepsToRead, TellOfTheExamplesAsAllStepsDo) {
-    std::vector<fs::path> examples;
-    for (const auto& entry : fs::recursive_directory_iterator(RASTERTRACE_EXAMPLES))
-        if (entry.path().extension() == ".json")
-            examples.push_back(entry.path());
-    std::sort(examples.begin(), examples.end()); // a folder has no order
     std::size_t counted = 0;
-    for (const fs::path& example : examples) {
+    for (const std::string& example : example_files()) {
         std::ifstream file(example, std::ios::binary);
         const auto scene =
-            read_scene({example.string(), std::string(std::istreambuf_iterator<char>(file), {})});
+            read_scene({example, std::string(std::istreambuf_iterator<char>(file), {})});
         constexpr std::size_t largest = 100'000;
         if (!scene)
             continue;
