@@ -12,11 +12,23 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <filesystem>
 #include <string>
 #include <utility>
 #include <vector>
 
 namespace rastertrace {
+
+/// The scenes of the examples by their paths, in one order on every machine.
+inline std::vector<std::string> example_files() {
+    std::vector<std::string> files;
+    for (const auto& entry : std::filesystem::recursive_directory_iterator(RASTERTRACE_EXAMPLES))
+        if (entry.path().extension() == ".json")
+            files.push_back(entry.path().string());
+    std::sort(files.begin(), files.end());
+    return files;
+}
 
 /// The scene that a file of this text describes.
 inline Scene scene_in(const std::string& text) {

@@ -101,22 +101,29 @@ template <typename Scalar> void top_left(benchmark::State& state) {
     });
 }
 
-/// The textbook's loop.
+/// The textbook's loop over the box of a triangle: `use` gets each pixel of a canvas of `side` x `side`, and its weights.
+template <typename Use>
+void for_each_in_box(const Triangle<double>& triangle, int side, Use&& use) {
+    const glm::vec2 a(triangle.vertices[0]), b(triangle.vertices[1]), c(triangle.vertices[2]);
+    const glm::vec2 last(static_cast<float>(side - 1));
+    const glm::vec2 low = glm::max(glm::floor(glm::min(a, glm::min(b, c))), glm::vec2(0));
+    const glm::vec2 high = glm::min(glm::ceil(glm::max(a, glm::max(b, c))), last);
+    for (int y = static_cast<int>(low.y); y <= static_cast<int>(high.y); ++y)
+        for (int x = static_cast<int>(low.x); x <= static_cast<int>(high.x); ++x) {
+            const glm::vec2 p(static_cast<float>(x) + 0.5F, static_cast<float>(y) + 0.5F);
+            const glm::vec3 cross = glm::cross(glm::vec3(b.x - a.x, c.x - a.x, a.x - p.x),
+                                               glm::vec3(b.y - a.y, c.y - a.y, a.y - p.y));
+            use(Pixel{x, y}, glm::vec3(1.0F - (cross.x + cross.y) / cross.z, cross.x / cross.z,
+                                       cross.y / cross.z));
+        }
+}
+
 void glm_barycentric(benchmark::State& state) {
     run<double>(state, [](const Triangle<double>& triangle, Image& image) {
-        const glm::vec2 a(triangle.vertices[0]), b(triangle.vertices[1]), c(triangle.vertices[2]);
-        const glm::vec2 low = glm::max(glm::floor(glm::min(a, glm::min(b, c))), glm::vec2(0));
-        const glm::vec2 high = glm::min(glm::ceil(glm::max(a, glm::max(b, c))), glm::vec2(511));
-        for (int y = static_cast<int>(low.y); y <= static_cast<int>(high.y); ++y)
-            for (int x = static_cast<int>(low.x); x <= static_cast<int>(high.x); ++x) {
-                const glm::vec2 p(static_cast<float>(x) + 0.5F, static_cast<float>(y) + 0.5F);
-                const glm::vec3 cross = glm::cross(glm::vec3(b.x - a.x, c.x - a.x, a.x - p.x),
-                                                   glm::vec3(b.y - a.y, c.y - a.y, a.y - p.y));
-                const glm::vec3 weights(1.0F - (cross.x + cross.y) / cross.z, cross.x / cross.z,
-                                        cross.y / cross.z);
-                if (weights.x >= 0 && weights.y >= 0 && weights.z >= 0)
-                    image.at({x, y}) = Color{};
-            }
+        for_each_in_box(triangle, 512, [&image](Pixel pixel, const glm::vec3& weights) INLINED {
+            if (weights.x >= 0 && weights.y >= 0 && weights.z >= 0)
+                image.at(pixel) = Color{};
+        });
     });
 }
 
@@ -156,35 +163,25 @@ template <typename Scalar> void top_left_with_depth(benchmark::State& state) {
     });
 }
 
-/// The textbook's loop with a depth buffer: it divides at every pixel of the box.
+/// With a depth buffer: it divides at every pixel of the box.
 void glm_barycentric_with_depth(benchmark::State& state) {
-    const auto side = static_cast<std::size_t>(state.range(1));
-    std::vector<float> z_buffer(side * side, 1e9F);
+    const auto side = static_cast<int>(state.range(1));
+    std::vector<float> z_buffer(static_cast<std::size_t>(side) * static_cast<std::size_t>(side),
+                                1e9F);
     run_with_depth<double>(state, [&](const Triangle<double>& triangle,
                                       const std::array<double, 3>& depths, Image& image,
                                       DepthTests<double>&) {
-        const glm::vec2 a(triangle.vertices[0]), b(triangle.vertices[1]), c(triangle.vertices[2]);
         const glm::vec3 inverse_z(depths[0], depths[1], depths[2]);
-        const float limit = static_cast<float>(side - 1);
-        const glm::vec2 low = glm::max(glm::floor(glm::min(a, glm::min(b, c))), glm::vec2(0));
-        const glm::vec2 high = glm::min(glm::ceil(glm::max(a, glm::max(b, c))), glm::vec2(limit));
-        for (int y = static_cast<int>(low.y); y <= static_cast<int>(high.y); ++y)
-            for (int x = static_cast<int>(low.x); x <= static_cast<int>(high.x); ++x) {
-                const glm::vec2 p(static_cast<float>(x) + 0.5F, static_cast<float>(y) + 0.5F);
-                const glm::vec3 cross = glm::cross(glm::vec3(b.x - a.x, c.x - a.x, a.x - p.x),
-                                                   glm::vec3(b.y - a.y, c.y - a.y, a.y - p.y));
-                const glm::vec3 weights(1.0F - (cross.x + cross.y) / cross.z, cross.x / cross.z,
-                                        cross.y / cross.z);
-                if (weights.x < 0 || weights.y < 0 || weights.z < 0)
-                    continue;
-                const float z = 1 / glm::dot(weights, inverse_z);
-                float& stored =
-                    z_buffer[static_cast<std::size_t>(y) * side + static_cast<std::size_t>(x)];
-                if (z < stored) {
-                    stored = z;
-                    image.at({x, y}) = Color{};
-                }
+        for_each_in_box(triangle, side, [&](Pixel pixel, const glm::vec3& weights) INLINED {
+            if (weights.x < 0 || weights.y < 0 || weights.z < 0)
+                return;
+            const float z = 1 / glm::dot(weights, inverse_z);
+            float& stored = z_buffer[image.canvas().offset_of(pixel)];
+            if (z < stored) {
+                stored = z;
+                image.at(pixel) = Color{};
             }
+        });
     });
 }
 

@@ -115,25 +115,21 @@ std::string picture_in(int width, int height, const std::vector<std::string>& co
 }
 
 TEST(Shapes, FlatTopAndFlatBottom) {
-    EXPECT_EQ(picture_in(5, 3, {"0", "2", "4", "2", "2", "0"}), "#####\n"
-                                                                ".###.\n"
-                                                                "..#..\n");
-    EXPECT_EQ(picture_in(5, 3, {"0", "0", "4", "0", "2", "2"}), "..#..\n"
-                                                                ".###.\n"
-                                                                "#####\n");
+    EXPECT_EQ(side_by_side({picture_in(5, 3, {"0", "2", "4", "2", "2", "0"}),
+                            picture_in(5, 3, {"0", "0", "4", "0", "2", "2"})}),
+              "#####  ..#..\n"
+              ".###.  .###.\n"
+              "..#..  #####\n");
 }
 
 TEST(Shapes, LongEdgeOnTheLeftAndOnTheRight) {
-    EXPECT_EQ(picture_in(4, 5, {"0", "0", "3", "2", "0", "4"}), "#...\n"
-                                                                "##..\n"
-                                                                "####\n"
-                                                                "##..\n"
-                                                                "#...\n");
-    EXPECT_EQ(picture_in(4, 5, {"3", "0", "0", "2", "3", "4"}), "...#\n"
-                                                                ".###\n"
-                                                                "####\n"
-                                                                ".###\n"
-                                                                "...#\n");
+    EXPECT_EQ(side_by_side({picture_in(4, 5, {"0", "0", "3", "2", "0", "4"}),
+                            picture_in(4, 5, {"3", "0", "0", "2", "3", "4"})}),
+              "#...  ...#\n"
+              "##..  .###\n"
+              "####  ####\n"
+              "##..  .###\n"
+              "#...  ...#\n");
 }
 
 TEST(Shapes, WithoutArea) {

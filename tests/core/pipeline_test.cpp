@@ -40,6 +40,14 @@ Matrix<Rational> viewport_matrix(const Viewport& viewport, const Canvas& canvas)
 
 using ::testing::ElementsAre;
 
+template <typename Scalar> Matrix<Scalar> matrix_of(const Matrix<Quantity>& told) {
+    Matrix<Scalar> matrix;
+    for (std::size_t row = 0; row < 4; ++row)
+        for (std::size_t column = 0; column < 4; ++column)
+            matrix.rows[row][column] = as<Scalar>(told.rows[row][column]);
+    return matrix;
+}
+
 /// Keeps where each vertex was placed, and the matrices.
 template <typename Scalar> struct PlaceSink {
     std::map<std::pair<std::string, Space>, std::vector<Scalar>> places;
@@ -58,10 +66,7 @@ template <typename Scalar> struct PlaceSink {
             snapped[{std::string(step.name), step.space}] = numbers(step.snapped);
     }
     void operator()(const MatrixSetUp<Quantity>& step) {
-        Matrix<Scalar>& matrix = matrices[std::string(step.name)];
-        for (std::size_t row = 0; row < 4; ++row)
-            for (std::size_t column = 0; column < 4; ++column)
-                matrix.rows[row][column] = as<Scalar>(step.matrix.rows[row][column]);
+        matrices[std::string(step.name)] = matrix_of<Scalar>(step.matrix);
     }
 
     const std::vector<Scalar>& at(const std::string& name, Space space) const {
@@ -433,21 +438,13 @@ struct FactorSink {
     };
     std::map<std::string, Told> told = {};
 
-    static Matrix<Rational> exact(const Matrix<Quantity>& matrix) {
-        Matrix<Rational> result;
-        for (std::size_t i = 0; i < 4; ++i)
-            for (std::size_t j = 0; j < 4; ++j)
-                result.rows[i][j] = matrix.rows[i][j].exact();
-        return result;
-    }
-
     void operator()(const MatrixSetUp<Quantity>& step) {
         Told& one = told[std::string(step.name)];
-        one.matrix = exact(step.matrix);
+        one.matrix = matrix_of<Rational>(step.matrix);
         one.product = identity<Rational>();
         for (const auto& factor : step.factors) {
             one.names.emplace_back(factor.name);
-            one.product = one.product * exact(factor.matrix);
+            one.product = one.product * matrix_of<Rational>(factor.matrix);
         }
         for (const auto& v : step.camera)
             one.camera.push_back({v.x.exact(), v.y.exact(), v.z.exact()});

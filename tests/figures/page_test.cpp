@@ -15,7 +15,6 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
-#include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <map>
@@ -119,14 +118,8 @@ struct Example {
 const std::vector<Example>& examples() {
     static const std::vector<Example> all = [] {
         constexpr auto most_steps = random_cases<std::size_t>(8'000);
-        std::vector<std::string> files;
-        for (const auto& entry :
-             std::filesystem::recursive_directory_iterator(RASTERTRACE_EXAMPLES))
-            if (entry.path().extension() == ".json")
-                files.push_back(entry.path().string());
-        std::sort(files.begin(), files.end());
         std::vector<Example> list;
-        for (const std::string& file : files) {
+        for (const std::string& file : example_files()) {
             std::ifstream text(file);
             auto read = read_scene({file, {std::istreambuf_iterator<char>(text), {}}});
             if (!read)

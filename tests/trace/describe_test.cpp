@@ -58,6 +58,15 @@ TEST(Describe, TheNextDIsTheOneThatFollows) {
               "at (0, 0): d = -1 <= 0, straight on to E; the next d is 1");
 }
 
+/// What is said of the first step of a trace.
+std::string first_sentence_of(const std::string& text) {
+    const auto trace = read_trace({"t", text});
+    EXPECT_TRUE(trace);
+    Replay replay(trace.value());
+    replay.go_to(1);
+    return describe_step(replay);
+}
+
 TEST(Describe, ASentenceIsItsPatternAndWhatStandsForThePlaceholders) {
     const Trace trace = trace_of(first_triangle());
     Replay replay(trace);
@@ -217,14 +226,10 @@ TEST(Describe, EdgeFunctionsSamplesHalvesAndRays) {
 
 /// T3: a level of 128 is 21.6 % of the light, not half of it.
 TEST(Describe, TheLevelOfALitFaceIsNotItsShareOfTheLight) {
-    const auto trace = read_trace(
-        {"t", "{\"rastertrace\":1,\"canvas\":{\"width\":3,\"height\":3}}\n"
-              "{\"step\":\"light\",\"name\":\"ABC\",\"normal\":[0,0,1],\"light\":[0,0,1],"
-              "\"dot\":1,\"intensity\":0.5,\"color\":\"#800000\"}\n{\"end\":{\"steps\":1}}\n"});
-    ASSERT_TRUE(trace);
-    Replay replay(trace.value());
-    replay.go_to(1);
-    EXPECT_EQ(describe_step(replay),
+    EXPECT_EQ(first_sentence_of(
+                  "{\"rastertrace\":1,\"canvas\":{\"width\":3,\"height\":3}}\n"
+                  "{\"step\":\"light\",\"name\":\"ABC\",\"normal\":[0,0,1],\"light\":[0,0,1],"
+                  "\"dot\":1,\"intensity\":0.5,\"color\":\"#800000\"}\n{\"end\":{\"steps\":1}}\n"),
               "light on ABC: normal (0, 0, 1) . light (0, 0, 1) = 1, intensity 0.5, color #800000 "
               "(level 128: 21.6 % of the light on an sRGB screen)");
 }
@@ -331,26 +336,18 @@ TEST(Describe, APointBesideTheEyeIsNotBehindIt) {
 
 /// A trace of some steps only does not know what kind of primitive was skipped.
 TEST(Describe, ASkippedPrimitiveOfUnknownKind) {
-    const auto trace = read_trace(
-        {"t",
-         "{\"rastertrace\":1,\"canvas\":{\"width\":3,\"height\":3},\"only\":[\"skip\"]}\n"
-         "{\"step\":\"skip\",\"name\":\"DGH\",\"why\":\"culled\"}\n{\"end\":{\"steps\":1}}\n"});
-    ASSERT_TRUE(trace);
-    Replay replay(trace.value());
-    replay.go_to(1);
-    EXPECT_EQ(describe_step(replay), "primitive DGH: skipped, culled");
+    EXPECT_EQ(
+        first_sentence_of(
+            "{\"rastertrace\":1,\"canvas\":{\"width\":3,\"height\":3},\"only\":[\"skip\"]}\n"
+            "{\"step\":\"skip\",\"name\":\"DGH\",\"why\":\"culled\"}\n{\"end\":{\"steps\":1}}\n"),
+        "primitive DGH: skipped, culled");
 }
 
 TEST(Describe, OnlyWhatIsCutIsCalledClipped) {
     const auto said_of_first = [](const std::string& next, const std::string& header = "") {
-        const auto trace =
-            read_trace({"t", R"({"rastertrace":1,"canvas":{"width":3,"height":3})" + header +
+        return first_sentence_of(R"({"rastertrace":1,"canvas":{"width":3,"height":3})" + header +
                                  "}\n" + R"({"step":"primitive","kind":"triangle","name":"ABC"})" +
-                                 "\n" + next + R"({"end":{}})" + "\n"});
-        EXPECT_TRUE(trace);
-        Replay replay(trace.value());
-        replay.go_to(1);
-        return describe_step(replay);
+                                 "\n" + next + R"({"end":{}})" + "\n");
     };
     const std::string clipped = "triangle ABC: not all of it can be seen, it is clipped";
     const std::string untold = "triangle ABC: the trace does not tell where it is";
@@ -369,13 +366,11 @@ TEST(Describe, OnlyWhatIsCutIsCalledClipped) {
 }
 
 TEST(Describe, StepsThatAreUnknown) {
-    const auto trace = read_trace(
-        {"t", "{\"rastertrace\":1,\"canvas\":{\"width\":3,\"height\":3}}\n"
-              "{\"step\":\"tile\",\"note\":\"\\u001b[2J \xC2\x9B\"}\n{\"end\":{\"steps\":1}}\n"});
-    ASSERT_TRUE(trace);
-    Replay replay(trace.value());
-    replay.go_to(1);
-    EXPECT_EQ(describe_step(replay), "{\"step\":\"tile\",\"note\":\"\\u001b[2J <U+009B>\"}");
+    EXPECT_EQ(
+        first_sentence_of(
+            "{\"rastertrace\":1,\"canvas\":{\"width\":3,\"height\":3}}\n"
+            "{\"step\":\"tile\",\"note\":\"\\u001b[2J \xC2\x9B\"}\n{\"end\":{\"steps\":1}}\n"),
+        "{\"step\":\"tile\",\"note\":\"\\u001b[2J <U+009B>\"}");
 }
 
 TEST(Describe, FacesInEars) {

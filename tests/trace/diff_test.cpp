@@ -18,7 +18,6 @@
 #include <algorithm>
 #include <array>
 #include <cstring>
-#include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <map>
@@ -69,17 +68,14 @@ std::vector<std::string> mirrored_counts_of(TraceDiff found) {
 /// The scenes of the examples, with their paths.
 std::vector<std::pair<std::string, std::string>> example_scenes() {
     std::vector<std::pair<std::string, std::string>> scenes;
-    for (const auto& entry : std::filesystem::recursive_directory_iterator(RASTERTRACE_EXAMPLES)) {
-        if (entry.path().extension() != ".json")
-            continue;
-        std::ifstream file(entry.path());
+    for (const std::string& path : example_files()) {
+        std::ifstream file(path);
         std::string text{std::istreambuf_iterator<char>(file), {}};
         if (text.find("\"canvas\"") != std::string::npos ||
             text.find("\"vertices\"") != std::string::npos ||
             text.find("\"meshes\"") != std::string::npos)
-            scenes.emplace_back(entry.path().string(), std::move(text));
+            scenes.emplace_back(path, std::move(text));
     }
-    std::sort(scenes.begin(), scenes.end());
     return scenes;
 }
 

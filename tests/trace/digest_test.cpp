@@ -11,8 +11,6 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <algorithm>
-#include <filesystem>
 #include <string>
 
 namespace rastertrace {
@@ -73,10 +71,7 @@ TEST(Digest, AVertexOnItsWayToTheScreen) {
 }
 
 TEST(Digest, OfEveryExampleAFewLines) {
-    for (const auto& entry : std::filesystem::recursive_directory_iterator(RASTERTRACE_EXAMPLES)) {
-        if (entry.path().extension() != ".json")
-            continue;
-        const std::string name = entry.path().string();
+    for (const std::string& name : example_files()) {
         const Trace trace = trace_of_file(name);
         const auto lines = digest_of(trace);
         EXPECT_LE(lines.size(), 12U) << name;

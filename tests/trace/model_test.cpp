@@ -14,7 +14,6 @@
 
 #include <algorithm>
 #include <cstdint>
-#include <filesystem>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -94,11 +93,9 @@ TEST(ModelRasterizer, WalksNoLineOfAThousandMillionPixels) {
 
 TEST(ModelRasterizer, DrawsTheExamplesAsTheBookDoes) {
     int drawn = 0;
-    for (const auto& entry : std::filesystem::recursive_directory_iterator(RASTERTRACE_EXAMPLES)) {
-        if (entry.path().extension() != ".json")
-            continue;
-        auto source = read_source(entry.path().string(), {});
-        if (source && is_drawn_alike(entry.path().string(), source.value()))
+    for (const std::string& file : example_files()) {
+        auto source = read_source(file, {});
+        if (source && is_drawn_alike(file, source.value()))
             ++drawn;
         if (HasFailure())
             break;

@@ -606,25 +606,20 @@ void expect_closed(const ObjMesh& mesh, const Facts& facts) {
     EXPECT_NEAR(volume_of(mesh), facts.volume, 1e-5) << "coordinates have six places";
 }
 
-TEST(Models, CubeIsClosedAndFacesOutward) {
-    expect_closed(mesh_in(text_of(models / "cube.obj")), {8, 12, 2, 8});
-}
-
-TEST(Models, TetrahedronIsClosedAndFacesOutward) {
-    expect_closed(mesh_in(text_of(models / "tetrahedron.obj")), {4, 4, 2, 8.0 / 3});
-}
-
-TEST(Models, TorusIsClosedAndFacesOutward) {
+TEST(Models, AreClosedAndFaceOutward) {
     // A tube of 12 flat sides has the area 6 r^2 sin 30 deg. Pappus turns it by 2 pi R, and 24
     // straight steps turn it by 24 R sin 15 deg.
     const double sine_of_15_degrees = (std::sqrt(6) - std::sqrt(2)) / 4;
-    expect_closed(mesh_in(text_of(models / "torus.obj")),
-                  {288, 288, 0, 24 * sine_of_15_degrees * 6 * 0.4 * 0.4 * 0.5});
-}
-
-TEST(Models, IcosphereIsClosedAndFacesOutward) {
+    const double torus = 24 * sine_of_15_degrees * 6 * 0.4 * 0.4 * 0.5;
     // Measured by a few lines of Python; the ball has 4/3 pi = 4.19.
-    expect_closed(mesh_in(text_of(models / "icosphere.obj")), {162, 320, 2, 4.047044});
+    const double icosphere = 4.047044;
+    for (const auto& [name, facts] : {std::pair<std::string, Facts>{"cube.obj", {8, 12, 2, 8}},
+                                      {"tetrahedron.obj", {4, 4, 2, 8.0 / 3}},
+                                      {"torus.obj", {288, 288, 0, torus}},
+                                      {"icosphere.obj", {162, 320, 2, icosphere}}}) {
+        SCOPED_TRACE(name);
+        expect_closed(mesh_in(text_of(models / name)), facts);
+    }
 }
 
 // 180 rings: one a degree, the crown at 90. The volume was summed up by a few lines of Python.

@@ -119,24 +119,20 @@ Result invert_slope(const Place& place) {
 
 Result exchange_start_and_step(const Place& place) {
     const auto end = left_end(place);
-    if (!end)
-        return std::nullopt;
-    return planted_row(place, "start-and-step-exchanged",
-                       end->slope() + end->x1 * (end->y - end->y1));
+    return end ? planted_row(place, "start-and-step-exchanged",
+                             end->slope() + end->x1 * (end->y - end->y1))
+               : std::nullopt;
 }
 
 Result take_the_row_above(const Place& place) {
     const auto end = left_end(place);
-    if (!end)
-        return std::nullopt;
-    return planted_row(place, "neighbor-row", end->x() + end->slope());
+    return end ? planted_row(place, "neighbor-row", end->x() + end->slope()) : std::nullopt;
 }
 
 Result forget_the_start(const Place& place) {
     const auto end = left_end(place);
-    if (!end)
-        return std::nullopt;
-    return planted_row(place, "term-dropped", end->slope() * (end->y - end->y1));
+    return end ? planted_row(place, "term-dropped", end->slope() * (end->y - end->y1))
+               : std::nullopt;
 }
 
 Result lose_the_minus(const Place& place) {

@@ -243,12 +243,11 @@ TEST_F(BigTrace, APackedTraceIsRefusedWithWhatUnpacksIt) {
                   .status,
               0);
     for (const std::string flat : {"", " --flat"})
-        EXPECT_EQ(run("trace t.jsonl -o u.jsonl.gz" + flat +
-                      "; s=$?; "
-                      "test ! -e u.jsonl.gz && exit $s")
-                      .err,
-                  "rastertrace: u.jsonl.gz: expected a name that ends in .json or .jsonl, found "
-                  ".gz\nhint: --format says what to write\n");
+        EXPECT_EQ(
+            run("trace t.jsonl -o u.jsonl.gz" + flat + "; s=$?; test ! -e u.jsonl.gz && exit $s")
+                .err,
+            "rastertrace: u.jsonl.gz: expected a name that ends in .json or .jsonl, found "
+            ".gz\nhint: --format says what to write\n");
 }
 
 // --- changed while it is read -------------------------------------------------------------------

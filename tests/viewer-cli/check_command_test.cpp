@@ -75,11 +75,10 @@ TEST_F(CheckTest, AWrongOutsideIsToldWhyItIsInside) {
         "vertices": {"P": [0, 0], "Q": [6, 3], "R": [2, 6]}, "triangles": ["PQR"],
         "method": {"scalar": "exact", "fill": "top-left", "sample": "integer"}})");
     write("corner.txt", "scene: corner.json\n(1,3): off\n");
-    EXPECT_THAT(
-        run("check corner.txt").out,
-        AllOf(HasSubstr("        drawn by PQR at step "),
-              HasSubstr("        E of RP at (1, 3) = 6 (-1) + (-2) (-3) = 0: on a top or left "
-                        "edge, inside\n")));
+    EXPECT_THAT(run("check corner.txt").out,
+                AllOf(HasSubstr("        drawn by PQR at step "),
+                      HasSubstr("        E of RP at (1, 3) = 6 (-1) + (-2) (-3) = 0: on a top or "
+                                "left edge, inside\n")));
 }
 
 /// Who has taken the color of the nearest where a painter has painted over it is told who painted last.
@@ -139,9 +138,10 @@ TEST_F(CheckTest, WhatGoesOnFromItsOwnLineNamesTheNumber) {
 
 TEST_F(CheckTest, ARightNumberThatWasRoundedIsSaidToBeWhereItComesFrom) {
     write("rounded.txt", "edge AC: -0.38\ny=-3: -4, 5.04\n"); // 2 + 8 (0.38), where 2 + 8 (3/8) = 5
-    EXPECT_THAT(run("check scene.json rounded.txt").out,
-                HasSubstr("    right end: expected 5, found 5.04; follows from line 1, which is "
-                          "rounded\n"));
+    EXPECT_THAT(
+        run("check scene.json rounded.txt").out,
+        HasSubstr(
+            "    right end: expected 5, found 5.04; follows from line 1, which is rounded\n"));
 }
 
 TEST_F(CheckTest, ATableIsAnsweredInItsWordsAndJsonInNamesOfFields) {
@@ -286,8 +286,7 @@ TEST_F(CheckTest, ASheetNamesAnySceneSoThatItIsFound) {
                                    "a\\b.json", "color #1.json", "first one.json"}) {
         fs::copy(folder_ / "scene.json", folder_ / name);
         EXPECT_THAT(run("sheet '" + name + "' > open.txt"), Ends(0));
-        const Outcome checked = run("check open.txt");
-        EXPECT_EQ(checked.out, "0 right, 0 wrong, 12 open\n") << name << checked.err;
+        EXPECT_EQ(run("check open.txt").out, "0 right, 0 wrong, 12 open\n") << name;
     }
 }
 
@@ -336,14 +335,13 @@ TEST_F(CheckTest, ALongFractionIsShownByItsFirstDigits) {
         "vertices":{"A":["1234567890123/1000000000007",3],"B":[0,0],"C":[3,0]},
         "triangles":["ABC"]})");
     write("long.txt", "scene: long.json\nA screen: 1, 3\n");
-    EXPECT_EQ(
-        run("check long.txt").out,
-        "long.txt:2: A screen: 1, 3\n"
-        "    at: expected 12345678.../10000000... = 1.234568, 3, found 1, 3\n"
-        "        vertex A in screen space: (12345678.../10000000... = 1.234568, 3), from camera "
-        "(12345678.../10000000... = 1.234568, 3, 0)\n"
-        "\n"
-        "0 right, 1 wrong\n");
+    EXPECT_EQ(run("check long.txt").out,
+              "long.txt:2: A screen: 1, 3\n"
+              "    at: expected 12345678.../10000000... = 1.234568, 3, found 1, 3\n"
+              "        vertex A in screen space: (12345678.../10000000... = 1.234568, 3), from "
+              "camera (12345678.../10000000... = 1.234568, 3, 0)\n"
+              "\n"
+              "0 right, 1 wrong\n");
     const auto report = nlohmann::json::parse(run("check long.txt --json").out);
     EXPECT_EQ(report["claims"][0]["expected"]["at"], "1234567890123/1000000000007, 3");
 }
@@ -352,10 +350,9 @@ TEST_F(CheckTest, ATraceIsTakenAtItsWord) {
     run("trace scene.json --rounding truncate -o cut.trace.json");
     EXPECT_THAT(run("check cut.trace.json anna.txt"), Ends(0));
     EXPECT_EQ(run("check scene.json anna.txt --rounding truncate").status, 0);
-    EXPECT_EQ(
-        run("check cut.trace.json anna.txt --rounding floor").err,
-        "rastertrace: cut.trace.json: expected a scene to draw with --rounding floor, found a "
-        "trace, which is drawn already\n");
+    EXPECT_EQ(run("check cut.trace.json anna.txt --rounding floor").err,
+              "rastertrace: cut.trace.json: expected a scene to draw with --rounding floor, found "
+              "a trace, which is drawn already\n");
 }
 
 TEST_F(CheckTest, ReadsStandardInput) {

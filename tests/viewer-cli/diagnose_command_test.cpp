@@ -99,10 +99,9 @@ TEST_F(DiagnoseTest, AnAntiAliasedPictureIsSaidToBeOne) {
          "vertices": {"A": [0, 0], "B": [20, 2], "C": [23, 10], "D": [3, 9]},
          "triangles": [{"vertices": "ABC", "color": "#ffffff"}, {"vertices": "ACD", "color": "#ffffff"}],
          "method": {"rounding": "inside"}})");
-    const Outcome found = diagnose("white.json theirs.pgm");
-    EXPECT_THAT(found.out, AllOf(StartsWith("draws by rounding half-open"),
-                                 HasSubstr("anti-aliasing"), Not(HasSubstr("score 100 %"))))
-        << found.err;
+    EXPECT_THAT(diagnose("white.json theirs.pgm").out,
+                AllOf(StartsWith("draws by rounding half-open"), HasSubstr("anti-aliasing"),
+                      Not(HasSubstr("score 100 %"))));
 }
 
 /// What a sentence says behind "; NAME: x = ", or another letter, up to words. "" if it does not.

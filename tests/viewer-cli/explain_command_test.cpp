@@ -40,14 +40,14 @@ TEST_F(ExplainTest, AnswersInPortuguese) {
               "  ABC  fora  AC termina a linha y=2 em x = 25/8 -> floor -> 3; x = 4 fica 7/8 além\n"
               "      direita AC: x = (x2 - x1)/(y2 - y1) (y - y1) + x1 = (5 - 2)/(-3 - 5) (2 - 5) "
               "+ 2 = (-3/8) (-3) + 2 = 25/8 -> floor -> 3\n");
-    const std::string told = explain("--pixel -1,2 --against rounding=truncate --language pt").out;
-    EXPECT_THAT(told, HasSubstr("pixel (-1, 2): desenhado por ABC no passo 15\n"
+    EXPECT_THAT(explain("--pixel -1,2 --against rounding=truncate --language pt").out,
+                AllOf(HasSubstr("pixel (-1, 2): desenhado por ABC no passo 15\n"
                                 "\n"
                                 "passo antes  depois\n"
-                                "  15  vazio  ABC #000000  pixel (-1, 2)   linha y=2: -1 a 3\n"));
-    EXPECT_THAT(told, HasSubstr("\ncom rounding=truncate: não desenhado: ABC não o cobre\n"));
-    EXPECT_THAT(told, HasSubstr("\na primeira decisão que difere\n"
-                                "  como é             passo 14: linha y=2   esquerda AB"));
+                                "  15  vazio  ABC #000000  pixel (-1, 2)   linha y=2: -1 a 3\n"),
+                      HasSubstr("\ncom rounding=truncate: não desenhado: ABC não o cobre\n"),
+                      HasSubstr("\na primeira decisão que difere\n"
+                                "  como é             passo 14: linha y=2   esquerda AB")));
     // The reason is a code in JSON.
     const auto answer = nlohmann::json::parse(explain("--pixel 4,2 --language pt --json").out);
     EXPECT_EQ(answer["answer"], "não desenhado: ABC não o cobre");
@@ -94,12 +94,12 @@ TEST_F(ExplainTest, JsonHasTheStepsWithWhatIsSaidOfThem) {
 }
 
 TEST_F(ExplainTest, AgainstAnotherMethod) {
-    const std::string told = explain("--pixel -1,2 --against rounding=truncate").out;
-    EXPECT_THAT(told, HasSubstr("pixel (-1, 2): drawn by ABC at step 15\n"));
-    EXPECT_THAT(told, HasSubstr("\nwith rounding=truncate: not drawn: ABC does not cover it\n"));
-    EXPECT_THAT(told, HasSubstr("\nthe first decision that differs\n"
-                                "  as it is           step 14: scanline y=2 "));
-    EXPECT_THAT(told, HasSubstr("\n  rounding=truncate  step 14: scanline y=2 "));
+    EXPECT_THAT(explain("--pixel -1,2 --against rounding=truncate").out,
+                AllOf(HasSubstr("pixel (-1, 2): drawn by ABC at step 15\n"),
+                      HasSubstr("\nwith rounding=truncate: not drawn: ABC does not cover it\n"),
+                      HasSubstr("\nthe first decision that differs\n"
+                                "  as it is           step 14: scanline y=2 "),
+                      HasSubstr("\n  rounding=truncate  step 14: scanline y=2 ")));
     const auto answer =
         nlohmann::json::parse(explain("--pixel -1,2 --against rounding=truncate --json").out);
     EXPECT_EQ(answer["first_difference"]["here"]["from"], -1);

@@ -44,12 +44,11 @@ TEST_F(FigureLooks, ThePictureInSpaceHasNoPixels) {
               "rastertrace: --view space: expected no --region, found one\n" + beside);
     EXPECT_EQ(refusal("--view space --bare -o x.svg"),
               "rastertrace: --view space: expected no --bare, found one\n" + beside);
-    EXPECT_EQ(run("figure $examples/t4-pipeline/six-spaces.json --view space --with "
-                  "row -o x.svg")
-                  .err,
-              "rastertrace: --with row: expected title, step, caption or working in the picture in "
-              "space, found a part of pixels\n"
-              "hint: --with space shows that picture beside the pixels\n");
+    EXPECT_EQ(
+        run("figure $examples/t4-pipeline/six-spaces.json --view space --with row -o x.svg").err,
+        "rastertrace: --with row: expected title, step, caption or working in the picture in "
+        "space, found a part of pixels\n"
+        "hint: --with space shows that picture beside the pixels\n");
     EXPECT_EQ(refusal("--view space -o x.html"),
               "rastertrace: --view space: expected one of svg, png, tex, gif, found html\n"
               "hint: a page has the picture in space beside the pixels\n");
@@ -66,10 +65,8 @@ TEST_F(FigureLooks, NotesPointToPlaces) {
                   "rastertrace: --note: expected a place and words, like \"3,2: the tie goes up\", "
                   "found \"" +
                       note + "\"\n");
-    const Outcome told =
-        figure("--note '-4,-3: the first: B' --note '2,5: the top' --format svg -o -");
-    EXPECT_THAT(told.out, HasSubstr(">the first: B</text>"));
-    EXPECT_THAT(told.out, HasSubstr(">the top</text>"));
+    EXPECT_THAT(figure("--note '-4,-3: the first: B' --note '2,5: the top' --format svg -o -").out,
+                AllOf(HasSubstr(">the first: B</text>"), HasSubstr(">the top</text>")));
 }
 
 TEST_F(FigureLooks, FramesOfAStepInSpaceStandOnASheet) {
@@ -208,10 +205,10 @@ TEST_F(FigureLooks, WordsAreInTheLanguageThatWasChosen) {
     const auto in_portuguese = [this](const std::string& arguments) {
         return run("figure --language pt --format svg -o - " + arguments).out;
     };
-    const std::string in_space = in_portuguese(
-        "$examples/t4-pipeline/six-spaces.json --view space --step 'vertex name=C space=clip'");
-    EXPECT_THAT(in_space, HasSubstr(">olho</text>"));
-    EXPECT_THAT(in_space, HasSubstr(">passo "));
+    EXPECT_THAT(
+        in_portuguese(
+            "$examples/t4-pipeline/six-spaces.json --view space --step 'vertex name=C space=clip'"),
+        AllOf(HasSubstr(">olho</text>"), HasSubstr(">passo ")));
     EXPECT_THAT(in_portuguese("$examples/t0-hidden/two-depths.json --view depth --with legend"),
                 HasSubstr(">mais distante</text>"));
     EXPECT_THAT(in_portuguese("$examples/faces/arrow.json --sheet ears"),

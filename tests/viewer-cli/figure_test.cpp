@@ -34,11 +34,10 @@ protected:
     /// The message of a figure that is refused, and that it left no file.
     std::string refusal(const std::string& arguments) const {
         const std::size_t files = visible_files();
-        const Outcome told = figure(arguments);
-        EXPECT_EQ(told.status, 2) << arguments;
-        EXPECT_EQ(told.out, "") << arguments;
+        const std::string told =
+            ProgramTest::refusal("figure $examples/t0-fill/first-triangle.json " + arguments);
         EXPECT_EQ(visible_files(), files) << arguments;
-        return told.err;
+        return told;
     }
 };
 
@@ -141,70 +140,60 @@ TEST_F(FigureTest, Parts) {
 }
 
 TEST_F(FigureTest, PartsThatTheSceneCannotHave) {
-    EXPECT_EQ(refusal("--with space -o x.svg"),
-              "rastertrace: --with space: expected vertices in space, found a scene that is typed "
-              "in pixels, or in clip space\n"
-              "hint: of a scene whose vertices have z: --keep model tells where they are\n");
-    EXPECT_EQ(refusal("--view space -o x.svg"),
-              "rastertrace: --view space: expected vertices in space, found a scene that is typed "
-              "in pixels, or in clip space\n"
-              "hint: of a scene whose vertices have z: --keep model tells where they are\n");
-    EXPECT_EQ(refusal("--with errors -o x.svg"),
-              "rastertrace: --with errors: expected a frame of Bresenham's line, found another\n"
-              "hint: --step last, or another step of such a line\n");
-    EXPECT_EQ(refusal("--with plot -o x.svg"),
-              "rastertrace: --with plot: expected a triangle with depths of linear-z or inverse-z, "
-              "found none\n"
-              "hint: --depth linear-z --keep depth tests a triangle that no other one can hide\n");
-    EXPECT_EQ(refusal("--with depths -o x.svg"),
-              "rastertrace: --with depths: expected a scene with depth tests, found none\n"
-              "hint: --depth linear-z --keep depth tests what no other triangle can hide, too\n");
-    EXPECT_EQ(refusal("--with weights -o x.svg"),
-              "rastertrace: --with weights: expected a fill that tests samples by weights, found "
-              "none\n"
-              "hint: --fill barycentric\n");
-    EXPECT_EQ(run("figure $examples/t0-hidden/two-depths.json --with plot --step "
-                  "\"scanline in=DEF y=1\" -o x.svg")
+    struct Row {
+        std::string part, more, message, hint;
+    };
+    const std::vector<Row> rows{
+        {"--with space", "",
+         "vertices in space, found a scene that is typed in pixels, or in clip space",
+         "of a scene whose vertices have z: --keep model tells where they are"},
+        {"--view space", "",
+         "vertices in space, found a scene that is typed in pixels, or in clip space",
+         "of a scene whose vertices have z: --keep model tells where they are"},
+        {"--with errors", "", "a frame of Bresenham's line, found another",
+         "--step last, or another step of such a line"},
+        {"--with plot", "", "a triangle with depths of linear-z or inverse-z, found none",
+         "--depth linear-z --keep depth tests a triangle that no other one can hide"},
+        {"--with depths", "", "a scene with depth tests, found none",
+         "--depth linear-z --keep depth tests what no other triangle can hide, too"},
+        {"--with weights", "", "a fill that tests samples by weights, found none",
+         "--fill barycentric"},
+        {"--with row", "", "a frame with a scanline, found none",
+         "--step \"scanline ...\", or another step of its row"},
+        {"--with row", " --step \"scanline y=2\" --region -8,-6,8,1",
+         "a frame with a scanline, found none",
+         "--step \"scanline ...\", or another step of its row"},
+        {"--with row", " --fill barycentric", "a scene with scanlines, found none",
+         "--fill scanline draws triangles row by row"},
+        {"--with half-planes", " --until 1", "a frame of a triangle, found another",
+         "--step \"primitive ...\", or another step of a triangle"},
+        {"--with rejected", "", "a scene with pixels that are tested and not drawn, found none",
+         "--fill barycentric tests pixels beside a triangle, too"},
+        {"--with rejected", " --fill barycentric --step \"sample inside=true x=0 y=0\"",
+         "a frame with a pixel that was tested and not drawn, found none",
+         "--step of a sample or of a depth test that fails; without --step, all of them"}};
+    for (const auto& [part, more, message, hint] : rows)
+        EXPECT_EQ(refusal(part + more + " -o x.svg"),
+                  "rastertrace: " + part + ": expected " + message + "\nhint: " + hint + "\n");
+    EXPECT_EQ(run("figure $examples/t0-hidden/two-depths.json --with plot --step \"scanline in=DEF "
+                  "y=1\" -o x.svg")
                   .err,
               "rastertrace: --with plot: expected a frame with two depths along a row or a side, "
               "found fewer\n"
               "hint: --step \"scanline ...\" of a longer row\n");
-    EXPECT_EQ(refusal("--with row -o x.svg"),
-              "rastertrace: --with row: expected a frame with a scanline, found none\n"
-              "hint: --step \"scanline ...\", or another step of its row\n");
-    EXPECT_EQ(refusal("--with row --step \"scanline y=2\" --region -8,-6,8,1 -o x.svg"),
-              "rastertrace: --with row: expected a frame with a scanline, found none\n"
-              "hint: --step \"scanline ...\", or another step of its row\n");
-    EXPECT_EQ(refusal("--with row --fill barycentric -o x.svg"),
-              "rastertrace: --with row: expected a scene with scanlines, found none\n"
-              "hint: --fill scanline draws triangles row by row\n");
-    EXPECT_EQ(refusal("--with half-planes --until 1 -o x.svg"),
-              "rastertrace: --with half-planes: expected a frame of a triangle, found another\n"
-              "hint: --step \"primitive ...\", or another step of a triangle\n");
-    EXPECT_EQ(run("figure $examples/t2-lines/bresenham.json --every decide --with "
-                  "half-planes -o x.svg")
-                  .err,
-              "rastertrace: --with half-planes: expected a scene with triangles on the screen, "
-              "found none\n");
-    EXPECT_EQ(refusal("--with rejected -o x.svg"),
-              "rastertrace: --with rejected: expected a scene with pixels that are tested and not "
-              "drawn, found none\n"
-              "hint: --fill barycentric tests pixels beside a triangle, too\n");
-    EXPECT_EQ(refusal("--with rejected --fill barycentric --step \"sample inside=true x=0 y=0\" -o "
-                      "x.svg"),
-              "rastertrace: --with rejected: expected a frame with a pixel that was tested and not "
-              "drawn, found none\n"
-              "hint: --step of a sample or of a depth test that fails; without --step, all of "
-              "them\n");
+    EXPECT_EQ(
+        run("figure $examples/t2-lines/bresenham.json --every decide --with half-planes -o x.svg")
+            .err,
+        "rastertrace: --with half-planes: expected a scene with triangles on the screen, found "
+        "none\n");
     // The hints help.
     EXPECT_EQ(figure("--with row --step \"scanline y=2\" -o x.svg").status, 0);
     EXPECT_EQ(figure("--with half-planes --step \"primitive\" -o x.svg").status, 0);
     EXPECT_EQ(figure("--with rejected --fill barycentric -o x.svg").status, 0);
     EXPECT_EQ(figure("--with plot,depths --depth linear-z --keep depth -o x.svg").status, 0);
     // All of its depths are 0: 1/z has no place in a plot.
-    const std::string plotted = shell("cat x.svg").out;
-    EXPECT_THAT(plotted, HasSubstr(">z</text>"));
-    EXPECT_THAT(plotted, Not(HasSubstr(">1/z</text>")));
+    EXPECT_THAT(shell("cat x.svg").out,
+                AllOf(HasSubstr(">z</text>"), Not(HasSubstr(">1/z</text>"))));
     EXPECT_EQ(figure("--with weights --fill barycentric -o x.svg").status, 0);
     // Of several frames, those that have none of it go without.
     EXPECT_EQ(figure("--with row,half-planes --every edge --sheet 3x1 -o x.svg").status, 0);
@@ -331,10 +320,10 @@ TEST_F(FigureTest, WhatMovesIsAFilmOfRowsPixelsOfLinesAndVertices) {
         return captions;
     };
     // Nine rows; of a box that is gone through sample by sample, too.
-    const auto rows = frames("$examples/t0-fill/first-triangle.json");
-    EXPECT_THAT(rows, ElementsAre("scanline y=5", "scanline y=4", "scanline y=3", "scanline y=2",
-                                  "scanline y=1", "scanline y=0", "scanline y=-1", "scanline y=-2",
-                                  "scanline y=-3"));
+    EXPECT_THAT(frames("$examples/t0-fill/first-triangle.json"),
+                ElementsAre("scanline y=5", "scanline y=4", "scanline y=3", "scanline y=2",
+                            "scanline y=1", "scanline y=0", "scanline y=-1", "scanline y=-2",
+                            "scanline y=-3"));
     const auto samples = frames("$examples/t3-sweep-and-box/barycentric.json");
     EXPECT_EQ(samples.size(), 9U);
     EXPECT_THAT(samples, Each(StartsWith("sample of (-4, ")));
@@ -361,8 +350,8 @@ TEST_F(FigureTest, WhatMovesIsAFilmOfRowsPixelsOfLinesAndVertices) {
     }
     EXPECT_EQ(figure("--step last --animate -o x.svg").status, 0);
     EXPECT_EQ(shell("grep -c 'class=\"frame' x.svg").out, "0\n");
-    EXPECT_EQ(run("figure $examples/t0-projection/turning.json --animate -o x.svg; "
-                  "grep -c 'class=\"frame' x.svg")
+    EXPECT_EQ(run("figure $examples/t0-projection/turning.json --animate -o x.svg; grep -c "
+                  "'class=\"frame' x.svg")
                   .out,
               "6\n")
         << "the frames of the sequence";
@@ -437,11 +426,10 @@ TEST_F(FigureTest, APageRefusesWhatItHasNot) {
     const std::string formats = "expected one of svg, png, tex, txt, gif, found html\n";
     for (const std::string option :
          {"--until 3", "--every scanline", "--with edges", "--without edges", "--caption x",
-          "--region 0,0,1,1", "--bare"}) {
-        const std::string told = refusal(option + " -o x.html");
-        EXPECT_THAT(told, HasSubstr(formats)) << option;
-        EXPECT_THAT(told, HasSubstr(option.substr(0, option.find(' ')))) << option;
-    }
+          "--region 0,0,1,1", "--bare"})
+        EXPECT_THAT(refusal(option + " -o x.html"),
+                    AllOf(HasSubstr(formats), HasSubstr(option.substr(0, option.find(' ')))))
+            << option;
     for (const std::string option :
          {"--sheet 2x2", "--animate", "--seconds 1", "--scale 2", "--width 100", "--cell 10",
           "--palette scene", "--against rounding=nearest"})
@@ -449,14 +437,13 @@ TEST_F(FigureTest, APageRefusesWhatItHasNot) {
 }
 
 TEST_F(FigureTest, APageTakesWhatSaysHowItBegins) {
-    const Outcome told =
-        figure("--step \"scanline y=2\" --view writes --title \"<T>\" --theme dark "
-               "--rounding nearest -o x.html");
-    EXPECT_EQ(told.status, 0) << told.err;
-    const std::string page = content("x.html");
-    EXPECT_THAT(page, HasSubstr("\"view\":\"writes\",\"step\":"));
-    EXPECT_THAT(page, HasSubstr("<title>&lt;T&gt;</title>"));
-    EXPECT_THAT(page, HasSubstr("<raster-trace whole-page theme=\"dark\">\n<svg "));
+    EXPECT_THAT(figure("--step \"scanline y=2\" --view writes --title \"<T>\" --theme dark "
+                       "--rounding nearest -o x.html"),
+                Ends(0));
+    EXPECT_THAT(content("x.html"),
+                AllOf(HasSubstr("\"view\":\"writes\",\"step\":"),
+                      HasSubstr("<title>&lt;T&gt;</title>"),
+                      HasSubstr("<raster-trace whole-page theme=\"dark\">\n<svg ")));
     EXPECT_EQ(figure("--format html -o -").out, (figure("-o y.html"), content("y.html")));
 }
 
@@ -483,10 +470,10 @@ TEST_F(FigureTest, APageHasLimits) {
               "rastertrace: expected at most 1048576 pixels for a page, found 1025 x 1025\n"
               "hint: a .png or .svg shows it, or a page of the scene on a smaller canvas\n");
     write("scene.json", scene_of_size(400));
-    EXPECT_EQ(run("figure scene.json --vary /vertices/A/0=0:1:9 -o x.html").err,
-              "rastertrace: expected at most 200000 steps for a page, found more in the first 5 "
-              "frames\n"
-              "hint: --frame N makes a page of one frame\n");
+    EXPECT_EQ(
+        run("figure scene.json --vary /vertices/A/0=0:1:9 -o x.html").err,
+        "rastertrace: expected at most 200000 steps for a page, found more in the first 5 frames\n"
+        "hint: --frame N makes a page of one frame\n");
     EXPECT_EQ(visible_files(), 1U);
 }
 
@@ -599,11 +586,11 @@ TEST_F(FigureTest, ABarePictureWithoutColorsFollowsTheTheme) {
     };
     EXPECT_EQ(pixel_in("--theme light"), (Color{0, 0, 0}));
     EXPECT_EQ(pixel_in("--theme dark"), (Color{0xf4, 0xf4, 0xf4}));
-    const std::string svg = figure("--bare --format svg -o -").out;
-    EXPECT_THAT(svg, HasSubstr(".ink{fill:#000000;"));
     EXPECT_THAT(
-        svg,
-        ContainsRegex("\\(prefers-color-scheme:dark\\)\\{\n\\.r[0-9a-f]+ \\.ink\\{fill:#f4f4f4;"));
+        figure("--bare --format svg -o -").out,
+        AllOf(HasSubstr(".ink{fill:#000000;"),
+              ContainsRegex(
+                  "\\(prefers-color-scheme:dark\\)\\{\n\\.r[0-9a-f]+ \\.ink\\{fill:#f4f4f4;")));
     // What has a color, or is on a background, keeps it.
     const auto in_dark = [this](const std::string& scene) {
         write("scene.json", scene);

@@ -161,8 +161,8 @@ TEST_F(FuzzTest, BadInput) {
         EXPECT_THAT(shell(std::string("$rastertrace fuzz ") + words).err, HasSubstr(problem));
     EXPECT_EQ(run("fuzz -- true").status, 2);
     EXPECT_THAT(run("fuzz -- true {scene}"), Ends(1, StartsWith("seed 1: true gives no answer")));
-    const Outcome failing = run("fuzz -- sh -c 'echo no triangle >&2; exit 7' {scene}");
-    EXPECT_THAT(failing.out, HasSubstr("exit status 7: no triangle"));
+    EXPECT_THAT(run("fuzz -- sh -c 'echo no triangle >&2; exit 7' {scene}").out,
+                HasSubstr("exit status 7: no triangle"));
 }
 
 } // namespace

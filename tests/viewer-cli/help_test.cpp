@@ -69,10 +69,9 @@ TEST_F(HelpTest, EveryOptionIsInTheManualAndIsCompleted) {
 }
 
 TEST_F(HelpTest, TheShortHelpLeavesOutWhatManyCommandsHave) {
-    const std::string brief = run("show -h").out;
-    EXPECT_THAT(brief, HasSubstr("  --every STEP "));
-    EXPECT_THAT(brief, Not(HasSubstr("--rounding")));
-    EXPECT_THAT(brief, HasSubstr("More with --help: Method, instead of what the scene says ("));
+    EXPECT_THAT(run("show -h").out,
+                AllOf(HasSubstr("  --every STEP "), Not(HasSubstr("--rounding")),
+                      HasSubstr("More with --help: Method, instead of what the scene says (")));
     EXPECT_THAT(run("show --help").out, HasSubstr("  --rounding NAME "));
 }
 

@@ -70,9 +70,10 @@ TEST_F(ProgramTest, HintsSayWhereAKeyOfTheMethodBelongs) {
                                " ^\n"
                                "hint: \"rounding\" belongs in \"method\": {\"rounding\": ...}\n")));
     write("line.json", R"({"line": ["AB"]})");
-    EXPECT_THAT(run("show line.json").err,
-                EndsWith("hint: \"line\" belongs in \"method\": {\"line\": ...}; did you mean "
-                         "\"lines\"?\n"));
+    EXPECT_THAT(
+        run("show line.json").err,
+        EndsWith(
+            "hint: \"line\" belongs in \"method\": {\"line\": ...}; did you mean \"lines\"?\n"));
     write("canvas.json", R"({"vertices": {"A": [0, 0]}, "points": ["A"], "canvas": {"fill": 1}})");
     EXPECT_THAT(run("show canvas.json").err,
                 EndsWith("hint: \"fill\" belongs in \"method\": {\"fill\": ...}\n"));
@@ -166,13 +167,11 @@ TEST_F(ProgramTest, TheLimitOnInputCanBeRaised) {
     EXPECT_EQ(run("plan scene.json --max-input 3kB").status, 0);
 
     // A trace may have any size.
-    EXPECT_EQ(run("trace scene.json -o t.json; $rastertrace stats t.json "
-                  "--max-input 1kB")
-                  .status,
+    EXPECT_EQ(run("trace scene.json -o t.json; $rastertrace stats t.json --max-input 1kB").status,
               0);
-    EXPECT_EQ(run("show scene.json --max-input lots").err,
-              "rastertrace: --max-input: expected a size in kB, MB or GB, like 512MB, found "
-              "\"lots\"\n");
+    EXPECT_EQ(
+        run("show scene.json --max-input lots").err,
+        "rastertrace: --max-input: expected a size in kB, MB or GB, like 512MB, found \"lots\"\n");
 }
 
 TEST_F(ProgramTest, StepsThatAreHeldHaveALimitThatCanBeRaised) {
@@ -202,13 +201,11 @@ TEST_F(ProgramTest, StepsThatAreHeldHaveALimitThatCanBeRaised) {
 }
 
 TEST_F(ProgramTest, ALineOfATraceHasAnEnd) {
-    const Outcome refused =
-        shell("(echo '{\"rastertrace\":1,\"canvas\":{\"width\":3,\"height\":3}}'; "
-              "head -c 16000001 /dev/zero | tr '\\000' ' '; echo '{\"step\":\"pixel\"}') | "
-              "$rastertrace stats -");
-    EXPECT_EQ(refused.status, 2);
-    EXPECT_THAT(refused.err, HasSubstr("standard input:2:1: expected lines of at most 16 MB in a "
-                                       "trace, found a longer one"));
+    EXPECT_THAT(
+        shell("(echo '{\"rastertrace\":1,\"canvas\":{\"width\":3,\"height\":3}}'; head -c 16000001 "
+              "/dev/zero | tr '\\000' ' '; echo '{\"step\":\"pixel\"}') | $rastertrace stats -"),
+        Refused(HasSubstr(
+            "standard input:2:1: expected lines of at most 16 MB in a trace, found a longer one")));
 }
 
 // The largest file that the file system makes has no byte on the disk.
@@ -303,9 +300,8 @@ TEST_F(ProgramTest, AnObjFileLiesInTheFolderOfItsScene) {
                         HasSubstr("expected an OBJ file in the scene's folder or below, found \""),
                         EndsWith("hint: --allow-outside lets it lie anywhere\n"))))
             << path;
-        for (const std::string command : {"plan", "trace", "show", "stats", "stress"}) {
+        for (const std::string command : {"plan", "trace", "show", "stats", "stress"})
             EXPECT_THAT(run(command + " scenes/scene.json --allow-outside"), Ends(0)) << path;
-        }
     }
     write("scenes/scene.json", scene("../no-such-file.obj"));
     EXPECT_THAT(run("plan scenes/scene.json").err, HasSubstr("or below, found"))
@@ -313,20 +309,19 @@ TEST_F(ProgramTest, AnObjFileLiesInTheFolderOfItsScene) {
 
     write("scenes/shadow", "root:$6$secret:19000:0:99999:7:::\n");
     write("scenes/scene.json", scene("shadow"));
-    EXPECT_EQ(run("plan scenes/scene.json").err,
-              "rastertrace: scenes/shadow:1:1: expected an OBJ file, found a line that is none of "
-              "it\n"
-              "hint: its statements are v, vt, vn, f, l, p, g, o, s, usemtl, mtllib\n");
+    EXPECT_EQ(
+        run("plan scenes/scene.json").err,
+        "rastertrace: scenes/shadow:1:1: expected an OBJ file, found a line that is none of it\n"
+        "hint: its statements are v, vt, vn, f, l, p, g, o, s, usemtl, mtllib\n");
 }
 
 TEST_F(ProgramTest, CaretsAndTitlesCountColumns) {
     write("scene.json", "{\"title\":\"三e\u0301\", \"tile\":1}");
     EXPECT_EQ(
         run("plan scene.json").err,
-        "rastertrace: scene.json:1:17: expected a key out of title, canvas, background, "
-        "vertices, colors, "
-        "triangles, polygons, outlines, lines, circles, points, meshes, model, camera, projection, "
-        "viewport, light, convention, method, keep, vary, found \"tile\"\n"
+        "rastertrace: scene.json:1:17: expected a key out of title, canvas, background, vertices, "
+        "colors, triangles, polygons, outlines, lines, circles, points, meshes, model, camera, "
+        "projection, viewport, light, convention, method, keep, vary, found \"tile\"\n"
         "{\"title\":\"三e\u0301\", \"tile\":1}\n"
         "                ^\n"
         "hint: did you mean \"title\"?\n");
@@ -335,8 +330,7 @@ TEST_F(ProgramTest, CaretsAndTitlesCountColumns) {
     const auto shown = [this](const std::string& title, const std::string& name) {
         write("scene.json", "{\"title\":\"" + title + "\",\"vertices\":{\"" + name +
                                 "\":[1,1]},\"points\":[[\"" + name +
-                                "\"]],"
-                                "\"canvas\":{\"width\":5,\"height\":5}}");
+                                "\"]],\"canvas\":{\"width\":5,\"height\":5}}");
         std::string out = run("show scene.json --step last").out;
         EXPECT_THAT(out, HasSubstr("\n\n* " + name + " (1, 1)\n"));
         return out.substr(0, out.find("* ")).replace(0, title.size(), "TITLE");
@@ -358,22 +352,19 @@ TEST_F(ProgramTest, NamesThatDifferLookDifferent) {
 TEST_F(ProgramTest, ASystemThatCannotOpenFilesIsNoBadInput) {
     write("bad.json", "not JSON");
     // 5: EIO, 12: ENOMEM, 23: ENFILE, 24: EMFILE
-    for (const std::string error : {"5", "12", "23", "24"}) {
-        const Outcome outcome =
+    for (const std::string error : {"5", "12", "23", "24"})
+        EXPECT_THAT(
             shell("FAIL_CALL=open FAIL_AT=1 FAIL_ERRNO=" + error +
-                  " LD_PRELOAD=" RASTERTRACE_FAILING_CALLS " $rastertrace show bad.json");
-        EXPECT_EQ(outcome.status, 3) << error;
-        EXPECT_THAT(outcome.err,
-                    StartsWith("rastertrace: bad.json: expected a file that can be read, found: "));
-    }
+                  " LD_PRELOAD=" RASTERTRACE_FAILING_CALLS " $rastertrace show bad.json"),
+            Ends(3, _,
+                 StartsWith("rastertrace: bad.json: expected a file that can be read, found: ")))
+            << error;
     write("mesh.json", R"({"canvas": {"width": 9, "height": 9}, "meshes": [{"obj": "c.obj"}]})");
-    const Outcome mesh =
-        shell("FAIL_CALL=open FAIL_AT=3 "
-              "LD_PRELOAD=" RASTERTRACE_FAILING_CALLS " $rastertrace show mesh.json");
-    EXPECT_EQ(mesh.status, 3);
-    EXPECT_EQ(mesh.err,
-              "rastertrace: c.obj: expected a file that can be read, found: Too many open "
-              "files\n");
+    EXPECT_THAT(
+        shell("FAIL_CALL=open FAIL_AT=3 LD_PRELOAD=" RASTERTRACE_FAILING_CALLS
+              " $rastertrace show mesh.json"),
+        Ends(3, _,
+             "rastertrace: c.obj: expected a file that can be read, found: Too many open files\n"));
 }
 
 // A depth for each of 500,000 pixels, each a fraction whose digits GMP keeps.

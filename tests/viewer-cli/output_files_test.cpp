@@ -95,10 +95,11 @@ TEST_F(ProgramTest, SeveralFilesGetTheirNamesTogether) {
     const std::string figures =
         "$rastertrace figure scene.json --every pixel --format txt -o f.txt";
     // Once the first has its name, a signal waits for the last of 49.
-    const Outcome ended = shell("env --default-signal=TERM " + figures +
-                                " & until [ -e f-01.txt ]; do :; done; kill -TERM $!; wait $!; "
-                                "ls f-*.txt | wc -l");
-    EXPECT_EQ(ended.out, "49\n");
+    EXPECT_EQ(
+        shell("env --default-signal=TERM " + figures +
+              " & until [ -e f-01.txt ]; do :; done; kill -TERM $!; wait $!; ls f-*.txt | wc -l")
+            .out,
+        "49\n");
 #ifdef RASTERTRACE_FAILING_CALLS
     const auto failing = [&](const std::string& how) {
         return shell("rm -f f-*.txt; " + how + " LD_PRELOAD=" RASTERTRACE_FAILING_CALLS " " +

@@ -118,6 +118,14 @@ protected:
     Outcome run(const std::string& arguments) const { return shell("$rastertrace " + arguments); }
     Outcome diff(const std::string& arguments) const { return run("diff " + arguments); }
 
+    /// The message of a command that is refused, and that it printed nothing.
+    std::string refusal(const std::string& arguments) const {
+        const Outcome told = run(arguments);
+        EXPECT_EQ(told.status, 2) << arguments;
+        EXPECT_EQ(told.out, "") << arguments;
+        return told.err;
+    }
+
     void write(const std::string& name, const std::string& text) const {
         std::ofstream(folder_ / name) << text;
     }

@@ -44,8 +44,7 @@ TEST_F(RenewTest, OutputsArePutOnThePage) {
     EXPECT_EQ(content("page.md"), fresh);
     EXPECT_EQ(visible_files(), 3u);
 
-    const Outcome second = run("renew page.md");
-    EXPECT_EQ(second.out, "page.md: 2 commands, 0 renewed\n");
+    EXPECT_EQ(run("renew page.md").out, "page.md: 2 commands, 0 renewed\n");
     EXPECT_EQ(content("page.md"), fresh);
     const Outcome check = run("renew --check page.md");
     EXPECT_EQ(check.status, 0);
@@ -132,15 +131,15 @@ protected:
 TEST_F(WaitingRenewTest, ASignalEndsTheCommandAndRemovesItsFolder) {
     for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGKILL}) {
         // A shell lets what it runs in the background ignore SIGINT.
-        const Outcome ended =
-            shell("export TMPDIR=$PWD/temporary; "
-                  "env --default-signal=INT $rastertrace renew --check page.md & "
-                  "renew=$!; exec 3>pipe; child=$(pgrep -P $renew); kill -" +
-                  std::to_string(signal) +
-                  " $renew; wait $renew; echo $?; "
-                  "for i in $(seq 100); do kill -0 $child 2>/dev/null || break; sleep 0.1; done; "
-                  "kill -0 $child 2>/dev/null && echo runs on");
-        EXPECT_EQ(ended.out, std::to_string(128 + signal) + "\n");
+        EXPECT_EQ(
+            shell(
+                "export TMPDIR=$PWD/temporary; env --default-signal=INT $rastertrace renew --check "
+                "page.md & renew=$!; exec 3>pipe; child=$(pgrep -P $renew); kill -" +
+                std::to_string(signal) +
+                " $renew; wait $renew; echo $?; for i in $(seq 100); do kill -0 $child 2>/dev/null "
+                "|| break; sleep 0.1; done; kill -0 $child 2>/dev/null && echo runs on")
+                .out,
+            std::to_string(128 + signal) + "\n");
         if (signal != SIGKILL) {
             EXPECT_EQ(shell("ls temporary").out, "") << signal;
         }

@@ -20,8 +20,8 @@ TEST_F(ProgramTest, ReportWritesNoFileTwice) {
         EXPECT_EQ(content("old.csv"), "old") << files;
         EXPECT_EQ(visible_files(), 4u) << files;
     }
-    EXPECT_EQ(run("report --quick --jobs edge "
-                  "$examples/t0-fill/first-triangle.json --format csv -o /dev/null -o /dev/null")
+    EXPECT_EQ(run("report --quick --jobs edge $examples/t0-fill/first-triangle.json --format csv "
+                  "-o /dev/null -o /dev/null")
                   .status,
               0);
 }
@@ -61,11 +61,11 @@ TEST_F(ProgramTest, ReportQuotesTitlesForEveryFormat) {
 TEST_F(ProgramTest, ReportHasTheSameNumbersTwiceButForTheTimes) {
     write("line.json", R"({"vertices":{"A":[0,0],"B":[100,300]},"lines":["AB"]})");
     const std::string numbers =
-        "$rastertrace report --quick line.json --jobs edge --format json | grep -E "
+        "report --quick line.json --jobs edge --format json | grep -E "
         "'\"(method|setting|value|count|of|adds|multiplies|divides|comparisons)\"'";
-    const Outcome once = shell(numbers);
+    const Outcome once = run(numbers);
     EXPECT_THAT(once.out, HasSubstr("\"value\": "));
-    EXPECT_EQ(shell(numbers).out, once.out);
+    EXPECT_EQ(run(numbers).out, once.out);
 }
 
 TEST_F(ProgramTest, ReportRefusesBeforeItMeasures) {
@@ -76,19 +76,18 @@ TEST_F(ProgramTest, ReportRefusesBeforeItMeasures) {
                         "has no triangle to fill; depth: the scene has no depth; color: the scene "
                         "has no triangle with colored vertices)\n"));
     EXPECT_EQ(visible_files(), 1u) << "nothing was written";
-    EXPECT_EQ(
-        run("report point.json -o r.pdf").err,
-        "rastertrace: r.pdf: expected a name that ends in .svg, .html, .json, .csv or .txt, found "
-        ".pdf\n"
-        "hint: --format says what to write\n");
+    EXPECT_EQ(run("report point.json -o r.pdf").err,
+              "rastertrace: r.pdf: expected a name that ends in .svg, .html, .json, .csv or .txt, "
+              "found .pdf\n"
+              "hint: --format says what to write\n");
     EXPECT_EQ(run("report point.json --jobs edges").err,
               "rastertrace: --jobs: expected jobs out of edge,coverage,depth,color, found "
               "\"edges\"\nhint: did you mean edge?\n");
     EXPECT_EQ(run("report point.json --format pdf").err,
               "rastertrace: --format: expected one of text, json, csv, svg, html, found \"pdf\"\n");
     EXPECT_EQ(run("report").status, 2);
-    EXPECT_EQ(run("report --quick $examples/t0-fill/first-triangle.json --jobs edge "
-                  "-o /dev/full --format svg")
+    EXPECT_EQ(run("report --quick $examples/t0-fill/first-triangle.json --jobs edge -o /dev/full "
+                  "--format svg")
                   .status,
               3);
 }

@@ -15,13 +15,11 @@ namespace {
 TEST_F(ProgramTest, SentencesOfWrongStepsSayWhatTheirNumbersGive) {
     const std::string fast = "$examples/regression/fast.jsonl";
     EXPECT_EQ(run("show --all " + fast +
-                  " | grep -o 'scanline y=.* left\\|\\[!\\].*' | "
-                  "grep -B1 '!' | tr '\\n' ' '")
+                  " | grep -o 'scanline y=.* left\\|\\[!\\].*' | grep -B1 '!' | tr '\\n' ' '")
                   .out,
-              "scanline y=2   left [!] its numbers give from = -1 -- "
-              "scanline y=0   left [!] its numbers give from = -2 "
-              "scanline y=-1   left [!] its numbers give from = -3 "
-              "scanline y=-2   left [!] its numbers give from = -4 ");
+              "scanline y=2   left [!] its numbers give from = -1 -- scanline y=0   left [!] its "
+              "numbers give from = -2 scanline y=-1   left [!] its numbers give from = -3 scanline "
+              "y=-2   left [!] its numbers give from = -4 ");
     for (const std::string question : {"--step 11", "--scanline 2", "--pixel 0,2", "--pixel=-1,2"})
         EXPECT_THAT(run("explain " + fast + " " + question).out,
                     HasSubstr("   [!] its numbers give from = -1\n"))
@@ -56,16 +54,16 @@ TEST_F(ProgramTest, ShowBeginsWithWhatTheSceneIsAbout) {
 }
 
 TEST_F(ProgramTest, ShowLooksAtAFrameInManyWays) {
-    const Outcome faces = run("show $examples/t2-lines/points.json --bare --view faces");
-    EXPECT_EQ(faces.out, "ab...\n"
-                         "c....\n"
-                         "....d\n");
-    const Outcome colored = shell("TERM=xterm COLORTERM= $rastertrace show "
-                                  "$examples/t2-lines/points.json --step last --view shade "
-                                  "--color always | tail -3 | head -1");
-    EXPECT_EQ(colored.out, "> 2   . . . . \x1b[97;40;7m-\x1b[0m  D x=4\n");
-    const Outcome plain = run("show $examples/t2-lines/points.json --view shade");
-    EXPECT_EQ(plain.out.find('\x1b'), std::string::npos);
+    EXPECT_EQ(run("show $examples/t2-lines/points.json --bare --view faces").out, "ab...\n"
+                                                                                  "c....\n"
+                                                                                  "....d\n");
+    EXPECT_EQ(
+        shell("TERM=xterm COLORTERM= $rastertrace show $examples/t2-lines/points.json --step last "
+              "--view shade --color always | tail -3 | head -1")
+            .out,
+        "> 2   . . . . \x1b[97;40;7m-\x1b[0m  D x=4\n");
+    EXPECT_THAT(run("show $examples/t2-lines/points.json --view shade").out,
+                Not(HasSubstr("\x1b")));
 
     EXPECT_THAT(run("show $examples/t2-lines/points.json --view face"),
                 Refused("rastertrace: --view: expected one of plotted, faces, shade, depth, "
@@ -78,31 +76,28 @@ TEST_F(ProgramTest, ShowLooksAtAFrameInManyWays) {
 TEST_F(ProgramTest, ShowTellsManyStepsOfAKindAsATable) {
     // T0's cube: the face of A, B and C lies at z = 3, what is behind it at 5.
     const std::string cube = "$rastertrace show $examples/t0-hidden/cube-inverse-z.json ";
-    const Outcome depths = shell(cube + "--every depth");
-    EXPECT_THAT(depths.out,
-                StartsWith("T0's cube with a depth buffer of 1/z\n\n  49  depth at (-4, 3): "
-                           "1/3 against 0: passes (1/z, larger is nearer; z = 3)\n"));
-    EXPECT_THAT(depths.out,
-                HasSubstr("depth at (-2, 2): 1/5 against 1/3 of ABC: fails (1/z, larger is "
-                          "nearer; z = 5 against 3)\n"));
-    EXPECT_THAT(depths.out, Not(HasSubstr("-5-4-3")));
+    EXPECT_THAT(shell(cube + "--every depth").out,
+                AllOf(StartsWith("T0's cube with a depth buffer of 1/z\n\n  49  depth at (-4, 3): "
+                                 "1/3 against 0: passes (1/z, larger is nearer; z = 3)\n"),
+                      HasSubstr("depth at (-2, 2): 1/5 against 1/3 of ABC: fails (1/z, larger is "
+                                "nearer; z = 5 against 3)\n"),
+                      Not(HasSubstr("-5-4-3"))));
     EXPECT_THAT(shell(cube + "--every depth --frames").out, HasSubstr("-5-4-3"));
 
-    const std::string rows =
-        "$rastertrace show $examples/t0-fill/first-triangle.json --every scanline ";
+    const std::string rows = "show $examples/t0-fill/first-triangle.json --every scanline ";
     EXPECT_THAT(
-        shell(rows + "--format csv").out,
+        run(rows + "--format csv").out,
         StartsWith("step,y,left,right,from,to,left_edge,right_edge,left_depth,right_depth\r\n"
                    "5,5,2,2,2,2,AB,AC,,\r\n"
                    "7,4,5/4,19/8,1,2,AB,AC,,\r\n"));
-    EXPECT_THAT(shell(rows + "--format markdown").out,
+    EXPECT_THAT(run(rows + "--format markdown").out,
                 HasSubstr("\n| 7 | 4 | 5/4 | 19/8 | 1 | 2 | AB | AC |  |  |\n"));
-    const auto steps = nlohmann::json::parse(shell(rows + "--format json").out);
+    const auto steps = nlohmann::json::parse(run(rows + "--format json").out);
     ASSERT_EQ(steps.size(), 9u);
     EXPECT_EQ(steps[1]["left"], "5/4");
     EXPECT_EQ(run("show $examples/t0-fill/first-triangle.json --format csv").err,
               "rastertrace: --format: expected --every or --step beside it, found \"csv\"\n");
-    EXPECT_EQ(shell(rows + "--format cvs").err,
+    EXPECT_EQ(run(rows + "--format cvs").err,
               "rastertrace: --format: expected one of table, markdown, csv, json, found \"cvs\"\n"
               "hint: did you mean csv?\n");
 }
@@ -153,10 +148,9 @@ TEST_F(ProgramTest, SentencesShortenWhatTheTraceHasWhole) {
         R"({"rastertrace":1,"canvas":{"width":3,"height":3,"origin":"center"},"method":{"cull":"back"},"steps":[
 {"step":"face","name":"ABC","normal":["49977918000000000000000000001/10141204000000000000000000003",0,"1/3"],"view":[0,0,1],"dot":1,"cosine":-0.57735026918962573,"culled":false}
 ]})");
-    EXPECT_THAT(
-        run("show long.json --step last").out,
-        HasSubstr("\nface ABC: normal (49977918.../10141204... = 4.928204, 0, 1/3) . to eye "
-                  "(0, 0, 1) = 1, cosine -0.57735 (125.26 degrees): drawn\n"));
+    EXPECT_THAT(run("show long.json --step last").out,
+                HasSubstr("\nface ABC: normal (49977918.../10141204... = 4.928204, 0, 1/3) . to "
+                          "eye (0, 0, 1) = 1, cosine -0.57735 (125.26 degrees): drawn\n"));
 }
 
 TEST_F(ProgramTest, AdaptiveWritesJsonBeyondTheDoubles) {
@@ -193,12 +187,11 @@ TEST_F(ProgramTest, ShowWalksAVertexThroughSixSpaces) {
                     "   9  vertex A in canonical space: (0, 2, -2) / 3 = (0, 2/3, -2/3)\n"
                     "  10  vertex A in screen space: (20, 10/3), from canonical (0, 2/3, -2/3)\n"
                     "  11  vertex B in object space: (1, -1, -1)\n")));
-    EXPECT_THAT(
-        run("show $examples/t4-pipeline/six-spaces.json --every matrix").out,
-        StartsWith("A vertex through six spaces\n"
-                   "\n"
-                   "   1  model matrix = translate x rotate x scale:  [0 -1 0 1]  [2 0 0 0]  "
-                   "[0 0 1 0]  [0 0 0 1]\n"));
+    EXPECT_THAT(run("show $examples/t4-pipeline/six-spaces.json --every matrix").out,
+                StartsWith("A vertex through six spaces\n"
+                           "\n"
+                           "   1  model matrix = translate x rotate x scale:  [0 -1 0 1]  [2 0 0 "
+                           "0]  [0 0 1 0]  [0 0 0 1]\n"));
     EXPECT_THAT(run("show $examples/t4-pipeline/behind-the-eye.json --every clip").out,
                 HasSubstr("wing clipped at the near plane: 2 of 3 vertices inside, 4 left\n"));
 }
@@ -209,18 +202,15 @@ TEST_F(ProgramTest, ShowsThePictureOfTheTextbook) {
 }
 
 TEST_F(ProgramTest, ShowsFramesOfEveryRow) {
-    const Outcome outcome = run("show $examples/t0-fill/first-triangle.json --every scanline");
-    EXPECT_EQ(outcome.status, 0);
     EXPECT_THAT(
-        outcome.out,
-        HasSubstr(
-            "\n\nFirst triangle                                             steps 14 "
-            "to 19 of 62\n"
-            "scanline y=2   left AB: x = 2 + 3/4 (2 - 5) = -1/4 -> floor -> -1   right AC: x = "
-            "2 - 3/8 (2 - 5) = 25/8 -> floor -> 3\n\n"
-            "     -8-7-6-5-4-3-2-1 0 1 2 3 4 5 6 7 8\n"));
-    EXPECT_THAT(outcome.out, HasSubstr("\n> 2   . . . . . . . @ @ @ @ @ . . . . .\n"));
-    EXPECT_EQ(outcome.out.find("\x1b"), std::string::npos);
+        run("show $examples/t0-fill/first-triangle.json --every scanline"),
+        Prints(AllOf(HasSubstr("\n\nFirst triangle                                             "
+                               "steps 14 to 19 of 62\n"
+                               "scanline y=2   left AB: x = 2 + 3/4 (2 - 5) = -1/4 -> floor -> -1  "
+                               " right AC: x = 2 - 3/8 (2 - 5) = 25/8 -> floor -> 3\n\n"
+                               "     -8-7-6-5-4-3-2-1 0 1 2 3 4 5 6 7 8\n"),
+                     HasSubstr("\n> 2   . . . . . . . @ @ @ @ @ . . . . .\n"),
+                     Not(HasSubstr("\x1b")))));
 }
 
 TEST_F(ProgramTest, FacesOfAFileAreCutAndToldOf) {
@@ -233,11 +223,9 @@ TEST_F(ProgramTest, FacesOfAFileAreCutAndToldOf) {
     EXPECT_EQ(outcome.status, 0);
     EXPECT_THAT(outcome.out,
                 HasSubstr("\na.f1.1\na.f1.2\na.f2.1\na.f2.2\na.f3.1\na.f3.2\na.f4\na-2.f1.1\n"));
-    EXPECT_THAT(
-        run("show scene.json --every triangulate").out,
-        HasSubstr(
-            "\n   1  face a.f2 is not convex; its normal (0, 0, 32) is largest in z, which is "
-            "dropped; ears: a.f2.1; what is left is a.f2.2\n"));
+    EXPECT_THAT(run("show scene.json --every triangulate").out,
+                HasSubstr("\n   1  face a.f2 is not convex; its normal (0, 0, 32) is largest in z, "
+                          "which is dropped; ears: a.f2.1; what is left is a.f2.2\n"));
     const std::string of_face =
         "remark: expected faces whose edges do not cross, found 1 face whose "
         "edges do; in ";
@@ -283,16 +271,12 @@ TEST_F(ProgramTest, WorkingIsWrittenBelowTheSentence) {
     const std::string crossing =
         "left AB: x = (x2 - x1)/(y2 - y1) (y - y1) + x1 = "
         "(-4 - 2)/(-3 - 5) (2 - 5) + 2 = 3/4 (-3) + 2 = -1/4 -> floor -> -1\n";
-    const std::string plain = shell(show + "--step 'scanline y=2'").out;
-    EXPECT_THAT(plain, Not(HasSubstr(crossing)));
-    const std::string worked = shell(show + "--step 'scanline y=2' --working").out;
-    EXPECT_THAT(worked, HasSubstr("-> floor -> 3\n    " + crossing));
-    EXPECT_THAT(worked, HasSubstr("\n> 2   . . . "));
+    EXPECT_THAT(shell(show + "--step 'scanline y=2'").out, Not(HasSubstr(crossing)));
+    EXPECT_THAT(shell(show + "--step 'scanline y=2' --working").out,
+                AllOf(HasSubstr("-> floor -> 3\n    " + crossing), HasSubstr("\n> 2   . . . ")));
     EXPECT_THAT(shell(show + "--every scanline --format table --working").out,
                 HasSubstr("-> floor -> 3\n          " + crossing));
-    EXPECT_THAT(run("show $examples/t4-pipeline/six-spaces.json --every matrix "
-                    "--working")
-                    .out,
+    EXPECT_THAT(run("show $examples/t4-pipeline/six-spaces.json --every matrix --working").out,
                 HasSubstr("  [0 0 1 -4]  [0 0 0 1]\n"
                           "          d = p - l = (0, 0, 4) - (0, 0, 0) = (0, 0, 4), |d| = 4\n"));
     for (const std::string beside : {"--bare", "--every edge --format csv"})
@@ -318,19 +302,18 @@ TEST_F(ProgramTest, OptionsOfTheGridAskForFrames) {
 }
 
 TEST_F(ProgramTest, ListsOfListsAreReadableInTables) {
-    EXPECT_THAT(run("show $examples/t0-fill/first-triangle.json --every primitive "
-                    "--format markdown")
-                    .out,
-                HasSubstr(" | ((2, 5), (-4, -3), (5, -3)) | "));
+    EXPECT_THAT(
+        run("show $examples/t0-fill/first-triangle.json --every primitive --format markdown").out,
+        HasSubstr(" | ((2, 5), (-4, -3), (5, -3)) | "));
 }
 
 TEST_F(ProgramTest, ThePaintersOrderIsToldWhole) {
-    const Outcome shown =
-        shell("COLUMNS=80 $rastertrace show $examples/t0-hidden/cube-painter.json --step order");
-    EXPECT_THAT(shown.out,
-                HasSubstr("the painter draws, farthest first: EHG at 5, EGF at 5, DHE at 13/3, "
-                          "BFG at 13/3,\nAEF at 13/3, "));
-    EXPECT_THAT(shown.out, HasSubstr("\nABC at 3, ACD at 3\n"));
+    EXPECT_THAT(
+        shell("COLUMNS=80 $rastertrace show $examples/t0-hidden/cube-painter.json --step order")
+            .out,
+        AllOf(HasSubstr("the painter draws, farthest first: EHG at 5, EGF at 5, DHE at 13/3, BFG "
+                        "at 13/3,\nAEF at 13/3, "),
+              HasSubstr("\nABC at 3, ACD at 3\n")));
 }
 
 TEST_F(ProgramTest, ShowSaysHowMuchLiesOffTheCanvas) {
@@ -486,9 +469,8 @@ TEST_F(ProgramTest, AFileWithoutACommandIsShown) {
     EXPECT_EQ(shown.status, 0);
     EXPECT_EQ(run(scene + " --bare").out, shown.out);
     EXPECT_EQ(shell("cp " + scene + " a.json; $rastertrace a.json --bare").out, shown.out);
-    EXPECT_EQ(run("none.json").err,
-              "rastertrace: none.json: expected a file that can be read, found: No such file or "
-              "directory\n");
+    EXPECT_EQ(run("none.json").err, "rastertrace: none.json: expected a file that can be read, "
+                                    "found: No such file or directory\n");
 }
 
 TEST_F(ProgramTest, AWindowOfALargerCanvasNamesTheOptionThatShowsAllOfIt) {

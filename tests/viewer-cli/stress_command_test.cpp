@@ -121,49 +121,43 @@ TEST_F(ProgramTest, StressLooksForCliffsInAScene) {
     write("calm.json", R"({"canvas": {"width": 16, "height": 16, "origin": "top-left"},
         "vertices": {"A": [1.25, 1.75], "B": [13.5, 3.25], "C": [4.75, 12.5]},
         "triangles": ["ABC"], "method": {"fill": "top-left"}})");
-    EXPECT_THAT(
-        run("stress calm.json").out,
-        StartsWith("calm.json\n"
-                   "\n"
-                   "Near no cliff: no sample within 2^-20 px of an edge, no sliver, nothing "
-                   "steep, deep, far out\n"
-                   "or edge-on.\n"));
+    EXPECT_THAT(run("stress calm.json").out,
+                StartsWith("calm.json\n"
+                           "\n"
+                           "Near no cliff: no sample within 2^-20 px of an edge, no sliver, "
+                           "nothing steep, deep, far out\n"
+                           "or edge-on.\n"));
 }
 
 TEST_F(ProgramTest, StressRefusesWhatItCannotRun) {
-    const auto refusal = [this](const std::string& arguments) {
-        const Outcome outcome = run("stress " + arguments);
-        EXPECT_EQ(outcome.status, 2) << arguments;
-        EXPECT_EQ(outcome.out, "") << arguments;
-        return outcome.err;
-    };
-    EXPECT_EQ(refusal("--case S19"),
+    EXPECT_EQ(refusal("stress --case S19"),
               "rastertrace: --case: expected a case of the catalogue, L1 to L13, S1 to S14, C1 to "
               "C18, Z1 to Z14, P1 to P12 or X1 to X9, found \"S19\"\nhint: did you mean S1?\n");
-    EXPECT_EQ(
-        refusal("--case Z5 --scene"),
-        "rastertrace: --scene: expected a case with a scene, found Z5, which is a computation, "
-        "or is refused\n");
-    EXPECT_EQ(refusal("--case C15 --scene 3"),
+    EXPECT_EQ(refusal("stress --case Z5 --scene"),
+              "rastertrace: --scene: expected a case with a scene, found Z5, which is a "
+              "computation, or is refused\n");
+    EXPECT_EQ(refusal("stress --case C15 --scene 3"),
               "rastertrace: --scene: expected a scene from 1 to 2 of C15, found 3\n");
-    EXPECT_THAT(refusal("--scene"), HasSubstr("hint: say --case S1 --scene\n"));
-    EXPECT_THAT(refusal("--case S1,S2 --scene"), HasSubstr("found \"S1,S2\"\n"));
-    EXPECT_EQ(refusal("x.json --case S1"),
+    EXPECT_THAT(refusal("stress --scene"), HasSubstr("hint: say --case S1 --scene\n"));
+    EXPECT_THAT(refusal("stress --case S1,S2 --scene"), HasSubstr("found \"S1,S2\"\n"));
+    EXPECT_EQ(refusal("stress x.json --case S1"),
               "rastertrace: --case: expected cases, or a scene, not both, found \"x.json\"\n");
-    EXPECT_EQ(refusal("--case L1,L2 L4"),
+    EXPECT_EQ(refusal("stress --case L1,L2 L4"),
               "rastertrace: --case: expected cases, or a scene, not both, found \"L4\"\n"
               "hint: several cases are one word: --case L1,L2,L4\n");
     EXPECT_THAT(
-        refusal("--fan-passes 2"),
+        refusal("stress --fan-passes 2"),
         StartsWith("rastertrace: --fan-passes: expected a scene to draw by another method"));
-    EXPECT_THAT(refusal("$examples/t0-fill/first-triangle.json --scalar double"),
+    EXPECT_THAT(refusal("stress $examples/t0-fill/first-triangle.json --scalar double"),
                 StartsWith("rastertrace: --scalar: expected no scalar"));
-    EXPECT_THAT(refusal("no-such-file.json"), StartsWith("rastertrace: no-such-file.json: "));
+    EXPECT_THAT(refusal("stress no-such-file.json"),
+                StartsWith("rastertrace: no-such-file.json: "));
     // Nothing to look at.
     write("empty.json", R"({"vertices": {"A": [1, 2]}})");
-    EXPECT_THAT(refusal("empty.json"), HasSubstr("expected at least one primitive, found none"));
+    EXPECT_THAT(refusal("stress empty.json"),
+                HasSubstr("expected at least one primitive, found none"));
     write("nan.json", R"({"vertices": {"A": [NaN, 2]}, "triangles": ["AAA"]})");
-    EXPECT_THAT(refusal("nan.json"), StartsWith("rastertrace: nan.json:1:21: "));
+    EXPECT_THAT(refusal("stress nan.json"), StartsWith("rastertrace: nan.json:1:21: "));
 }
 
 } // namespace

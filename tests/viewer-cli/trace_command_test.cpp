@@ -40,37 +40,31 @@ TEST_F(ProgramTest, ATraceIsCutDownAsIfItWereDrawnSo) {
     // A part of a part, and what it does not have.
     run("trace whole.json --only face,vertex -o part.json");
     EXPECT_EQ(run("trace part.json --only face").out, run("trace whole.json --only face").out);
-    const auto refusal = [this](const std::string& arguments) {
-        const Outcome outcome = run("trace " + arguments);
-        EXPECT_EQ(outcome.status, 2) << arguments;
-        EXPECT_EQ(outcome.out, "") << arguments;
-        return outcome.err;
-    };
-    EXPECT_EQ(refusal("part.json --only pixel"),
+    EXPECT_EQ(refusal("trace part.json --only pixel"),
               "rastertrace: pixel steps were left out of the trace\n");
-    EXPECT_EQ(refusal("whole.json --region 0,0,1,1"),
+    EXPECT_EQ(refusal("trace whole.json --region 0,0,1,1"),
               "rastertrace: whole.json: expected a scene for --region, found a trace\n"
               "hint: of a trace, --only writes the steps of some kinds\n");
-    EXPECT_EQ(refusal("whole.json --primitive ABC --only face"),
+    EXPECT_EQ(refusal("trace whole.json --primitive ABC --only face"),
               "rastertrace: whole.json: expected a scene for --primitive, found a trace\n"
               "hint: of a trace, --only writes the steps of some kinds\n");
-    EXPECT_EQ(refusal("whole.json --fill fan"),
+    EXPECT_EQ(refusal("trace whole.json --fill fan"),
               "rastertrace: whole.json: expected a scene to draw with --fill fan, found a trace, "
               "which is drawn already\n");
     // What a terminal would obey is escaped, wherever it stands; what is above ASCII otherwise stays.
     write("foreign.jsonl",
           "{\"rastertrace\":1,\"title\":\"\\u202e\",\"canvas\":{\"width\":3,\"height\":3}}\n"
           "{\"step\":\"\\u009b\\u007f\\u202e\\u00e9\"}\n{\"step\":\"\xC2\x9B\"}\n{\"end\":{}}\n");
-    EXPECT_EQ(run("trace foreign.jsonl --format jsonl").out,
-              "{\"rastertrace\":1,\"title\":\"\\u202e\",\"canvas\":{\"width\":3,\"height\":3}}\n"
-              "{\"step\":\"\\u009b\\u007f\\u202e\\u00e9\"}\n"
-              "{\"step\":\"\\u009b\"}\n"
-              "{\"end\":{\"steps\":2,\"count\":{\"\\u009b\":1,"
-              "\"\\u009b\\u007f\\u202e\xC3\xA9\":1}}}\n");
+    EXPECT_EQ(
+        run("trace foreign.jsonl --format jsonl").out,
+        "{\"rastertrace\":1,\"title\":\"\\u202e\",\"canvas\":{\"width\":3,\"height\":3}}\n"
+        "{\"step\":\"\\u009b\\u007f\\u202e\\u00e9\"}\n"
+        "{\"step\":\"\\u009b\"}\n"
+        "{\"end\":{\"steps\":2,\"count\":{\"\\u009b\":1,\"\\u009b\\u007f\\u202e\xC3\xA9\":1}}}\n");
     // Neither a trace that breaks off nor itself is written.
     shell("head -n 20 whole.jsonl >cut.jsonl; cp whole.json older.json");
-    EXPECT_THAT(refusal("cut.jsonl --only vertex -o older.json"), HasSubstr("truncated"));
-    EXPECT_THAT(refusal("whole.json --only face -o whole.json"), HasSubstr("whole.json"));
+    EXPECT_THAT(refusal("trace cut.jsonl --only vertex -o older.json"), HasSubstr("truncated"));
+    EXPECT_THAT(refusal("trace whole.json --only face -o whole.json"), HasSubstr("whole.json"));
     EXPECT_EQ(shell("cmp whole.json older.json").status, 0);
 }
 
@@ -98,16 +92,15 @@ TEST_F(ProgramTest, AFileNameIsShownAndNotStored) {
 }
 
 TEST_F(ProgramTest, MethodIsOverriddenOnTheCommandLine) {
-    const Outcome outcome = run("stats $examples/t0-fill/first-triangle.json --rounding truncate");
-    EXPECT_THAT(outcome.out, HasSubstr("pixels      45 of 238"));
+    EXPECT_THAT(run("stats $examples/t0-fill/first-triangle.json --rounding truncate").out,
+                HasSubstr("pixels      45 of 238"));
     EXPECT_THAT(run("trace $examples/t0-fill/first-triangle.json -o t.json; $rastertrace show "
                     "t.json --rounding truncate"),
                 Refused("rastertrace: t.json: expected a scene to draw with --rounding truncate, "
                         "found a trace, which is drawn already\n"));
     EXPECT_EQ(run("show x --rounding trunkate").err,
               "rastertrace: --rounding: expected one of floor, nearest, truncate, inside, "
-              "half-open, found "
-              "\"trunkate\"\nhint: did you mean truncate?\n");
+              "half-open, found \"trunkate\"\nhint: did you mean truncate?\n");
 }
 
 TEST_F(ProgramTest, AMethodMayStandInAFile) {
@@ -120,19 +113,17 @@ TEST_F(ProgramTest, AMethodMayStandInAFile) {
     EXPECT_EQ(run("trace " + scene + "--method scalar.json --convention opengl").out,
               run("trace " + scene + "--scalar double --convention opengl").out);
 
-    const auto refusal = [&](const std::string& text) {
+    const auto refusal_of = [&](const std::string& text) {
         write("wrong.json", text);
-        const Outcome outcome = run("show " + scene + "--method wrong.json");
-        EXPECT_EQ(outcome.status, 2) << text;
-        return outcome.err;
+        return refusal("show " + scene + "--method wrong.json");
     };
-    EXPECT_THAT(refusal("{\"fill\": \"top-left\",\n \"sample\": \"centre\"}"),
+    EXPECT_THAT(refusal_of("{\"fill\": \"top-left\",\n \"sample\": \"centre\"}"),
                 AllOf(StartsWith("rastertrace: wrong.json:2:12: expected one of integer, center, "),
                       HasSubstr("^\nhint: did you mean \"center\"?\n")));
-    EXPECT_THAT(refusal(R"({"fil": "top-left"})"), HasSubstr("did you mean \"fill\"?"));
-    EXPECT_THAT(refusal("[]"),
+    EXPECT_THAT(refusal_of(R"({"fil": "top-left"})"), HasSubstr("did you mean \"fill\"?"));
+    EXPECT_THAT(refusal_of("[]"),
                 StartsWith("rastertrace: wrong.json:1:1: expected an object with the keys "));
-    EXPECT_THAT(refusal("{"), StartsWith("rastertrace: wrong.json:1:"));
+    EXPECT_THAT(refusal_of("{"), StartsWith("rastertrace: wrong.json:1:"));
     EXPECT_THAT(run("show " + scene + "--method none.json").err,
                 StartsWith("rastertrace: none.json: "));
 }
