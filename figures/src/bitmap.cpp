@@ -259,6 +259,17 @@ std::optional<Problem> too_large_for_bitmap(const Drawing& drawing, double scale
                       "a smaller --scale makes it smaller; --region takes a part of it");
 }
 
+std::optional<Problem> problem_of_sides(const Bitmap& bitmap, std::size_t most,
+                                        std::string_view format) {
+    const std::size_t longest = std::max(bitmap.width, bitmap.height);
+    if (!bitmap.colors.empty() && longest <= most)
+        return std::nullopt;
+    return problem_of("",
+                      fmt::format("expected 1 to {} pixels a side in a {}, found {} x {}", most,
+                                  format, bitmap.width, bitmap.height),
+                      longest > most ? "a smaller --scale makes it smaller" : "");
+}
+
 Bitmap bitmap_of(const Drawing& drawing, Theme theme, double scale) {
     assert(!too_large_for_bitmap(drawing, scale));
     Bitmap bitmap{.width = static_cast<std::size_t>(pixels_of(drawing.width, scale)),

@@ -3,8 +3,8 @@
 
 namespace rastertrace {
 
-std::vector<Point> corners_of(const PrimitiveStep& primitive) {
-    std::vector<Point> corners;
+Path corners_of(const PrimitiveStep& primitive) {
+    Path corners;
     for (const TracedList<TracedNumber>& place : primitive.at.values()) {
         const auto at = place.values();
         const auto x = at.size() < 2 ? std::nullopt : at[0].nearest_double();
@@ -16,7 +16,7 @@ std::vector<Point> corners_of(const PrimitiveStep& primitive) {
     return corners;
 }
 
-std::optional<std::array<double, 3>> plane_through(const std::vector<Point>& at,
+std::optional<std::array<double, 3>> plane_through(const Path& at,
                                                    const std::array<double, 3>& values) {
     const double ux = at[1].x - at[0].x;
     const double uy = at[1].y - at[0].y;

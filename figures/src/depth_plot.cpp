@@ -138,7 +138,7 @@ std::optional<Depths> depths_of(const Panel& panel) {
 
     // The truth, from the triangle's corners.
     const auto primitive = trace.step(replay.primitive()).as<PrimitiveStep>();
-    const std::vector<Point> at = corners_of(primitive);
+    const Path at = corners_of(primitive);
     const auto corner_depths = primitive.depths.values();
     if (at.size() != 3 || corner_depths.size() != 3)
         return depths;

@@ -27,14 +27,6 @@ namespace rastertrace {
 
 namespace {
 
-/// The corners of a primitive on the sheet; none if its step does not tell them.
-Path places_of(const Panel& panel, std::size_t primitive) {
-    Path places;
-    for (const Point& corner : corners_of(panel.trace().step(primitive).as<PrimitiveStep>()))
-        places.push_back(panel.lattice.place_of(corner.x, corner.y));
-    return places;
-}
-
 /// Where faces were cut into triangles: sides that two triangles of a face have.
 class Diagonals {
 public:
@@ -172,6 +164,13 @@ void for_each_part(const Panel& panel, bool are_seen, const Visit& visit) {
 }
 
 } // namespace
+
+Path places_of(const Panel& panel, std::size_t primitive) {
+    Path places;
+    for (const Place& corner : corners_of(panel.trace().step(primitive).as<PrimitiveStep>()))
+        places.push_back(panel.lattice.place_of(corner.x, corner.y));
+    return places;
+}
 
 std::vector<std::size_t> primitives_with_edges(const Panel& panel) {
     if (auto sorted = in_painters_order(panel); !sorted.empty())

@@ -204,12 +204,8 @@ std::optional<Problem> problem_with(std::size_t count, const GifOptions& options
 }
 
 std::optional<Problem> problem_with(const Bitmap& first, const Bitmap& frame) {
-    const std::size_t longest = std::max(frame.width, frame.height);
-    if (frame.colors.empty() || longest > most_gif_side)
-        return problem_of("",
-                          fmt::format("expected 1 to {} pixels a side in a GIF, found {} x {}",
-                                      most_gif_side, frame.width, frame.height),
-                          longest > most_gif_side ? "a smaller --scale makes it smaller" : "");
+    if (auto problem = problem_of_sides(frame, most_gif_side, "GIF"))
+        return problem;
     if (frame.width != first.width || frame.height != first.height)
         return problem_of("", fmt::format("expected frames of one size in a GIF, found {} x {} "
                                           "after {} x {}",

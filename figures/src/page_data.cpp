@@ -390,7 +390,7 @@ private:
         else
             primitives_.add(group->second);
         JsonList corners;
-        for (const Point& place : places) {
+        for (const Place& place : places) {
             corners.add(held(place.x));
             corners.add(held(place.y));
         }

@@ -104,6 +104,9 @@ inline constexpr double axis_height = 16;
 
 // edge_parts.cpp
 
+/// The corners of a primitive on the sheet; none if its step does not tell them.
+Path places_of(const Panel& panel, std::size_t primitive);
+
 /// The primitives whose edges and vertices are shown, by their steps.
 std::vector<std::size_t> primitives_with_edges(const Panel& panel);
 void add_edges(const Panel& panel, std::vector<Shape>& shapes);

@@ -28,7 +28,6 @@ struct Content {
     int color_type;
     std::vector<png_color> palette;
     std::vector<png_text> texts;
-    std::size_t row_bytes;
     std::vector<png_byte> row; ///< room for one
     void (*write_row)(const Bitmap&, const Palette&, std::size_t y, png_byte* row);
 };
@@ -65,13 +64,11 @@ Content content_of(const Bitmap& bitmap, const Palette& palette, bool has_palett
                     .color_type = has_palette ? PNG_COLOR_TYPE_PALETTE : PNG_COLOR_TYPE_RGB,
                     .palette = {},
                     .texts = {},
-                    .row_bytes = bitmap.width * (has_palette ? 1 : 3),
-                    .row = {},
+                    .row = std::vector<png_byte>(bitmap.width * (has_palette ? 1 : 3)),
                     .write_row = has_palette ? write_indices : write_colors};
     if (has_palette)
         for (const Color color : palette.colors())
             content.palette.push_back({color.red(), color.green(), color.blue()});
-    content.row.resize(content.row_bytes);
     return content;
 }
 
@@ -113,12 +110,8 @@ bool write(png_structp png, png_infop info, const Bitmap& bitmap, const Palette&
 } // namespace
 
 Result<std::string> png_of(const Bitmap& bitmap) {
-    const std::size_t longest = std::max(bitmap.width, bitmap.height);
-    if (bitmap.colors.empty() || longest > most_png_side)
-        return problem_of("",
-                          fmt::format("expected 1 to {} pixels a side in a PNG, found {} x {}",
-                                      most_png_side, bitmap.width, bitmap.height),
-                          longest > most_png_side ? "a smaller --scale makes it smaller" : "");
+    if (auto problem = problem_of_sides(bitmap, most_png_side, "PNG"))
+        return *std::move(problem);
 
     Palette palette;
     Content content = content_of(bitmap, palette, palette.add(bitmap.colors));

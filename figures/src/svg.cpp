@@ -70,15 +70,20 @@ private:
                            fill ? fmt::format(R"( style="{}")", paint_css("fill", *fill)) : "");
     }
 
+    /// A path, unless nothing is in it.
+    std::string path_element(std::string_view kind, Role role, const std::string& data,
+                             const std::optional<Color>& fill = {}) {
+        return data.empty()
+                   ? ""
+                   : fmt::format("<path {} d=\"{}\"/>\n", attributes(kind, role, fill), data);
+    }
+
     std::string written(const Areas& areas) {
-        if (areas.rectangles.empty())
-            return {};
         shapes_ += areas.rectangles.size();
         std::string data;
         for (const Rectangle& rectangle : areas.rectangles)
             data += path_data(rectangle);
-        return fmt::format("<path {} d=\"{}\"/>\n", attributes("area", areas.role, areas.color),
-                           data);
+        return path_element("area", areas.role, data, areas.color);
     }
 
     std::string written(const Lines& lines) {
@@ -86,9 +91,7 @@ private:
         shapes_ += lines.paths.size();
         for (const Path& path : lines.paths)
             data += path_data(path, lines.are_closed);
-        if (data.empty())
-            return {};
-        return fmt::format("<path {} d=\"{}\"/>\n", attributes("line", lines.role), data);
+        return path_element("line", lines.role, data);
     }
 
     std::string written(const Polygons& polygons) {
@@ -96,9 +99,7 @@ private:
         shapes_ += polygons.paths.size();
         for (const Path& path : polygons.paths)
             data += path_data(path, true);
-        if (data.empty())
-            return {};
-        return fmt::format("<path {} d=\"{}\"/>\n", attributes("shape", polygons.role), data);
+        return path_element("shape", polygons.role, data);
     }
 
     std::string written(const Dots& dots) {
@@ -109,9 +110,7 @@ private:
         for (const Place& center : dots.centers)
             data += fmt::format("M{0} {1}a{2} {2} 0 1 0 {3} 0a{2} {2} 0 1 0 -{3} 0z",
                                 decimal(center.x - dots.radius), decimal(center.y), radius, across);
-        if (data.empty())
-            return {};
-        return fmt::format("<path {} d=\"{}\"/>\n", attributes("shape", dots.role), data);
+        return path_element("shape", dots.role, data);
     }
 
     std::string written(const Pixels& pixels) {

@@ -64,7 +64,7 @@ bool has_depth_buffer(const Trace& trace) {
 }
 
 /// How far `p` lies from the line through two points; positive on the left side with y up.
-double distance_from_line(const Point& p, const Point& from, const Point& to) {
+double distance_from_line(const Place& p, const Place& from, const Place& to) {
     return doubled_area(from, to, p) / std::hypot(to.x - from.x, to.y - from.y);
 }
 
@@ -320,7 +320,7 @@ void FrameCells::set_up_depths(std::size_t room) {
 
 void FrameCells::set_up_coverage() {
     const Trace& trace = replay_.trace();
-    std::vector<Point> corners;
+    Path corners;
     if (replay_.primitive() != 0)
         corners = corners_of(trace.step(replay_.primitive()).as<PrimitiveStep>());
     legend_ = {corners.size() == 3
@@ -329,7 +329,7 @@ void FrameCells::set_up_coverage() {
                    : said({"coverage is that of a triangle", "a cobertura é a de um triângulo"})};
     const auto offset = told_samples(trace).triangles;
     cell_ = [corners, x = offset.x().get_d(), y = offset.y().get_d()](std::size_t, Pixel pixel) {
-        const Point sample{pixel.x + x, pixel.y + y};
+        const Place sample{pixel.x + x, pixel.y + y};
         if (corners.size() != 3)
             return Cell{"-"};
         const auto &a = corners[0], b = corners[1], c = corners[2];

@@ -17,9 +17,7 @@ namespace {
 /// Depths from one corner to the next; of a line, the same beside it.
 std::optional<std::array<double, 3>> depths_over(const Path& corners,
                                                  const std::vector<double>& depths) {
-    std::vector<Point> at;
-    for (const Place& corner : corners)
-        at.push_back({corner.x, corner.y});
+    Path at = corners;
     if (at.size() == 2) // a third corner straight beside the first one
         at.push_back({at[0].x - (at[1].y - at[0].y), at[0].y + (at[1].x - at[0].x)});
     return plane_through(at, {depths[0], depths[1], depths.size() == 2 ? depths[0] : depths[2]});
@@ -37,9 +35,7 @@ Visibility::Visibility(const Panel& panel)
     larger_is_nearer_ = larger_is_nearer(trace);
     for (const std::size_t step : panel.replay.primitives()) {
         const auto primitive = trace.step(step).as<PrimitiveStep>();
-        Surface surface{step, {}, {}};
-        for (const Point& corner : corners_of(primitive))
-            surface.corners.push_back(panel.lattice.place_of(corner.x, corner.y));
+        Surface surface{step, places_of(panel, step), {}};
         std::vector<double> depths;
         for (const TracedNumber& one : primitive.depths.values())
             if (const auto value = one.nearest_double())

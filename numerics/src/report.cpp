@@ -193,10 +193,10 @@ void mark_fronts(JobReport& job) {
     }
 }
 
-Advice advice_for(const JobReport& job, std::size_t index) {
+std::string advice_for(const JobReport& job, std::size_t index) {
     const auto all = candidates(job, index);
     if (all.empty())
-        return {"Nothing could be measured."};
+        return "Nothing could be measured.";
     const ErrorMeasure& measure = job.measures[index];
     const auto error = [&](const Candidate& one) {
         return error_in_words(measure, one, one.setting->errors[index]);
@@ -232,7 +232,7 @@ Advice advice_for(const JobReport& job, std::size_t index) {
     if (!is_fastest)
         sentence += fmt::format(" The fastest, {}, {} ({}).", fastest.name(), error(fastest),
                                 cost(fastest));
-    return {sentence};
+    return sentence;
 }
 
 } // namespace rastertrace

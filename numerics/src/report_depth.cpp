@@ -248,8 +248,10 @@ private:
         }
     };
 
-    static std::uint32_t* row_of(Winners& winners, const Canvas& canvas, int line) {
-        return winners.data() + static_cast<std::ptrdiff_t>(line) * canvas.width - canvas.left();
+    /// A row of what each pixel has, from x = 0 on.
+    template <typename Value>
+    static Value* row_of(std::vector<Value>& values, const Canvas& canvas, int line) {
+        return values.data() + static_cast<std::ptrdiff_t>(line) * canvas.width - canvas.left();
     }
 
     /// Which primitive is seen in each pixel: its place in the scene, plus 1.
@@ -540,10 +542,7 @@ private:
         for_each_row(input, shared, unused,
                      [&](const DepthRow<D>& row, const PieceSpan& span, std::size_t piece) {
                          const int line = static_cast<int>(shared.canvas.row_of(span.y));
-                         Code* const cells =
-                             codes.data() +
-                             static_cast<std::ptrdiff_t>(line) * shared.canvas.width -
-                             shared.canvas.left();
+                         Code* const cells = row_of(codes, shared.canvas, line);
                          std::uint32_t* const seen = row_of(winners, shared.canvas, line);
                          for (int x = span.from; x <= span.to; ++x) {
                              // The first one always passes: nothing is farther than a clear cell.

@@ -5,9 +5,9 @@
 #include <rastertrace/core/draw/paint/row_painter.h>
 #include <rastertrace/core/numbers/interval.h>
 #include <rastertrace/core/numbers/rational.h>
-#include <rastertrace/core/raster/fill_half_space.h>
 #include <rastertrace/core/raster/flat_painter.h>
 
+#include "fill_half_space.h"
 #include "picture.h"
 
 #include <gtest/gtest.h>

@@ -475,24 +475,24 @@ JobReport job_with_price(double exact_time, double near_error, double unseen) {
 }
 
 TEST(Advice, TakesTheFastestThatIsEnoughAndTellsThePriceOfExactness) {
-    EXPECT_EQ(advice_for(job_with_price(207, 2e-12, 1e-3), 0).sentence,
+    EXPECT_EQ(advice_for(job_with_price(207, 2e-12, 1e-3), 0),
               "Choose one: near: it is off by 2e-12 px, no more than half a grain (1 ns per row). "
               "What never errs, one: exact, takes 207 times as long (207 ns per row). The fastest, "
               "one: far, is off by 0.5 px (0.9 ns per row).");
 }
 
 TEST(Advice, AnErrorOfJustWhatIsUnseenIsEnough) {
-    EXPECT_THAT(advice_for(job_with_price(207, 1e-3, 1e-3), 0).sentence,
+    EXPECT_THAT(advice_for(job_with_price(207, 1e-3, 1e-3), 0),
                 testing::StartsWith("Choose one: near: "));
-    EXPECT_THAT(advice_for(job_with_price(207, 1.001e-3, 1e-3), 0).sentence,
+    EXPECT_THAT(advice_for(job_with_price(207, 1.001e-3, 1e-3), 0),
                 testing::StartsWith("Choose one: exact: "));
 }
 
 TEST(Advice, TakesWhatNeverErrsWhereThatIsCheap) {
-    EXPECT_EQ(advice_for(job_with_price(price_of_safety, 2e-12, 1e-3), 0).sentence,
+    EXPECT_EQ(advice_for(job_with_price(price_of_safety, 2e-12, 1e-3), 0),
               "Choose one: exact: it never errs (2 ns per row). The fastest, one: far, is off by "
               "0.5 px (0.9 ns per row).");
-    EXPECT_THAT(advice_for(job_with_price(price_of_safety + 0.1, 2e-12, 1e-3), 0).sentence,
+    EXPECT_THAT(advice_for(job_with_price(price_of_safety + 0.1, 2e-12, 1e-3), 0),
                 HasSubstr("Choose one: near: it is off by 2e-12 px, no more than half a grain (1 "
                           "ns per row). What never errs, one: exact, takes 2.1 times as long"));
 }
@@ -500,7 +500,7 @@ TEST(Advice, TakesWhatNeverErrsWhereThatIsCheap) {
 TEST(Advice, TakesTheLeastErrorWhereNothingIsEnough) {
     JobReport job = job_with_price(207, 1e-2, 1e-3);
     job.curves[0].settings.erase(job.curves[0].settings.begin());
-    EXPECT_EQ(advice_for(job, 0).sentence,
+    EXPECT_EQ(advice_for(job, 0),
               "Choose one: near: it is off by 0.01 px, the least of all (1 ns per row). The "
               "fastest, one: far, is off by 0.5 px (0.9 ns per row).");
 }
@@ -508,16 +508,16 @@ TEST(Advice, TakesTheLeastErrorWhereNothingIsEnough) {
 TEST(Advice, NoErrorHereNeedNotMeanNoneElsewhere) {
     JobReport job = job_with_price(30, 0, 0);
     job.curves[0].settings.pop_back();
-    EXPECT_EQ(advice_for(job, 0).sentence,
+    EXPECT_EQ(advice_for(job, 0),
               "Choose one: near: it has no error here, and nothing is faster (1 ns per row). What "
               "never errs, one: exact, takes 30 times as long (30 ns per row).");
     job.curves[0].settings[1].never_errs = true;
-    EXPECT_EQ(advice_for(job, 0).sentence,
+    EXPECT_EQ(advice_for(job, 0),
               "Choose one: near: it never errs, and nothing is faster (1 ns per row).");
 }
 
 TEST(Advice, OfTimesThatTheClockCannotTellApartTheOneThatNeverErrsIsTheFastest) {
-    EXPECT_EQ(advice_for(job_with_price(0.9 * (1 + timing_noise / 2), 0, 0), 0).sentence,
+    EXPECT_EQ(advice_for(job_with_price(0.9 * (1 + timing_noise / 2), 0, 0), 0),
               "Choose one: exact: it never errs, and nothing is faster (0.909 ns per row).");
 }
 
@@ -525,8 +525,8 @@ TEST(Advice, FewWrongPixelsAreStillWrong) {
     JobReport job = job_with_price(10, 0, 0);
     job.measures[0].against = "rows";
     job.curves[0].settings[1].errors = {ErrorValue::ratio(1, 1000000)};
-    EXPECT_EQ(advice_for(job, 0).sentence, "Choose one: exact: it never errs (10 ns per row). The "
-                                           "fastest, one: far, is off by 0.5 px (0.9 ns per row).");
+    EXPECT_EQ(advice_for(job, 0), "Choose one: exact: it never errs (10 ns per row). The "
+                                  "fastest, one: far, is off by 0.5 px (0.9 ns per row).");
 }
 
 TEST(Advice, WhatDoesSomethingElseIsNeitherAdvisedNorOnAFront) {
@@ -535,9 +535,9 @@ TEST(Advice, WhatDoesSomethingElseIsNeitherAdvisedNorOnAFront) {
     mark_fronts(job);
     EXPECT_TRUE(job.curves[0].settings[1].on_front[0]);
     EXPECT_FALSE(job.curves[1].settings[0].on_front[0]);
-    EXPECT_THAT(advice_for(job, 0).sentence, testing::Not(HasSubstr("apart")));
+    EXPECT_THAT(advice_for(job, 0), testing::Not(HasSubstr("apart")));
     job.curves[1].is_apart = false;
-    EXPECT_THAT(advice_for(job, 0).sentence, testing::StartsWith("Choose apart: fastest of all"));
+    EXPECT_THAT(advice_for(job, 0), testing::StartsWith("Choose apart: fastest of all"));
 }
 
 TEST(ColorReport, WhatIsCutOffIsApartFromWhatIsRounded) {
@@ -550,7 +550,7 @@ TEST(Advice, WithoutAnyMeasurementThereIsNone) {
     JobReport job = job_with_price(1, 0, 0);
     for (Setting& setting : job.curves[0].settings)
         setting.failure = "overflow";
-    EXPECT_EQ(advice_for(job, 0).sentence, "Nothing could be measured.");
+    EXPECT_EQ(advice_for(job, 0), "Nothing could be measured.");
 }
 
 // Knobs at their ends, against the core's own walk.

@@ -40,7 +40,7 @@ MeasuredReport hand_made_report() {
     job.reference = "exact";
     job.measures = {{"wrong_rows", "wrong rows / rows", "", "rows"}};
     job.curves = {{"x1 + a (y - y1)", "scalar", {good, bad}}};
-    job.advice = {{"Choose exact."}};
+    job.advice = {"Choose exact."};
     JobReport nothing;
     nothing.job = ReportJob::depth;
     nothing.nothing = "the scene has no depth";
@@ -116,7 +116,7 @@ TEST(ReportFile, AHeadingStandsBelowTheCaptionBeforeIt) {
     std::string sentence;
     for (int i = 0; i < 200; ++i)
         sentence += "word ";
-    report.scenes[0].jobs[0].advice = {{sentence + "last."}};
+    report.scenes[0].jobs[0].advice = {sentence + "last."};
     report.scenes[0].jobs[1] = report.scenes[0].jobs[0];
     report.scenes[0].jobs[1].job = ReportJob::coverage;
     const std::string svg = report_svg(report);

@@ -33,20 +33,20 @@ constexpr std::array<std::string_view, units> unit_names{"triangle", "row", "pix
 using Dropped = std::array<std::uint64_t, units>;
 
 /// The side on which all of some points lie, if there is one.
-std::optional<Side> side_of(const Canvas& canvas, const std::vector<Point>& points) {
+std::optional<Side> side_of(const Canvas& canvas, const Path& points) {
     const auto all = [&points](auto&& is_there) {
         return !points.empty() && std::all_of(points.begin(), points.end(), is_there);
     };
-    const auto row_of = [&canvas](const Point& point) {
+    const auto row_of = [&canvas](const Place& point) {
         return (point.y - canvas.top()) * canvas.down();
     };
-    if (all([&](const Point& point) { return row_of(point) < 0; }))
+    if (all([&](const Place& point) { return row_of(point) < 0; }))
         return Side::above;
-    if (all([&](const Point& point) { return row_of(point) > canvas.height - 1; }))
+    if (all([&](const Place& point) { return row_of(point) > canvas.height - 1; }))
         return Side::below;
-    if (all([&](const Point& point) { return point.x < canvas.left(); }))
+    if (all([&](const Place& point) { return point.x < canvas.left(); }))
         return Side::left;
-    if (all([&](const Point& point) { return point.x > canvas.right(); }))
+    if (all([&](const Place& point) { return point.x > canvas.right(); }))
         return Side::right;
     return std::nullopt;
 }
@@ -64,9 +64,9 @@ void count_rejected(const RejectStep& reject, const Canvas& canvas,
     const Index to_x = reject.to_x.value_or(x);
     const auto point = [&](Index px, Index py) {
         // A row is beside no canvas.
-        return Point{static_cast<double>(is_row ? canvas.left() : px), static_cast<double>(py)};
+        return Place{static_cast<double>(is_row ? canvas.left() : px), static_cast<double>(py)};
     };
-    const Point first = point(x, y);
+    const Place first = point(x, y);
     auto side = side_of(canvas, {first, point(to_x, to_y)});
     if (!side) // around a corner
         side = side_of(canvas, {first});

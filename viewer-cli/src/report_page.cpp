@@ -29,7 +29,7 @@ Plot plot_of(const JobReport& job, std::size_t measure) {
               .x = {.label = one.unit.empty() ? std::string(one.name)
                                               : fmt::format("{} ({})", one.name, one.unit)},
               .y = {.label = fmt::format("median ns for each {}", job.unit)},
-              .caption = job.advice[measure].sentence,
+              .caption = job.advice[measure],
               .only_shelf = "no method has an error here"};
     for (const Curve& curve : job.curves) {
         PlotCurve& drawn = plot.curves.emplace_back();
@@ -215,7 +215,7 @@ std::string report_html(const MeasuredReport& report) {
             html += "<ul>\n";
             for (std::size_t measure = 0; measure < job.measures.size(); ++measure)
                 html += fmt::format("<li>{}: {}</li>\n", escaped(job.measures[measure].name),
-                                    escaped(job.advice[measure].sentence));
+                                    escaped(job.advice[measure]));
             html += "</ul>\n" + table_html(job);
         }
         html += fmt::format("<p>Trace, as the scene's method has it: {} in {:.3g} ms, written to "

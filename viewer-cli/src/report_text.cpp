@@ -131,8 +131,7 @@ void put_job(std::string& text, const JobReport& job) {
         put_curve(text, job, curve);
     for (std::size_t measure = 0; measure < job.measures.size(); ++measure)
         put_wrapped(text, "-> ",
-                    fmt::format("{}: {}", job.measures[measure].name, job.advice[measure].sentence),
-                    "   ");
+                    fmt::format("{}: {}", job.measures[measure].name, job.advice[measure]), "   ");
 }
 
 using Json = nlohmann::ordered_json;
@@ -199,7 +198,7 @@ Json json_of(const JobReport& job) {
             {{"method", curve.method}, {"knob", curve.knob}, {"settings", settings}});
     }
     for (std::size_t measure = 0; measure < job.measures.size(); ++measure)
-        json["advice"][std::string(job.measures[measure].key)] = job.advice[measure].sentence;
+        json["advice"][std::string(job.measures[measure].key)] = job.advice[measure];
     return json;
 }
 

@@ -16,6 +16,7 @@
 #include <cstddef>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace rastertrace {
@@ -35,6 +36,10 @@ inline constexpr std::size_t most_bitmap_pixels = 100'000'000;
 
 /// Why a drawing has no bitmap: it would have too many pixels. To be asked before bitmap_of().
 std::optional<Problem> too_large_for_bitmap(const Drawing& drawing, double scale);
+
+/// Why a format whose sides have at most so many pixels cannot hold a bitmap.
+std::optional<Problem> problem_of_sides(const Bitmap& bitmap, std::size_t most,
+                                        std::string_view format);
 
 /// The drawing as pixels, `scale` of them per unit; where its width or height is no whole number of pixels, one
 /// more, and at least one. The drawing must not be too large. No coordinate may be NaN.

@@ -100,11 +100,6 @@ struct Curve {
     bool is_apart = false;
 };
 
-/// What to choose, for one measure.
-struct Advice {
-    std::string sentence;
-};
-
 /// One job on one scene.
 struct JobReport {
     ReportJob job = ReportJob::edge;
@@ -114,7 +109,7 @@ struct JobReport {
     std::string reference; ///< what is exact here, in words
     std::vector<ErrorMeasure> measures;
     std::vector<Curve> curves;
-    std::vector<Advice> advice; ///< one for each measure
+    std::vector<std::string> advice; ///< what to choose, a sentence or more for each measure
 };
 
 /// What writing the trace costs, apart from all the rest. Times are ns for the whole scene.
@@ -160,7 +155,7 @@ void mark_fronts(JobReport& job);
 /// What to choose when price matters, from errors and median times: the fastest whose error is no more than
 /// the measure's `unseen`, or what never errs if that takes no longer than price_of_safety times as long; where
 /// nothing is that near, the least error. Says what it costs never to err, and what the fastest of all does.
-Advice advice_for(const JobReport& job, std::size_t measure);
+std::string advice_for(const JobReport& job, std::size_t measure);
 
 /// "x accumulated, float: every 16 rows".
 std::string name_of(const Curve& curve, const Setting& setting);

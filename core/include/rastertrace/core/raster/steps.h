@@ -206,14 +206,6 @@ template <typename Scalar> struct SampleTested {
     bool is_inside;                ///< none is negative
 };
 
-/// A sample point met the three edges of a triangle. Only fill_half_space has this step: no scene
-/// is drawn by it.
-template <typename Scalar> struct EdgesTested {
-    Pixel pixel;
-    std::array<Scalar, 3> values; ///< of the edge functions: upper, lower and long edge
-    bool is_inside;               ///< all three admit the sample
-};
-
 /// What a depth test was decided by.
 enum class DepthReason : std::uint8_t {
     stored,  ///< the depth that is stored: what is nearer passes, or as near and thinner

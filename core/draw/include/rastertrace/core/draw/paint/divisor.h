@@ -18,7 +18,7 @@ template <typename Integer> struct Quotient {
     Integer rest;
 };
 
-/// A positive divisor. On 64 bits it multiplies by the reciprocal: processors divide integers
+/// A positive divisor of 64 bits. It multiplies by the reciprocal: processors divide integers
 /// several times more slowly than they multiply doubles. The product is off by a few units in its
 /// last place. A quotient below 2^49 is then off by at most 1, and the remainder says in which
 /// direction.
@@ -28,12 +28,8 @@ public:
 
     Integer value() const { return value_; }
 
-    /// On 64 bits, the quotient must lie within +-2^49.
+    /// The quotient must lie within +-2^49.
     Quotient<Integer> divide(Integer number) const {
-        if constexpr (sizeof(Integer) > sizeof(Index)) {
-            const Integer quotient = floor_quotient<Integer>(number, value_);
-            return {quotient, number - quotient * value_};
-        }
         Integer quotient = floor_index(static_cast<double>(number) * reciprocal_);
         Integer rest = number - quotient * value_;
         const Integer too_high = rest < 0 ? 1 : 0;

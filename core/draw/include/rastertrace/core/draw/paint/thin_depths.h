@@ -5,6 +5,7 @@
 // would hide the face that the next line is tested against, and the result would depend on the
 // order of the lines.
 
+#include <rastertrace/core/draw/scene/algorithms.h>
 #include <rastertrace/core/raster/steps.h>
 
 #include <cstddef>

@@ -10,7 +10,8 @@
 //
 //     fill_half_space(triangle, {0.5, 0.5}, canvas, FlatPainter(image, color));
 //
-// `"fill": "top-left"` of a scene draws the same pixels row by row (draw/paint/fill_top_left.h).
+// `"fill": "top-left"` of a scene draws the same pixels row by row (draw/paint/fill_top_left.h), and is
+// tested against this one.
 
 #include <rastertrace/core/numbers/scalar.h>
 #include <rastertrace/core/raster/bounding_box.h>
@@ -25,6 +26,13 @@
 #include <array>
 
 namespace rastertrace {
+
+/// A sample point met the three edges of a triangle.
+template <typename Scalar> struct EdgesTested {
+    Pixel pixel;
+    std::array<Scalar, 3> values; ///< of the edge functions: upper, lower and long edge
+    bool is_inside;               ///< all three admit the sample
+};
 
 /// Fills a triangle: tests every pixel of its box, top row first. A triangle without
 /// area has no inside and is skipped.
