@@ -324,20 +324,6 @@ private:
 
     /// The place, from 0, that an index stands for: from 1 on, or back from the last so far, -1.
     std::uint32_t take_index(const char* corner, std::size_t so_far, std::string_view of_what) {
-        // Nearly every index is a few digits.
-        const char* after = at_;
-        std::uint64_t index = 0;
-        for (; is_digit(*after) && after - at_ < 18; ++after)
-            index = 10 * index + static_cast<std::uint64_t>(*after - '0');
-        if (index == 0 || index > so_far || !(*after == '/' || word_ends_at(after)))
-            return take_any_index(corner, so_far, of_what);
-        at_ = after;
-        return static_cast<std::uint32_t>(index - 1);
-    }
-
-    /// The same, whatever its form.
-    [[gnu::noinline]] std::uint32_t take_any_index(const char* corner, std::size_t so_far,
-                                                   std::string_view of_what) {
         const char* const begin = at_;
         std::int64_t index = 0;
         const auto [after, error] = std::from_chars(begin, end_, index);

@@ -67,6 +67,15 @@ std::string_view short_name(std::string_view pointer) {
     return pointer.substr(begin + 1);
 }
 
+/// From one number to another, both included; one value is `from`.
+std::vector<mpq_class> evenly_spaced(const mpq_class& from, const mpq_class& to,
+                                     std::size_t steps) {
+    std::vector<mpq_class> values{from};
+    for (std::size_t i = 1; i < steps; ++i)
+        values.emplace_back(from + (to - from) * mpz_class(i) / mpz_class(steps - 1));
+    return values;
+}
+
 /// One variation while it is read: it knows whom to blame.
 class VariationReader {
 public:
@@ -105,14 +114,14 @@ public:
     }
 
     /// FROM:TO:STEPS, or a list.
-    Variations::Values values_in(const std::string& text) const {
+    std::vector<mpq_class> values_in(const std::string& text) const {
         if (text.find(':') == std::string::npos) {
             std::vector<mpq_class> list;
             for (const std::string& word : split_at(text, ','))
                 list.push_back(number_in(word));
             if (list.size() > most_frames)
                 fail(fmt::format("expected at most {} values, found {}", most_frames, list.size()));
-            return Variations::Values(std::move(list));
+            return list;
         }
         const auto words = split_at(text, ':');
         if (words.size() != 3)
@@ -123,11 +132,11 @@ public:
         if (!steps || *steps < 1 || *steps > most_frames)
             fail(fmt::format("expected a whole number of steps from 1 to {}, found \"{}\"",
                              most_frames, shown(words[2])));
-        return {number_in(words[0]), number_in(words[1]), *steps};
+        return evenly_spaced(number_in(words[0]), number_in(words[1]), *steps);
     }
 
     /// {"from", "to", "steps"}, or a list.
-    Variations::Values values_in(const JsonValue& value) const {
+    std::vector<mpq_class> values_in(const JsonValue& value) const {
         if (value.kind == JsonValue::Kind::array && !value.elements().empty()) {
             std::vector<mpq_class> list;
             for (const JsonValue& item : value.elements()) {
@@ -136,7 +145,7 @@ public:
                                fmt::format("expected at most {} values, found more", most_frames));
                 list.push_back(json_.number_in(item).exact());
             }
-            return Variations::Values(std::move(list));
+            return list;
         }
         if (value.kind != JsonValue::Kind::object)
             json_.fail_expecting(value,
@@ -147,9 +156,9 @@ public:
         if (!steps || *steps < 1 || *steps > static_cast<std::int64_t>(most_frames))
             json_.fail_expecting(steps_value,
                                  fmt::format("a whole number of steps from 1 to {}", most_frames));
-        return {json_.number_in(json_.member(value, "from")).exact(),
-                json_.number_in(json_.member(value, "to")).exact(),
-                static_cast<std::size_t>(*steps)};
+        return evenly_spaced(json_.number_in(json_.member(value, "from")).exact(),
+                             json_.number_in(json_.member(value, "to")).exact(),
+                             static_cast<std::size_t>(*steps));
     }
 
 private:
@@ -238,21 +247,6 @@ private:
 };
 
 } // namespace
-
-std::size_t Variations::Values::size() const {
-    if (const auto* range = std::get_if<Range>(&held_))
-        return range->steps;
-    return std::get<std::vector<mpq_class>>(held_).size();
-}
-
-mpq_class Variations::Values::operator[](std::size_t i) const {
-    if (const auto* list = std::get_if<std::vector<mpq_class>>(&held_))
-        return (*list)[i];
-    const Range& range = std::get<Range>(held_);
-    if (i == 0)
-        return range.from;
-    return range.from + (range.to - range.from) * mpz_class(i) / mpz_class(range.steps - 1);
-}
 
 Variations::Variations(const JsonReader& json, const JsonValue& root,
                        const std::vector<Variation>& given) {

@@ -19,7 +19,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <string>
-#include <variant>
 #include <vector>
 
 namespace rastertrace {
@@ -40,31 +39,11 @@ public:
     /// Puts the numbers of a frame into the document, or into another one of the same source.
     void put_into(JsonDocument& document, std::size_t frame) const;
 
-    /// The values of one number, in order.
-    class Values {
-    public:
-        /// Evenly spaced, both ends included; one value is `from`.
-        Values(mpq_class from, mpq_class to, std::size_t steps)
-            : held_(Range{std::move(from), std::move(to), steps}) {}
-        explicit Values(std::vector<mpq_class> list) : held_(std::move(list)) {}
-
-        std::size_t size() const;
-        mpq_class operator[](std::size_t i) const;
-
-    private:
-        struct Range {
-            mpq_class from;
-            mpq_class to;
-            std::size_t steps;
-        };
-        std::variant<Range, std::vector<mpq_class>> held_;
-    };
-
 private:
     struct Varying {
         std::string pointer;
-        std::uint32_t node; ///< of the number
-        Values values;
+        std::uint32_t node;            ///< of the number
+        std::vector<mpq_class> values; ///< in order
     };
     std::vector<Varying> varying_;
 };
