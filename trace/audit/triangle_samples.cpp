@@ -108,11 +108,13 @@ int orientation(const ScreenPoint& a, const ScreenPoint& b, const ScreenPoint& c
 
 std::vector<Pixel> pixels_near(const ScreenPoint& from, const ScreenPoint& to,
                                const CanvasSamples& grid) {
+    if (from == to)
+        return {};
     const ExactEdge edge(from, to);
     const bool runs_along_x =
         abs(to.x.exact() - from.x.exact()) >= abs(to.y.exact() - from.y.exact());
-    const auto& [first, last] =
-        runs_along_x ? std::minmax(from.x, to.x) : std::minmax(from.y, to.y);
+    const Coordinate& first = runs_along_x ? std::min(from.x, to.x) : std::min(from.y, to.y);
+    const Coordinate& last = runs_along_x ? std::max(from.x, to.x) : std::max(from.y, to.y);
     const auto is_near = [&](Index x, int y) {
         const ScreenPoint sample = grid.sample_of(x, y);
         const Coordinate& along = runs_along_x ? sample.x : sample.y;
