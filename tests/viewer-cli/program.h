@@ -63,6 +63,7 @@ inline std::ostream& operator<<(std::ostream& to, const Outcome& outcome) {
 /// What a command prints, in full or by a matcher.
 using Text = testing::Matcher<const std::string&>;
 
+/// Of an outcome: how it ends, and what it prints. Refused is what becomes of bad input.
 inline testing::Matcher<const Outcome&> Ends(int status, const Text& out = _, const Text& err = _) {
     return AllOf(testing::Field("status", &Outcome::status, status),
                  testing::Field("out", &Outcome::out, out),
