@@ -114,7 +114,6 @@ TEST_F(ProgramTest, TablesOfNothingAndOfNegativeFractions) {
     EXPECT_EQ(shell(show + "--bare --region 1,3,3,5").out, ".#.\n"
                                                            "##.\n"
                                                            "##.\n");
-    EXPECT_EQ(shell(show + "--bare --overview").status, 2);
     EXPECT_EQ(shell(show + "--every scanline --json").out,
               shell(show + "--every scanline --format json").out);
     for (const std::string other : {"--every scanline --format csv", "", "--every scanline --bare"})
@@ -124,7 +123,7 @@ TEST_F(ProgramTest, TablesOfNothingAndOfNegativeFractions) {
         R"({"rastertrace":1,"canvas":{"width":2,"height":1,"origin":"top-left"},"method":{},"steps":[]})");
     EXPECT_EQ(run("show empty.json --every last --bare").out, "..\n");
     // No depth was tested, and there is no room for numbers.
-    EXPECT_THAT(shell(show + "--view depth --overview").out, HasSubstr("the buffer is clear"));
+    EXPECT_THAT(shell("COLUMNS=10 " + show + "--view depth").out, HasSubstr("the buffer is clear"));
 }
 
 TEST_F(ProgramTest, DepthTestsSayTheRuleThatWasAskedFor) {
@@ -293,7 +292,7 @@ TEST_F(ProgramTest, ARegionUpsideDownIsRefused) {
 TEST_F(ProgramTest, OptionsOfTheGridAskForFrames) {
     const std::string show = "$rastertrace show $examples/t0-hidden/cube-culled.json --every face ";
     EXPECT_THAT(shell(show).out, Not(HasSubstr("\n  5  ")));
-    for (const std::string option : {"--view writes", "--region -5,-4,4,5", "--overview"}) {
+    for (const std::string option : {"--view writes", "--region -5,-4,4,5"}) {
         EXPECT_THAT(shell(show + option).out, HasSubstr("\n  5  ")) << option;
         EXPECT_THAT(shell(show + option + " --format csv"),
                     Refused(HasSubstr("--format: expected a table, without --bare")))
@@ -473,12 +472,11 @@ TEST_F(ProgramTest, AFileWithoutACommandIsShown) {
                                     "found: No such file or directory\n");
 }
 
-TEST_F(ProgramTest, AWindowOfALargerCanvasNamesTheOptionThatShowsAllOfIt) {
+TEST_F(ProgramTest, AWindowOfALargerCanvasSaysWhatItShows) {
     write("large.json", R"({"canvas": {"width": 512, "height": 512, "origin": "top-left"},
 "vertices": {"A": [0, 0], "B": [511, 0], "C": [0, 511]}, "triangles": ["ABC"]})");
     EXPECT_THAT(shell("COLUMNS=80 LINES=24 $rastertrace show large.json --step last").out,
-                HasSubstr("\n(x 0 to 73, y 496 to 511 of a canvas of 512 x 512; --overview: all of "
-                          "it)\n"));
+                HasSubstr("\n(x 0 to 73, y 496 to 511 of a canvas of 512 x 512)\n"));
     // The summary shows all of it.
     EXPECT_THAT(shell("COLUMNS=80 LINES=24 $rastertrace show large.json").out,
                 HasSubstr("\n(1 cell = "));

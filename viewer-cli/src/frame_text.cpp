@@ -249,14 +249,13 @@ std::string part_text(const Canvas& canvas, const FrameText& about, const Window
     if (window.columns == canvas.width && window.rows * window.block_height >= canvas.height)
         return {};
     return said(
-        {"(x {} to {}, y {} to {} of a canvas of {} x {}{}{})\n",
-         "(x {} a {}, y {} a {} de uma tela de {} x {}{}{})\n"},
+        {"(x {} to {}, y {} to {} of a canvas of {} x {})\n",
+         "(x {} a {}, y {} a {} de uma tela de {} x {})\n"},
         canvas.left() + window.first_column,
         canvas.left() + window.first_column + window.columns - 1, canvas.y_of(window.first_row),
         canvas.y_of(std::min(window.first_row + window.rows * window.block_height, canvas.height) -
                     1),
-        canvas.width, canvas.height, about.region || about.for_all.empty() ? "" : "; ",
-        about.region ? "" : about.for_all);
+        canvas.width, canvas.height);
 }
 
 /// The title, and on the right which steps the frame shows.

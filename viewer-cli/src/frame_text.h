@@ -36,7 +36,6 @@ struct FrameText {
     bool is_overview = false;              ///< show all of the canvas, many pixels to a cell
     std::vector<std::string> working = {}; ///< lines below the caption, see working_of
     bool has_heading = true;               ///< title, caption and working
-    std::string_view for_all = {};         ///< what shows all of a canvas of which only a part fits
     std::string below = {}; ///< what will be printed below the frame, for which it leaves room
     std::optional<Pixel> center =
         {}; ///< what a cut canvas is shown around; none: what the step is about

@@ -16,7 +16,6 @@
 #include <rastertrace/trace/tell/describe.h>
 #include <rastertrace/trace/tell/digest.h>
 #include <rastertrace/trace/tell/working.h>
-#include <rastertrace/trace/text/language.h>
 #include <rastertrace/trace/text/text.h>
 
 #include <fmt/core.h>
@@ -169,18 +168,14 @@ ExitStatus show(const Trace& trace, const ShowCommand& command, FaceGroups& face
     }
     bool is_first = true;
     for (const ShownSteps& steps : shown) {
-        FrameText about{
-            .caption = {},
-            .first_step = steps.first,
-            .last_step = steps.last,
-            .view = view,
-            .colors = output_colors(command.color),
-            .region = command.region,
-            .is_overview = command.is_overview,
-            .for_all =
-                Words("--overview: all of it", "--overview: ela toda").in(language_of_steps()),
-            .below = below,
-            .faces = &faces};
+        FrameText about{.caption = {},
+                        .first_step = steps.first,
+                        .last_step = steps.last,
+                        .view = view,
+                        .colors = output_colors(command.color),
+                        .region = command.region,
+                        .below = below,
+                        .faces = &faces};
         if (!command.bare) {
             replay.go_to(steps.first);
             about.caption = describe_step(replay);
@@ -262,8 +257,6 @@ public:
         options.flag("--bare", command_.bare, "Only the grid: . empty, # plotted, top row first");
         add_view_to(options, view_);
         options.option("--region", region_, "Show only these pixels", "x0,y0,x1,y1");
-        options.flag("--overview", command_.is_overview,
-                     "Show all of the canvas, many pixels to a cell");
         options.flag("--frames", command_.has_frames,
                      "With --every: a frame for each step, also of kinds that are told as a table");
         options.flag("--working", command_.has_working,
@@ -289,12 +282,8 @@ public:
             command_.which = ShowCommand::Which::all;
         command_.view = value_of("--view", view_, view_names(), view_named);
         command_.region = region_of(region_);
-        if (command_.bare && command_.is_overview)
-            refuse_value("--overview", "a frame, without --bare", "--bare");
         if (command_.bare && command_.has_working)
             refuse_value("--bare", "only the grid, without --working", "--bare");
-        if (command_.region && command_.is_overview)
-            refuse_value("--overview", "no --region beside it", region_);
         if (is_json_) {
             if (!format_.empty())
                 refuse_value("--json", "no --format beside it", format_);
@@ -309,8 +298,7 @@ public:
             if (command_.has_working && command_.format != TableFormat::table)
                 refuse_value("--working", "sentences, without --format " + format_, "--working");
             if (command_.bare || command_.asks_for_frames())
-                refuse_value("--format",
-                             "a table, without --bare, --frames, --view, --region and --overview",
+                refuse_value("--format", "a table, without --bare, --frames, --view and --region",
                              format_);
         }
         command_.color = color_choice_of(color_);
