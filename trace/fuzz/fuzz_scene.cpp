@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "fuzz_scene.h"
 
-#include <rastertrace/trace/text/canvas_json.h>
 #include <rastertrace/trace/text/color_text.h>
 #include <rastertrace/trace/text/named_value.h>
 #include <rastertrace/trace/text/text.h>
@@ -43,7 +42,6 @@ class RandomFuzzScene {
 public:
     RandomFuzzScene(std::uint64_t seed, const FuzzChoice& choice) : random_(seed) {
         scene_.kind = choice.kinds[index_below(choice.kinds.size())];
-        scene_.origin = choice.origin;
         scene_.method = choice.method;
         scene_.width = side(choice.largest_canvas);
         scene_.height = side(choice.largest_canvas);
@@ -80,9 +78,7 @@ private:
 
     /// A coordinate on an axis of so many pixels: whole, a half (where samples are), a quarter, any; now and then far.
     std::int64_t coordinate(int pixels) {
-        const bool is_centered = scene_.origin == Origin::center;
-        const std::int64_t low = is_centered ? -pixels / 2 : 0;
-        const std::int64_t whole = random_.whole(low - 1, low + pixels + 1) * fuzz_unit;
+        const std::int64_t whole = random_.whole(-1, pixels + 1) * fuzz_unit;
         if (random_.chance(16))
             return whole * random_.whole(10, 400) + half * random_.whole(0, 1);
         switch (random_.whole(0, 4)) {
@@ -243,11 +239,12 @@ std::string scene_json(const FuzzScene& scene) {
             convention = fmt::format(",\n \"convention\": {}", json_quoted(value));
         else
             method.push_back(fmt::format("{}: {}", json_quoted(key), json_quoted(value)));
-    return fmt::format("{{\"canvas\": {{\"width\": {}, \"height\": {}, \"origin\": \"{}\"}},\n"
-                       " \"vertices\": {{{}}},\n \"{}\": [{}]{},\n \"method\": {{{}}}}}\n",
-                       scene.width, scene.height, name_of(scene.origin), joined(vertices, ", "),
-                       scene.kind == FuzzKind::lines ? "lines" : "triangles",
-                       joined(primitives, ",\n  "), convention, joined(method, ", "));
+    return fmt::format(
+        "{{\"canvas\": {{\"width\": {}, \"height\": {}, \"origin\": \"top-left\"}},\n"
+        " \"vertices\": {{{}}},\n \"{}\": [{}]{},\n \"method\": {{{}}}}}\n",
+        scene.width, scene.height, joined(vertices, ", "),
+        scene.kind == FuzzKind::lines ? "lines" : "triangles", joined(primitives, ",\n  "),
+        convention, joined(method, ", "));
 }
 
 std::string triangles_text(const FuzzScene& scene) {

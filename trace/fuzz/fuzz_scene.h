@@ -44,7 +44,6 @@ struct FuzzScene {
     FuzzKind kind = FuzzKind::plane;
     int width = 0;
     int height = 0;
-    Origin origin = Origin::top_left;
     MethodOverrides method{}; ///< of the reference
     std::vector<FuzzPrimitive> primitives{};
 };
@@ -52,7 +51,6 @@ struct FuzzScene {
 /// What is common to the scenes of a run.
 struct FuzzChoice {
     std::vector<FuzzKind> kinds{FuzzKind::plane}; ///< one of them for each scene
-    Origin origin = Origin::top_left;
     MethodOverrides method{};
     int largest_canvas = 32; ///< pixels on a side; a power of 2
 };

@@ -44,11 +44,6 @@ std::span<const JsonWord> origin_words() {
     return origins;
 }
 
-std::vector<std::string_view> origin_names() {
-    constexpr auto names = names_of(origins);
-    return {names.begin(), names.end()};
-}
-
 std::optional<std::string> fault_of_size(const Canvas& canvas) {
     if (std::int64_t{canvas.width} * canvas.height <= largest_canvas_area)
         return std::nullopt;
@@ -81,7 +76,7 @@ Result<CanvasJson> read_canvas_json(const Source& source, const JsonValue& value
                     known = true;
                 }
             if (!known)
-                return expecting(item, fmt::format("one of {}", joined(origin_names(), ", ")));
+                return expecting(item, fmt::format("one of {}", joined(names_of(origins), ", ")));
         } else {
             const auto known = names_of(canvas_keys);
             Problem problem = expecting(key, fmt::format("a key out of {}", joined(known, ", ")));

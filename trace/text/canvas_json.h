@@ -45,6 +45,5 @@ std::string_view name_of(Origin origin);
 
 /// All three words, and what they mean.
 std::span<const JsonWord> origin_words();
-std::vector<std::string_view> origin_names();
 
 } // namespace rastertrace

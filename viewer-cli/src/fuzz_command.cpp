@@ -13,7 +13,6 @@
 
 #include <rastertrace/core/draw/plan/stages.h>
 #include <rastertrace/trace/fuzz/shrink.h>
-#include <rastertrace/trace/text/canvas_json.h>
 #include <rastertrace/trace/text/in_threads.h>
 #include <rastertrace/trace/text/output.h>
 #include <rastertrace/trace/text/text.h>
@@ -221,8 +220,6 @@ public:
                        "N");
         options.option("--kinds", kinds_, "What scenes are about; 2d if not given", "KINDS")
             .values({"2d", "lines", "depth", "clip"});
-        options.option("--origin", origin_, "Of their canvas; top-left if not given", "NAME")
-            .values({"center", "bottom-left", "top-left"});
         options.option("--largest", largest_,
                        "Pixels on a side: 4, 8, 16, 32, ...; 32 if not given", "N");
         options.option("--time", time_, "Seconds that a run may take; 10 if not given", "SECONDS");
@@ -264,8 +261,6 @@ public:
                                {fuzz_kind_names.begin(), fuzz_kind_names.end()}, fuzz_kind_named);
         if (!kinds.empty())
             command_.choice.kinds = std::move(kinds);
-        if (const auto origin = value_of<Origin>("--origin", origin_, origin_names()))
-            command_.choice.origin = *origin;
         command_.choice.method = method_.overrides();
     }
 
@@ -277,7 +272,6 @@ private:
     std::string runs_;
     std::string seed_;
     std::string kinds_;
-    std::string origin_;
     std::string largest_;
     std::string time_;
     std::string jobs_;
