@@ -90,8 +90,7 @@ TEST_F(FuzzTest, TheSameIsFoundWhateverTheJobs) {
 TEST_F(FuzzTest, AnswersMayBePicturesAndFiles) {
     // The rows that the program's own trace shows, and a file.
     write("rows.sh", std::string(RASTERTRACE_DRIVEN) + " $1 $2 > mine.jsonl; " +
-                         std::string(RASTERTRACE_PROGRAM) +
-                         " show mine.jsonl --bare > \"$3\"\n");
+                         std::string(RASTERTRACE_PROGRAM) + " show mine.jsonl --bare > \"$3\"\n");
     const auto with = [&](const std::string& mistake) {
         return run("fuzz --runs 60 --jobs 1 --shrink 40 --fill top-left --scalar exact -- sh "
                    "rows.sh {triangles} " +
@@ -104,16 +103,14 @@ TEST_F(FuzzTest, AnswersMayBePicturesAndFiles) {
 
 // A picture that is drawn nearly all over, and the options that the written test needs.
 TEST_F(FuzzTest, PicturesWithColorsAndTheOptionsOfTheTest) {
-    write("ppm.sh",
-          std::string(RASTERTRACE_DRIVEN) + " $1 $2 > mine.jsonl; " +
-              "set -- $(head -n 1 $1); echo P2 $2 $3 1 > mine.pgm; " +
-              std::string(RASTERTRACE_PROGRAM) +
-              " show mine.jsonl --bare | tr '.#' '01' | sed 's/./& /g' >> mine.pgm; "
-              "cat mine.pgm\n");
+    write("ppm.sh", std::string(RASTERTRACE_DRIVEN) + " $1 $2 > mine.jsonl; " +
+                        "set -- $(head -n 1 $1); echo P2 $2 $3 1 > mine.pgm; " +
+                        std::string(RASTERTRACE_PROGRAM) +
+                        " show mine.jsonl --bare | tr '.#' '01' | sed 's/./& /g' >> mine.pgm; "
+                        "cat mine.pgm\n");
     const auto with = [&](const std::string& options, const std::string& mistake) {
-        return run(
-            "fuzz --largest 4 --runs 60 --jobs 1 --shrink 40 --fill top-left --scalar exact " +
-            options + " -- sh ppm.sh {triangles} " + mistake);
+        return run("fuzz --runs 60 --jobs 1 --shrink 40 --fill top-left --scalar exact " + options +
+                   " -- sh ppm.sh {triangles} " + mistake);
     };
     EXPECT_EQ(with("", "0").status, 0) << with("", "0").out;
     EXPECT_EQ(with("", "11").status, 1);

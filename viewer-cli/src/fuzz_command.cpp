@@ -220,8 +220,6 @@ public:
                        "N");
         options.option("--kinds", kinds_, "What scenes are about; 2d if not given", "KINDS")
             .values({"2d", "lines", "depth", "clip"});
-        options.option("--largest", largest_,
-                       "Pixels on a side: 4, 8, 16, 32, ...; 32 if not given", "N");
         options.option("--time", time_, "Seconds that a run may take; 10 if not given", "SECONDS");
         options.option("--jobs", jobs_, "Runs at once; one for each core if not given", "N");
         options.option("--shrink", tries_, "Runs to shrink a scene; 2000 if not given, 0 for none",
@@ -256,7 +254,6 @@ public:
         read_number("--time", time_, command_.seconds, 1, 86'400);
         read_number("--jobs", jobs_, command_.jobs, 1, 1024);
         read_number("--shrink", tries_, command_.most_tries, 0, most);
-        read_number("--largest", largest_, command_.choice.largest_canvas, 4, 1024);
         auto kinds = values_of("--kinds", "kinds", kinds_,
                                {fuzz_kind_names.begin(), fuzz_kind_names.end()}, fuzz_kind_named);
         if (!kinds.empty())
@@ -272,7 +269,6 @@ private:
     std::string runs_;
     std::string seed_;
     std::string kinds_;
-    std::string largest_;
     std::string time_;
     std::string jobs_;
     std::string tries_;
