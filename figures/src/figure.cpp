@@ -344,7 +344,6 @@ Drawing FigureMaker::figure(std::size_t n) {
                 .parts = {},
                 .view = view_,
                 .groups = groups_,
-                .palette = options_.palette,
                 .against = against_ ? &*against_ : nullptr,
                 .has_colors = has_colors_};
     const ShownSteps steps = panel.frame.steps;

@@ -3,8 +3,6 @@
 
 #include <rastertrace/figures/figure.h>
 
-#include <rastertrace/trace/text/named_value.h>
-
 #include <algorithm>
 #include <array>
 
@@ -77,8 +75,6 @@ struct NamedEye {
 constexpr std::array<NamedEye, 4> eyes{
     {{"corner", {}}, {"front", {{0, 0, 1}}}, {"side", {{1, 0, 0}}}, {"top", {{0, 1, 0}}}}};
 
-constexpr std::array<std::string_view, 2> palettes{"distinct", "scene"};
-
 } // namespace
 
 std::span<const FigurePartRow> figure_parts() {
@@ -102,14 +98,6 @@ std::optional<SpaceEye> space_eye_named(std::string_view name) {
     const auto found = std::find_if(eyes.begin(), eyes.end(),
                                     [name](const NamedEye& eye) { return eye.name == name; });
     return found == eyes.end() ? std::nullopt : std::optional(found->eye);
-}
-
-std::vector<std::string_view> face_palette_names() {
-    return {palettes.begin(), palettes.end()};
-}
-
-std::optional<FacePalette> face_palette_named(std::string_view name) {
-    return value_named<FacePalette>(palettes, name);
 }
 
 } // namespace rastertrace

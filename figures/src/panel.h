@@ -29,7 +29,6 @@ struct Panel {
     FigureParts parts;
     View view;
     const FaceGroups& groups;
-    FacePalette palette;
     const Frame* against;       ///< a picture to compare with; nullptr for none
     bool has_all_edges = false; ///< not only those of the current primitive
     bool has_colors = true;     ///< some pixel, or the background, has another color than black
@@ -82,9 +81,6 @@ PixelColors own_colors_of(const Panel& panel);
 void add_pixels(const Panel& panel, std::vector<Shape>& shapes);
 void add_current(const Panel& panel, std::vector<Shape>& shapes);
 void add_rejected(const Panel& panel, std::vector<Shape>& shapes);
-
-/// The color of a group's first primitive, as the scene names it.
-std::optional<Color> scene_color_of(const Panel& panel, std::size_t group);
 
 // cell_text.cpp
 bool has_cell_texts(const FigureParts& parts);

@@ -167,9 +167,8 @@ PixelColors own_colors_of(const Panel& panel) {
     switch (panel.view) {
     case View::plotted:
     case View::coverage:
-        return {};
     case View::faces:
-        return panel.palette == FacePalette::scene ? shades(panel) : PixelColors();
+        return {};
     case View::shade:
         return panel.has_colors ? shades(panel) : PixelColors();
     case View::depth:
@@ -178,16 +177,6 @@ PixelColors own_colors_of(const Panel& panel) {
         return write_shades(panel);
     }
     return {};
-}
-
-std::optional<Color> scene_color_of(const Panel& panel, std::size_t group) {
-    std::size_t first = 0; // the step of a primitive
-    for (const auto& [primitive, its_group] : panel.groups.group_of)
-        if (its_group == group && (first == 0 || primitive < first))
-            first = primitive;
-    return first == 0
-               ? std::nullopt
-               : std::optional(color_of_primitive(panel.trace().step(first).as<PrimitiveStep>()));
 }
 
 void add_pixels(const Panel& panel, std::vector<Shape>& shapes) {

@@ -64,13 +64,10 @@ std::vector<Entry> entries_of_faces(const Panel& panel) {
     std::vector<Entry> entries;
     if (seen.size() > most_entries)
         return entries;
-    for (const std::size_t group : seen) {
-        Entry& entry = entries.emplace_back(Entry{.layers = {face_role(group)},
-                                                  .color = {},
-                                                  .text = printable(panel.groups.names[group])});
-        if (panel.palette == FacePalette::scene)
-            entry.color = scene_color_of(panel, group);
-    }
+    for (const std::size_t group : seen)
+        entries.push_back({.layers = {face_role(group)},
+                           .color = {},
+                           .text = printable(panel.groups.names[group])});
     return entries;
 }
 

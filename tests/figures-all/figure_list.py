@@ -75,7 +75,6 @@ def figures(source, folder):
         Figure("truncated", triangle, ["--against", "rounding=truncate"]),
         Figure("faces", example("t0-hidden/cube-culled"), ["--view", "faces"]),
         Figure("many-faces", example("t0-hidden/two-cubes"), ["--view", "faces"]),
-        Figure("palette-of-the-scene", own("shared"), ["--view", "faces", "--palette", "scene"]),
         Figure("shared-edge", own("shared"), ["--with", "half-planes,samples", "--step", "edge edge=CA in=ABC"], drawn=False),
         Figure("shade", example("t4-fan/blue-to-green"), ["--view", "shade"]),
         Figure("lambert", example("t3-light/lambert"), ["--view", "shade", "--theme", "dark"]),

@@ -370,7 +370,6 @@ std::pair<double, double> seen_and_hidden(const std::string& depth, const std::s
                                  .parts = {},
                                  .view = View::plotted,
                                  .groups = groups,
-                                 .palette = FacePalette::distinct,
                                  .against = nullptr});
     const Path side{lattice.place_of(0, 5), lattice.place_of(10, 5)};
     const auto length = [&](bool seen) {
@@ -405,7 +404,6 @@ std::vector<Plot> plots_of(const Trace& trace) {
                         .parts = {},
                         .view = View::plotted,
                         .groups = groups,
-                        .palette = FacePalette::distinct,
                         .against = nullptr});
 }
 
@@ -580,12 +578,9 @@ TEST(Figures, NamesAreThoseOfTheirValues) {
     EXPECT_EQ(theme_named("dark"), Theme::dark);
     EXPECT_EQ(view_named("plotted"), View::plotted);
     EXPECT_EQ(view_named("coverage"), View::coverage);
-    EXPECT_EQ(face_palette_named("distinct"), FacePalette::distinct);
-    EXPECT_EQ(face_palette_named("scene"), FacePalette::scene);
     for (const std::string_view none : {"", "sce", "Print", "no such name"}) {
         EXPECT_EQ(theme_named(none), std::nullopt);
         EXPECT_EQ(view_named(none), std::nullopt);
-        EXPECT_EQ(face_palette_named(none), std::nullopt);
     }
 }
 

@@ -430,9 +430,8 @@ TEST_F(FigureTest, APageRefusesWhatItHasNot) {
         EXPECT_THAT(refusal(option + " -o x.html"),
                     AllOf(HasSubstr(formats), HasSubstr(option.substr(0, option.find(' ')))))
             << option;
-    for (const std::string option :
-         {"--sheet 2x2", "--animate", "--seconds 1", "--scale 2", "--width 100", "--cell 10",
-          "--palette scene", "--against rounding=nearest"})
+    for (const std::string option : {"--sheet 2x2", "--animate", "--seconds 1", "--scale 2",
+                                     "--width 100", "--cell 10", "--against rounding=nearest"})
         EXPECT_THAT(refusal(option + " -o x.html"), HasSubstr("found html\n")) << option;
 }
 

@@ -3,8 +3,8 @@
 
 // Values of an enumeration by their names, in the order of the values.
 //
-//     constexpr std::array<std::string_view, 2> names{"distinct", "scene"};
-//     value_named<FacePalette>(names, "scene");  // FacePalette::scene
+//     constexpr std::array<std::string_view, 2> names{"spaces", "ears"};
+//     value_named<SpaceFrames>(names, "ears");  // SpaceFrames::ears
 
 #include <algorithm>
 #include <optional>

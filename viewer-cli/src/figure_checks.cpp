@@ -108,8 +108,6 @@ void check_format(const FigureCommand& command, FigureFormat format) {
     check_option(options.title.has_value(), "--title", format, {svg, png, tex, gif, html});
     check_option(options.cell.has_value(), "--cell", format, {svg, png, tex, gif});
     check_option(!options.notes.empty(), "--note", format, {svg, png, tex, gif});
-    check_option(options.palette != FacePalette::distinct, "--palette", format,
-                 {svg, png, tex, gif});
     check_option(command.style.theme != Theme::automatic, "--theme", format,
                  {svg, png, tex, gif, html});
 }

@@ -101,10 +101,6 @@ public:
                        "scene by another METHOD (key=value,...)",
                        "TRACE|METHOD");
         options.option("--region", region_, "Show only these pixels", "x0,y0,x1,y1");
-        options
-            .option("--palette", palette_,
-                    "Colors of faces; distinct are for every kind of color vision", "NAME")
-            .values(face_palette_names());
         options.option("--theme", theme_, "auto is, in an .svg, as the reader has set it", "NAME")
             .values(theme_names());
         options.option("--cell", cell_, "The side of a pixel, in units; by default by the canvas",
@@ -155,8 +151,6 @@ public:
         for (const std::string& note : notes_)
             options.notes.push_back(note_in(note));
         options.region = region_of(region_);
-        options.palette = value_of("--palette", palette_, face_palette_names(), face_palette_named)
-                              .value_or(FacePalette::distinct);
         constexpr double largest_cell = 1000;
         options.cell = size_in("--cell", cell_, largest_cell);
 
@@ -279,7 +273,6 @@ private:
     std::string eye_;
     std::vector<std::string> notes_;
     std::string region_;
-    std::string palette_;
     std::string theme_;
     std::string sheet_;
     std::string cell_;

@@ -83,14 +83,6 @@ struct FigurePartRow {
 std::span<const FigurePartRow> figure_parts();
 std::optional<FigurePart> figure_part_named(std::string_view name);
 
-/// Where the colors of faces come from.
-enum class FacePalette : std::uint8_t {
-    distinct, ///< of the theme: colors that differ for every kind of color vision
-    scene,    ///< those that the scene names
-};
-std::vector<std::string_view> face_palette_names();
-std::optional<FacePalette> face_palette_named(std::string_view name);
-
 /// Words beside the picture, with an arrow to a place in it.
 struct FigureNote {
     double x = 0; ///< in the scene's coordinates, on the screen
@@ -108,7 +100,6 @@ struct FigureOptions {
     std::optional<double> cell = {};   ///< the side of a pixel, in units; none: by the canvas
     /// Of letters. A pixel takes so many fewer units, and is as large as before where it is written.
     double letter_scale = 1;
-    FacePalette palette = FacePalette::distinct;
     std::vector<FigureNote> notes = {};
     std::optional<std::string> title = {};   ///< none: the scene's
     std::optional<std::string> caption = {}; ///< none: what the step says
