@@ -6,9 +6,10 @@
 #include "command_words.h"
 #include "commands.h"
 #include "driven_program.h"
-#include "job_runner.h"
 #include "load.h"
 #include "option_values.h"
+#include "progress.h"
+#include "run_program.h"
 #include "shared_options.h"
 
 #include <rastertrace/core/draw/plan/stages.h>
@@ -20,6 +21,8 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <atomic>
+#include <exception>
 #include <filesystem>
 #include <memory>
 #include <mutex>
@@ -55,17 +58,31 @@ struct FoundScene {
 class FuzzRuns {
 public:
     FuzzRuns(const FuzzCommand& command, const DrivenProgram& program)
-        : command_(command), program_(program), runner_({.doing = "fuzz",
-                                                         .unit = "scenes",
-                                                         .count = command.runs,
-                                                         .at_once = command.jobs,
-                                                         .run_programs = true}) {}
+        : command_(command), program_(program), end_(command.runs) {}
 
     /// The failing scene of the smallest seed; nothing if there is none. Throws a Problem.
     std::optional<FoundScene> run() {
-        runner_.run([this](std::size_t number, std::size_t) {
-            try_seed(command_.first_seed + number, number);
+        // Signals come again while progress is still known: they tell it.
+        const Progress progress(
+            {.doing = "fuzz", .unit = "scenes", .total = command_.runs, .done = [this] {
+                 return done_.load();
+             }});
+        const EndingHeldBack ending;
+        in_threads(end_, command_.jobs, [this](std::size_t number, std::size_t) {
+            try {
+                try_seed(command_.first_seed + number, number);
+                ++done_;
+            } catch (...) {
+                const std::scoped_lock lock(mutex_);
+                if (!failure_ || number < failed_) {
+                    failed_ = number;
+                    failure_ = std::current_exception();
+                }
+                end_ = 0;
+            }
         });
+        if (failure_)
+            std::rethrow_exception(failure_);
         if (undrawn_ == command_.runs)
             throw *refusal_;
         return std::move(found_);
@@ -83,19 +100,20 @@ private:
             ++undrawn_;
             refusal_ = reference.problem();
         }
-        if (!finding)
-            return;
-        if (found_ && found_->seed < seed)
+        if (!finding || (found_ && found_->seed < seed))
             return;
         found_ = FoundScene{seed, std::move(scene), *std::move(finding)};
-        runner_.stop_before(number);
+        end_ = std::min<std::size_t>(end_, number);
     }
 
     const FuzzCommand& command_;
     const DrivenProgram& program_;
-    JobRunner runner_;
+    std::atomic<std::uint64_t> done_ = 0;
+    std::atomic<std::size_t> end_; ///< no run from this one on is begun; changed under the mutex
     std::mutex mutex_;
     std::optional<FoundScene> found_;
+    std::exception_ptr failure_; ///< of the first run that threw
+    std::size_t failed_ = 0;
     std::optional<Problem> refusal_; ///< of a scene that we do not draw
     std::uint64_t undrawn_ = 0;
 };
