@@ -4,7 +4,6 @@
 #include "commands.h"
 #include "diff_json.h"
 #include "diff_report.h"
-#include "files_below.h"
 #include "load.h"
 
 #include <rastertrace/trace/tell/step_text.h>
@@ -16,6 +15,7 @@
 #include <array>
 #include <filesystem>
 #include <map>
+#include <system_error>
 
 namespace rastertrace {
 
@@ -25,6 +25,29 @@ namespace {
 constexpr std::array<std::string_view, 7> endings{".json", ".jsonl", ".png", ".ppm",
                                                   ".pgm",  ".pbm",   ".tga"};
 
+/// The files in a folder and its folders, as paths from it, by name; none whose name, or whose folder's, begins with a
+/// dot. Throws a Problem.
+std::vector<std::string> files_below(const std::string& folder) {
+    std::vector<std::string> names;
+    std::error_code error;
+    for (std::filesystem::recursive_directory_iterator entry(folder, error), end;
+         !error && entry != end; entry.increment(error)) {
+        if (entry->path().filename().string().starts_with('.'))
+            entry.disable_recursion_pending();
+        else if (entry->is_regular_file())
+            names.push_back(entry->path().lexically_relative(folder).generic_string());
+    }
+    if (error) {
+        Problem problem = problem_of(
+            folder, fmt::format("expected a folder of traces, found that it cannot be read: {}",
+                                error.message()));
+        problem.cause = cause_of_open_error(error.value());
+        throw problem;
+    }
+    std::ranges::sort(names);
+    return names;
+}
+
 /// Which of the two folders have a file, by its name.
 using FilesOfBoth = std::map<std::string, std::array<bool, 2>>;
 constexpr std::array in_both{true, true};
@@ -32,7 +55,7 @@ constexpr std::array in_both{true, true};
 FilesOfBoth files_of(const std::vector<std::string>& folders) {
     FilesOfBoth files;
     for (std::size_t i = 0; i < folders.size(); ++i)
-        for (const std::string& name : files_below(folders[i], "traces"))
+        for (const std::string& name : files_below(folders[i]))
             if (std::ranges::any_of(endings, [&](auto end) { return name.ends_with(end); }))
                 files[name][i] = true;
     if (std::ranges::find(files, in_both, &FilesOfBoth::value_type::second) == files.end())

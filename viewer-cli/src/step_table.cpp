@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "step_table.h"
 
-#include "markdown.h"
-
 #include <rastertrace/trace/record/traced_steps.h>
 #include <rastertrace/trace/tell/describe.h>
 #include <rastertrace/trace/text/csv.h>
@@ -29,6 +27,14 @@ std::string text_of(std::string_view json) {
     for (const TracedValue& value : TracedList<TracedValue>(json).values())
         texts.push_back(text_of(value.json()));
     return fmt::format("({})", joined(texts, ", "));
+}
+
+/// The text of a cell in Markdown: printable, on one line; a bar would end the cell.
+std::string in_markdown(const std::string& text) {
+    std::string escaped;
+    for (const char c : printable(text))
+        escaped += c == '|' ? "\\|" : std::string(1, c);
+    return escaped;
 }
 
 std::string csv_line(const std::vector<std::string>& cells) {
