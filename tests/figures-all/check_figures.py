@@ -390,7 +390,8 @@ DOCUMENT = r"""\documentclass{article}
 \usepackage[utf8]{inputenc}
 \usepackage{tikz}
 \pagestyle{empty}
-%% The upper left corner of a figure is that of its page.
+%% The upper left corner of a figure is that of its page, which has room for all of them.
+\pdfpagewidth=1000mm \pdfpageheight=1000mm \textwidth=1000mm \textheight=1000mm
 \hoffset=-1in \voffset=-1in \oddsidemargin=0pt \topmargin=0pt \headheight=0pt \headsep=0pt \topskip=0pt \parindent=0pt
 \begin{document}
 %s
@@ -403,9 +404,10 @@ def check_tikz(figures, points_of, folder):
     """One document has all of them, a page each."""
     pages = ""
     for figure in figures:
-        # Of letters of this size, as in the .svg: without, a wide .tex has larger ones.
-        letters = [] if "--bare" in figure.options else ["--font-size", "10"]
-        rastertrace("figure", figure.scene, *figure.options, *letters, "-o", os.path.join(folder, figure.name + ".tex"))
+        # As wide as the .svg: one that is made narrower has larger letters.
+        (width, _), _ = points_of[figure.name]
+        size = [] if "--bare" in figure.options else ["--width", repr(width * 25.4 / 96)]
+        rastertrace("figure", figure.scene, *figure.options, *size, "-o", os.path.join(folder, figure.name + ".tex"))
         pages += rf"\message{{[figure {figure.name}]}}\input{{{figure.name}}}\newpage" + "\n"
     with open(os.path.join(folder, "all.tex"), "w", encoding="utf-8") as file:
         file.write(DOCUMENT % pages)

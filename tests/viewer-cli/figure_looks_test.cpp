@@ -132,23 +132,6 @@ TEST_F(FigureLooks, LettersOfATexHaveTheRoomThatTheyTake) {
             << wide;
     const Outcome ears = run("figure $examples/faces/arrow.json --sheet ears --format tex -o -");
     EXPECT_NEAR(number_by("\\[x=([0-9.]+)mm", ears.out), mm_per_unit, 0.01);
-    // What the author chose stays.
-    EXPECT_LT(
-        number_by("\\[x=([0-9.]+)mm", figure("--font-size 10 --width 60 --format tex -o -").out),
-        0.5 * mm_per_unit);
-}
-
-TEST_F(FigureLooks, LargerLettersLeavePixelsAsTheyAre) {
-    const std::string usual = svg("--with grid");
-    const std::string large = svg("--with grid --font-size 20");
-    EXPECT_EQ(svg("--with grid --font-size 10"), usual);
-    const char* const side = "class=\"area [a-z]+\" d=\"[^\"]*v([0-9.]+)h";
-    const double scale = number_by("<svg [^>]* width=\"([0-9.]+)\"", large) /
-                         number_by("viewBox=\"0 0 ([0-9.]+)", large);
-    EXPECT_DOUBLE_EQ(scale, 2);
-    EXPECT_EQ(scale * number_by(side, large), number_by(side, usual));
-    EXPECT_EQ(number_by("<text [^>]*font-size=\"([0-9.]+)\"", large),
-              number_by("<text [^>]*font-size=\"([0-9.]+)\"", usual));
 }
 
 TEST_F(FigureLooks, SizesThatAreNone) {
@@ -157,17 +140,12 @@ TEST_F(FigureLooks, SizesThatAreNone) {
             EXPECT_EQ(refusal(option + " " + wrong + " -o x.svg"),
                       "rastertrace: " + option +
                           ": expected a number above 0, at most 5000, found \"" + wrong + "\"\n");
-    EXPECT_EQ(refusal("--font-size huge -o x.svg"),
-              "rastertrace: --font-size: expected a number above 0, at most 100, found \"huge\"\n");
     EXPECT_EQ(refusal("--width 100 --scale 2 -o x.png"),
               "rastertrace: --scale: expected no --width or --height, found one\n"
               "hint: --width says how wide the picture is, --scale how wide a unit\n");
     EXPECT_EQ(refusal("--height 100 -o x.txt"),
               "rastertrace: --width and --height: expected one of svg, png, tex, gif, found txt\n");
     EXPECT_EQ(figure("--bare --width 170 -o x.png").status, 0);
-    EXPECT_EQ(refusal("--bare --font-size 15 -o x.png"),
-              "rastertrace: --bare: expected no --font-size, found one\n"
-              "hint: bare pixels have no letters\n");
 }
 
 // --- words --------------------------------------------------------------------------------------

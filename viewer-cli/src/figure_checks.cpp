@@ -91,11 +91,6 @@ void check_format(const FigureCommand& command, FigureFormat format) {
                  {png, gif});
     const bool has_size = command.style.width || command.style.height;
     check_option(has_size, "--width and --height", format, {svg, png, tex, gif});
-    check_option(command.style.letter_scale.has_value(), "--font-size", format,
-                 {svg, png, tex, gif});
-    if (command.is_bare && command.style.letter_scale)
-        throw problem_of("", "--bare: expected no --font-size, found one",
-                         "bare pixels have no letters");
     if (has_size && command.style.scale)
         throw problem_of("", "--scale: expected no --width or --height, found one",
                          "--width says how wide the picture is, --scale how wide a unit");

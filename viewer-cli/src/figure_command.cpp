@@ -323,7 +323,7 @@ private:
     std::unique_ptr<TraceFigures> figures_;
     std::map<std::size_t, std::unique_ptr<TraceFigures>> kept_; ///< so that no scene is drawn twice
     std::size_t room_ = 200'000'000;                            ///< for more of them, in bytes
-    std::optional<double> letter_scale_;                        ///< in the place of the command's
+    std::optional<double> letter_scale_;                        ///< none: 1
     std::vector<PlaceInSequence> places_;
     FaceGroups lettered_;
     ExitStatus status_ = exit_fine;
@@ -341,9 +341,9 @@ bool is_animation(const FigureCommand& command, FigureFormat format) {
     return command.is_animated || format == FigureFormat::gif;
 }
 
-/// True of a .tex without --font-size: letters are chosen so that they have room.
+/// True of a .tex: letters are chosen so that they have room.
 bool chooses_letters(const FigureCommand& command, FigureFormat format) {
-    return format == FigureFormat::tex && !command.style.letter_scale && !command.is_bare;
+    return format == FigureFormat::tex && !command.is_bare;
 }
 
 /// The contents of the files to write: one, or one for each frame or sheet.
@@ -422,7 +422,7 @@ ExitStatus write_space_frames(const FigureCommand& command, FigureFormat format)
     const Drawing drawing = draw(
         chooses_letters(command, format)
             ? letter_scale_for_tex([&](double scale) { return draw(scale).width; }, command.style)
-            : command.options.letter_scale);
+            : 1);
     const std::string bytes = figure_in(format, drawing, command.style);
     if (command.output == "-")
         print(bytes);

@@ -89,7 +89,7 @@ double unit_of(const Drawing& drawing, const FigureStyle& style, double usual) {
     if (style.width || style.height)
         return std::min(style.width.value_or(any) / drawing.width,
                         style.height.value_or(any) / drawing.height);
-    return usual * style.letter_scale.value_or(1);
+    return usual;
 }
 
 /// In millimeters, of a .tex.

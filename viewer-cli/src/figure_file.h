@@ -38,11 +38,10 @@ std::string_view name_of(FigureFormat format);
 /// How figures are written.
 struct FigureStyle {
     Theme theme = Theme::automatic;
-    std::optional<double> scale = {};        ///< of a .png or .gif: pixels of a unit
-    std::optional<double> width = {};        ///< of the picture: pixels; of a .tex, millimeters
-    std::optional<double> height = {};       ///< the same; with both, it fits into them
-    std::optional<double> letter_scale = {}; ///< see FigureOptions; none: 1, or what a .tex needs
-    std::optional<double> seconds = {};      ///< for each frame, at least 0.02
+    std::optional<double> scale = {};   ///< of a .png or .gif: pixels of a unit
+    std::optional<double> width = {};   ///< of the picture: pixels; of a .tex, millimeters
+    std::optional<double> height = {};  ///< the same; with both, it fits into them
+    std::optional<double> seconds = {}; ///< for each frame, at least 0.02
 };
 
 /// The size of letters, as FigureOptions has it, with which a .tex has none that cover one another: `width_with` is how

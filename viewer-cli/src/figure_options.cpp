@@ -112,8 +112,6 @@ public:
                        "N");
         options.option("--height", height_, "As high as that; with --width, it fits into both",
                        "N");
-        options.option("--font-size", font_size_,
-                       "The size of letters, in units; most have 10 if not given", "N");
         options.flag("--bare", command_.is_bare,
                      "Only the pixels in their own colors, one unit each if --cell is not given");
         options.language();
@@ -162,12 +160,6 @@ public:
         constexpr double largest_size = 5000;
         style.width = size_in("--width", width_, largest_size);
         style.height = size_in("--height", height_, largest_size);
-        constexpr double usual_letters = 10;
-        constexpr double largest_letters = 100;
-        if (const auto size = size_in("--font-size", font_size_, largest_letters)) {
-            style.letter_scale = *size / usual_letters;
-            options.letter_scale = *style.letter_scale;
-        }
         constexpr double longest = 600;
         style.seconds = size_in("--seconds", seconds_, longest);
         constexpr double shortest = 0.02; // of a GIF, as browsers play it
@@ -279,7 +271,6 @@ private:
     std::string scale_;
     std::string width_;
     std::string height_;
-    std::string font_size_;
     std::string seconds_;
     DrawingOptions drawing_;
 };
