@@ -118,7 +118,7 @@ TEST_F(HelpTest, WordsAreCompleted) {
     EXPECT_THAT(completions("show x --rounding ="), Contains("half-open"));
     EXPECT_THAT(completions("explain x --against fill=top-left,rounding = h"),
                 ElementsAre("half-open"));
-    EXPECT_THAT(completions(triangle + "--fram"), ElementsAre("--frames", "--frame"));
+    EXPECT_THAT(completions(triangle + "--fram"), ElementsAre("--frame"));
     EXPECT_THAT(completions("--v"), ElementsAre("--version"));
     EXPECT_THAT(completions("help figu"), ElementsAre("figure"));
     EXPECT_THAT(completions("nothing --x"), IsEmpty());

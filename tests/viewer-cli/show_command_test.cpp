@@ -82,7 +82,7 @@ TEST_F(ProgramTest, ShowTellsManyStepsOfAKindAsATable) {
                       HasSubstr("depth at (-2, 2): 1/5 against 1/3 of ABC: fails (1/z, larger is "
                                 "nearer; z = 5 against 3)\n"),
                       Not(HasSubstr("-5-4-3"))));
-    EXPECT_THAT(shell(cube + "--every depth --frames").out, HasSubstr("-5-4-3"));
+    EXPECT_THAT(shell(cube + "--every depth --view faces").out, HasSubstr("-5-4-3"));
 
     const std::string rows = "show $examples/t0-fill/first-triangle.json --every scanline ";
     EXPECT_THAT(

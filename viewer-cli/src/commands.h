@@ -75,7 +75,6 @@ struct ShowCommand {
     bool bare = false;
     std::optional<View> view;          ///< none: the trace's default; `plotted` if bare
     std::optional<Region> region;      ///< of the canvas
-    bool has_frames = false;           ///< also of kinds that are told as a table
     bool has_working = false;          ///< how the numbers of each step come of one another
     std::optional<TableFormat> format; ///< of Which::every: a table of any kind
     ColorChoice color = ColorChoice::automatic;
@@ -84,7 +83,7 @@ struct ShowCommand {
     FrameChoice frames;
 
     /// True if an option is about the grid of a frame.
-    bool asks_for_frames() const { return has_frames || view || region; }
+    bool asks_for_frames() const { return view || region; }
 };
 int run(ShowCommand command);
 

@@ -257,8 +257,6 @@ public:
         options.flag("--bare", command_.bare, "Only the grid: . empty, # plotted, top row first");
         add_view_to(options, view_);
         options.option("--region", region_, "Show only these pixels", "x0,y0,x1,y1");
-        options.flag("--frames", command_.has_frames,
-                     "With --every: a frame for each step, also of kinds that are told as a table");
         options.flag("--working", command_.has_working,
                      "Write out how the numbers of a step come of one another");
         options
@@ -298,8 +296,7 @@ public:
             if (command_.has_working && command_.format != TableFormat::table)
                 refuse_value("--working", "sentences, without --format " + format_, "--working");
             if (command_.bare || command_.asks_for_frames())
-                refuse_value("--format", "a table, without --bare, --frames, --view and --region",
-                             format_);
+                refuse_value("--format", "a table, without --bare, --view and --region", format_);
         }
         command_.color = color_choice_of(color_);
         drawing_.read_into(command_);
