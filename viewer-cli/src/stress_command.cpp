@@ -3,6 +3,7 @@
 
 #include "command.h"
 #include "commands.h"
+#include "json_list.h"
 #include "load.h"
 #include "option_values.h"
 #include "progress.h"
@@ -49,30 +50,10 @@ constexpr std::size_t text_width = 100;
 
 /// Text over as many lines as it needs. The first begins with `first`, which is padded to `indent`
 /// columns; the others are indented by as many.
-std::string wrapped(std::string_view first, std::size_t indent, std::string_view text) {
-    std::string result = padded(first, indent);
-    std::size_t column = std::max(indent, columns_in(first));
-    bool is_first_word = true;
-    while (!text.empty()) {
-        const std::size_t end = std::min(text.find(' '), text.size());
-        const std::string_view word = text.substr(0, end);
-        const std::size_t width = columns_in(word);
-        if (!is_first_word && column + 1 + width > text_width) {
-            result += '\n' + std::string(indent, ' ');
-            column = indent;
-            is_first_word = true;
-        }
-        if (!is_first_word) {
-            result += ' ';
-            ++column;
-        }
-        result += word;
-        column += width;
-        is_first_word = false;
-        text.remove_prefix(std::min(end + 1, text.size()));
-    }
-    while (result.ends_with(' '))
-        result.pop_back();
+std::string hanging(std::string_view first, std::size_t indent, std::string_view text) {
+    std::string result = padded(first, indent) + joined(wrapped(text, text_width - indent),
+                                                        '\n' + std::string(indent, ' '));
+    result.resize(result.find_last_not_of(' ') + 1);
     return result + '\n';
 }
 
@@ -150,10 +131,10 @@ std::string as_text(const std::vector<StressRow>& rows) {
         const std::string first =
             fmt::format("  {} {:<{}}{:<{}}", scalars.empty() ? ' ' : mark, scalars, scalars_end - 4,
                         name_of(verdict_of(row)), verdict_end - scalars_end);
-        text += wrapped(first, verdict_end, described(row));
+        text += hanging(first, verdict_end, described(row));
         if (!is_as_documented(row))
             text +=
-                wrapped("", verdict_end, "documented: " + described(row.documented, row.measured));
+                hanging("", verdict_end, "documented: " + described(row.documented, row.measured));
         i = next;
     }
     return text;
@@ -163,15 +144,15 @@ std::string as_text(const RunCase& one) {
     const StressCase& about = *one.about;
     constexpr std::size_t indent = 10;
     std::string text = fmt::format("{}  {}  ({})\n\n", about.id, about.title, family_of(about));
-    text += wrapped("  input", indent, about.input);
-    text += wrapped("  why", indent, about.why);
-    text += wrapped("  holds", indent, about.holds);
+    text += hanging("  input", indent, about.input);
+    text += hanging("  why", indent, about.why);
+    text += hanging("  holds", indent, about.holds);
     text += as_text(one.rows);
 
     text += '\n';
     const auto scenes = about.scenes();
     if (scenes.empty())
-        text += wrapped("  see", indent,
+        text += hanging("  see", indent,
                         "there is no scene to look at: this is a computation, or is refused");
     for (std::size_t i = 0; i < scenes.size(); ++i) {
         // Of many scenes alike, the first will do.
@@ -227,19 +208,6 @@ std::string as_json(const StressRow& row) {
     return text + fmt::format(R"(,"documented":{}}})", as_json(row.documented));
 }
 
-/// `[a,b,c]`
-template <typename List, typename AsJson>
-std::string json_list(const List& list, AsJson&& as_json_of) {
-    std::string text = "[";
-    std::string_view separator;
-    for (const auto& one : list) {
-        text += separator;
-        text += as_json_of(one);
-        separator = ",";
-    }
-    return text + "]";
-}
-
 std::string as_json(const RunCase& one) {
     const StressCase& about = *one.about;
     return fmt::format(
@@ -247,8 +215,8 @@ std::string as_json(const RunCase& one) {
         R"("as_documented":{},"rows":{}}})",
         json_quoted(about.id), json_quoted(family_of(about)), json_quoted(about.title),
         json_quoted(about.input), json_quoted(about.why), json_quoted(about.holds),
-        json_list(about.scenes(), [](const StressScene& scene) { return json_quoted(scene.name); }),
-        one.failed() == 0, json_list(one.rows, [](const StressRow& row) { return as_json(row); }));
+        list_json(about.scenes(), [](const StressScene& scene) { return json_quoted(scene.name); }),
+        one.failed() == 0, list_json(one.rows, [](const StressRow& row) { return as_json(row); }));
 }
 
 std::string as_json(const std::vector<RunCase>& cases) {
@@ -257,8 +225,8 @@ std::string as_json(const std::vector<RunCase>& cases) {
         if (one.failed() > 0)
             failed.push_back(one.about->id);
     return fmt::format("{{\"cases\":{},\n\"failed\":{}}}\n",
-                       json_list(cases, [](const RunCase& one) { return "\n" + as_json(one); }),
-                       json_list(failed, json_quoted));
+                       list_json(cases, [](const RunCase& one) { return "\n" + as_json(one); }),
+                       list_json(failed, json_quoted));
 }
 
 // Which cases.
@@ -314,7 +282,7 @@ std::string as_text(const std::string& title, const std::vector<CliffGroup>& gro
     for (const CliffGroup& group : groups) {
         text += fmt::format("\n{}\n", meaning_of(group.kind));
         for (const Cliff& cliff : group.worst)
-            text += wrapped(fmt::format("  {} ", shortened(printable(cliff.where), 38)), 42,
+            text += hanging(fmt::format("  {} ", shortened(printable(cliff.where), 38)), 42,
                             cliff.how_near);
         if (group.more > 0)
             text += fmt::format("  ... and {} more\n", group.more);
@@ -325,7 +293,7 @@ std::string as_text(const std::string& title, const std::vector<CliffGroup>& gro
         std::string found = fmt::format("{} of {}", picture.differing, picture.pixels);
         if (picture.first)
             found += fmt::format(", first ({}, {})", picture.first->x, picture.first->y);
-        text += wrapped(fmt::format("{:<10} ", picture.scalar), 11,
+        text += hanging(fmt::format("{:<10} ", picture.scalar), 11,
                         picture.refusal.empty() ? found : "refused: " + printable(picture.refusal));
     }
     return text;
@@ -340,7 +308,7 @@ std::string as_json(const std::string& title, const std::vector<CliffGroup>& gro
     const auto group_as_json = [&](const CliffGroup& group) {
         return fmt::format(R"({{"cliff":"{}","meaning":{},"worst":{},"more":{}}})",
                            name_of(group.kind), json_quoted(meaning_of(group.kind)),
-                           json_list(group.worst, cliff_as_json), group.more);
+                           list_json(group.worst, cliff_as_json), group.more);
     };
     const auto picture_as_json = [](const ComparedPicture& picture) {
         std::string text = fmt::format(R"({{"scalar":{},)", json_quoted(picture.scalar));
@@ -352,7 +320,7 @@ std::string as_json(const std::string& title, const std::vector<CliffGroup>& gro
         return text + "}";
     };
     return fmt::format("{{\"title\":{},\"cliffs\":{},\"pictures\":{}}}\n", json_quoted(title),
-                       json_list(groups, group_as_json), json_list(pictures, picture_as_json));
+                       list_json(groups, group_as_json), list_json(pictures, picture_as_json));
 }
 
 /// Looks at the user's own scene.
