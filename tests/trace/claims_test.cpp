@@ -47,7 +47,7 @@ std::string content_of(const std::vector<Claim>& claims) {
 
 /// A text, the message about it, and the hint.
 struct Fault {
-    std::string text, message, hint;
+    std::string text, message, hint = {};
 };
 
 /// A line of a table, and the claim that it stands for.

@@ -133,7 +133,7 @@ TEST(Selector, SaysWhatIsWrongWithAText) {
     struct Fault {
         std::string text;
         std::size_t column;
-        std::string message, hint;
+        std::string message, hint = {};
     };
     const std::vector<Fault> faults{
         {" ", 2,

@@ -141,7 +141,7 @@ TEST_F(FigureTest, Parts) {
 
 TEST_F(FigureTest, PartsThatTheSceneCannotHave) {
     struct Row {
-        std::string part, more, message, hint;
+        std::string part, more, message, hint = {};
     };
     const std::vector<Row> rows{
         {"--with space", "",

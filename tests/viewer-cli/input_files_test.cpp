@@ -33,7 +33,7 @@ TEST_F(ProgramTest, ErrorsHaveFileLineColumnAndCaret) {
 
 TEST_F(ProgramTest, HintsSayHowJsonWritesIt) {
     struct Slip {
-        std::string text, message, hint;
+        std::string text, message, hint = {};
     };
     const std::vector<Slip> slips{
         {R"({"A": [2, 5,]})", "13: expected a value, found ']'",
