@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "shared_edges.h"
 
-#include "screen_point.h"
-#include "triangle_samples.h"
+#include <rastertrace/trace/explain/screen_point.h>
+#include <rastertrace/trace/explain/triangle_samples.h>
 
 #include <rastertrace/trace/record/traced_steps.h>
 #include <rastertrace/trace/text/primitive_name.h>
@@ -61,7 +61,7 @@ std::vector<EdgeUses> shared_edges(const std::vector<EdgeUse>& uses) {
             first, uses.end(), [first](const EdgeUse& use) { return use.ends != first->ends; });
         const auto count = static_cast<std::size_t>(end - first);
         if (count > 1)
-            edges.emplace_back(first, std::min(count, most_compared));
+            edges.push_back(EdgeUses(&*first, std::min(count, most_compared)));
         first = end;
     }
     std::sort(edges.begin(), edges.end(), [](const EdgeUses& a, const EdgeUses& b) {

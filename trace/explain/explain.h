@@ -87,9 +87,9 @@ struct PixelAlongEdge {
 
 struct Explanation {
     std::string question{};
-    std::string answer{};          ///< one line
-    std::vector<Try> tries{};      ///< in the order of the trace
-    std::vector<WhyNot> why_not{}; ///< of a pixel: each primitive that has not drawn it
+    std::string answer{};                 ///< one line
+    std::vector<Try> tries{};             ///< in the order of the trace
+    std::vector<WhyNot> why_not{};        ///< of a pixel: each primitive that has not drawn it
     std::vector<PixelAlongEdge> pixels{}; ///< of a pair, from one end of their edge to the other
     std::vector<std::string> lacks{};     ///< what cannot be told, because steps were left out
 };

@@ -4,8 +4,8 @@
 #include "explain_pixels.h"
 #include "explanation.h"
 
+#include "triangle_samples.h"
 #include <rastertrace/core/draw/plan/stages.h>
-#include <rastertrace/trace/audit/triangle_samples.h>
 #include <rastertrace/trace/record/told_samples.h>
 #include <rastertrace/trace/tell/step_text.h>
 #include <rastertrace/trace/text/text.h>

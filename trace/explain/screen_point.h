@@ -64,7 +64,7 @@ private:
     struct Hash {
         std::size_t operator()(const ScreenPoint& point) const {
             const std::hash<double> hash;
-            constexpr std::size_t odd = 0x9E3779B97F4A7C15; // 2^64 over the golden ratio
+            constexpr std::size_t odd = 0x9E3779B1; // 2^32 over the golden ratio
             return (hash(point.x.nearest()) * odd) ^ hash(point.y.nearest());
         }
     };
