@@ -106,7 +106,7 @@ Trace steps_of(const Trace& trace, const Pair& pair, const std::vector<Pixel>& n
         const StepView step = trace.step(n);
         const bool ends_pair = is_of_pair && kind == StepKind::primitive;
         if (kind == StepKind::primitive)
-            is_of_pair = std::ranges::count(pair.names, name_in(step).text()) > 0;
+            is_of_pair = std::count(pair.names.begin(), pair.names.end(), name_in(step).text()) > 0;
         if (!kind || (!is_of_pair && !ends_pair))
             continue;
         switch (*kind) {

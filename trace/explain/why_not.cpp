@@ -23,7 +23,7 @@ constexpr std::array<std::string_view, 4> clipped_away{"behind the eye", "too ne
 
 /// culled, clipped or skipped: the reason (WhyNot) of a primitive that is skipped for one.
 std::string_view reason_of_skip(std::string_view why) {
-    const bool is_clipped = std::ranges::count(clipped_away, why) > 0;
+    const bool is_clipped = std::count(clipped_away.begin(), clipped_away.end(), why) > 0;
     return why == "culled" ? "culled" : is_clipped ? "clipped" : "skipped";
 }
 
