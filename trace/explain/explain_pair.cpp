@@ -92,11 +92,12 @@ Trace steps_of(const Trace& trace, const Pair& pair, const std::vector<Pixel>& n
     const auto is_near = [&](const StepView& step) {
         const auto x = x_in(step);
         const auto y = y_in(step);
-        const auto offset_of = [&](const Pixel& pixel) { return trace.canvas.offset_of(pixel); };
+        const auto is_before = [&](const Pixel& a, const Pixel& b) {
+            return trace.canvas.offset_of(a) < trace.canvas.offset_of(b);
+        };
         return x && y && trace.canvas.contains(*x, *y) &&
-               std::ranges::binary_search(near_edge,
-                                          offset_of({static_cast<int>(*x), static_cast<int>(*y)}),
-                                          {}, offset_of);
+               std::binary_search(near_edge.begin(), near_edge.end(),
+                                  Pixel{static_cast<int>(*x), static_cast<int>(*y)}, is_before);
     };
     Trace excerpt = trace.without_steps();
     excerpt.damage = trace.damage;
