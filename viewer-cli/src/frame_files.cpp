@@ -18,15 +18,15 @@ namespace {
 /// Lets the program have this many files open, or says that it cannot.
 void allow_open_files(std::size_t frames) {
     constexpr rlim_t of_frame = 2; // the file and its folder
-    constexpr rlim_t others = 32;
-    const rlim_t needed = of_frame * frames + others;
+    constexpr rlim_t of_others = 32;
+    const rlim_t needed = of_frame * frames + of_others;
     rlimit limit{};
     if (::getrlimit(RLIMIT_NOFILE, &limit) != 0 || needed <= limit.rlim_cur)
         return;
     if (needed > limit.rlim_max)
         throw problem_of("",
                          fmt::format("expected at most {} frames to write at once, found {}",
-                                     (limit.rlim_max - others) / of_frame, frames),
+                                     (limit.rlim_max - of_others) / of_frame, frames),
                          "--frame 1 writes the first; `ulimit -H -n` tells how many files may be "
                          "open");
     limit.rlim_cur = needed;
