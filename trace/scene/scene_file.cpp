@@ -24,6 +24,7 @@
 #include <rastertrace/trace/text/json_scanner.h>
 #include <rastertrace/trace/text/language.h>
 #include <rastertrace/trace/text/method_file.h>
+#include <rastertrace/trace/text/name_index.h>
 #include <rastertrace/trace/text/primitive_name.h>
 #include <rastertrace/trace/text/stage_name.h>
 #include <rastertrace/trace/text/text.h>
@@ -75,6 +76,12 @@ template <typename Element> void make_room(std::vector<Element>& list, std::size
 
 /// What to do where a canvas is missing or too small.
 constexpr const char* canvas_hint = R"(say "canvas": {"width": ..., "height": ...})";
+
+/// What a vertex is called, for the index of names.
+struct NameOfVertex {
+    const std::vector<SceneVertex>& vertices;
+    std::string_view operator()(std::uint32_t vertex) const { return vertices[vertex].name; }
+};
 
 /// Reads one scene; the first fault ends it.
 class SceneReader {
@@ -299,7 +306,7 @@ private:
                                        json_.number_in(coordinates[1]), std::nullopt,
                                        count >= 3 ? json_.number_in(coordinates[2]) : Number(0),
                                        count == 4 ? json_.number_in(coordinates[3]) : Number(1)});
-            if (!vertex_by_name_.emplace(scene_.vertices[vertex].name, vertex).second)
+            if (!vertex_by_name_.insert(vertex, NameOfVertex{scene_.vertices}))
                 json_.fail_expecting(name, "a name that no other vertex has",
                                      "vertices of a mesh with a name are called NAME.VERTEX");
             places_of_vertices_.push_back(name.begin);
@@ -833,14 +840,15 @@ private:
 
     std::size_t vertex_named(std::string_view name, std::size_t offset,
                              const std::string& prefix = {}) const {
-        const auto found = vertex_by_name_.find(prefix + std::string(name));
-        if (found != vertex_by_name_.end())
-            return found->second;
+        const auto found =
+            vertex_by_name_.find(prefix + std::string(name), NameOfVertex{scene_.vertices});
+        if (found)
+            return *found;
         if (const auto of_obj = vertex_of_obj(name))
             return *of_obj;
         std::vector<std::string_view> known;
-        for (const auto& [known_name, vertex] : vertex_by_name_)
-            known.push_back(known_name);
+        for (const std::uint32_t vertex : vertex_by_name_.numbers())
+            known.push_back(scene_.vertices[vertex].name);
         std::sort(known.begin(), known.end());
         constexpr std::size_t most_listed = 12;
         const bool too_many = known.size() > most_listed;
@@ -1153,7 +1161,7 @@ private:
     std::vector<float> units_;                         ///< of each vertex: see typed_digits.h
     std::array<std::optional<std::size_t>, 3>
         first_of_count_; ///< offsets of the first vertices of two, of three and of four numbers
-    std::unordered_map<std::string, std::uint32_t> vertex_by_name_; ///< but for those of OBJ files
+    NameIndex vertex_by_name_; ///< but for those of OBJ files
     std::unordered_map<std::string, std::pair<std::size_t, std::size_t>>
         first_of_obj_; ///< by mesh: its first vertex, and how many it has
     std::unordered_set<std::string> names_of_objects_{""};      ///< the scene itself has none

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Numbers as a trace writes them, straight into a buffer: doubles in their shortest form, exact numbers as "25/8" in lowest terms and in quotes.
+// Numbers as a trace writes them, straight into a buffer: integers from a table of digit pairs,
+// doubles in their shortest form, exact numbers as "25/8" in lowest terms and in quotes.
 //
 //     char buffer[32];
 //     char* const end = format_number(buffer, 0.25);   // 0.25
@@ -11,7 +12,6 @@
 #include <array>
 #include <charconv>
 #include <cmath>
-#include <concepts>
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
@@ -21,6 +21,14 @@
 namespace rastertrace {
 
 namespace digit_tables {
+
+/// "00", "01", ... "99".
+inline constexpr auto pairs = [] {
+    std::array<std::array<char, 2>, 100> table{};
+    for (std::size_t i = 0; i < 100; ++i)
+        table[i] = {static_cast<char>('0' + i / 10), static_cast<char>('0' + i % 10)};
+    return table;
+}();
 
 /// The digits of k/1024 behind the point, without zeros at their end: 512 -> "5", 1 ->
 /// "0009765625".
@@ -60,8 +68,38 @@ inline std::size_t room_for(const Rational& value) {
 }
 
 /// Writes a value to `out`, which must have room for it; returns the place behind it.
-template <std::integral Integer> char* format_number(char* out, Integer value) {
-    return std::to_chars(out, out + 20, value).ptr;
+inline char* format_number(char* out, std::uint64_t value) {
+    // Two digits at a time. Most indices of a picture have at most four.
+    const auto put_pair = [&out](std::uint64_t pair) {
+        std::memcpy(out, digit_tables::pairs[pair].data(), 2);
+        out += 2;
+    };
+    const auto put_first = [&](std::uint64_t pair) {
+        if (pair < 10)
+            *out++ = static_cast<char>('0' + pair);
+        else
+            put_pair(pair);
+    };
+    if (value < 100) {
+        put_first(value);
+    } else if (value < 10'000) {
+        put_first(value / 100);
+        put_pair(value % 100);
+    } else {
+        out = std::to_chars(out, out + 20, value).ptr;
+    }
+    return out;
+}
+
+inline char* format_number(char* out, std::int64_t value) {
+    if (value >= 0)
+        return format_number(out, static_cast<std::uint64_t>(value));
+    *out++ = '-';
+    return format_number(out, std::uint64_t{0} - static_cast<std::uint64_t>(value));
+}
+
+inline char* format_number(char* out, int value) {
+    return format_number(out, std::int64_t{value});
 }
 
 /// Throws a Problem: JSON has no infinity, and no NaN.

@@ -3,6 +3,7 @@
 
 #include "byte_order_mark.h"
 #include "json_scanner.h"
+#include "name_index.h"
 #include "text.h"
 #include "zero_byte.h"
 
@@ -14,8 +15,6 @@
 #include <algorithm>
 #include <cctype>
 #include <limits>
-#include <string>
-#include <unordered_set>
 #include <utility>
 #include <vector>
 
@@ -151,7 +150,10 @@ public:
 
     bool key(string_t& value) override {
         const std::uint32_t node = add_node();
-        if (!open_.back().keys.insert(value).second) {
+        const auto name_of = [this](std::uint32_t other) {
+            return text_of_token(document_.text(), document_.nodes_[other].begin);
+        };
+        if (!open_.back().keys.insert(node, name_of)) {
             problem_ = problem_at(source_, document_.nodes_[node].begin,
                                   fmt::format("expected each key once, found \"{}\" again",
                                               shortened(value, shown_of_word)));
@@ -171,7 +173,7 @@ private:
     struct Container {
         std::uint32_t node;
         bool is_object;
-        std::unordered_set<std::string> keys;
+        NameIndex keys;
     };
 
     bool is_empty(const Container& container) const {
