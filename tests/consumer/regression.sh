@@ -28,7 +28,6 @@ sed -n 's/^ *run: \(rastertrace .*\)/\1/p' examples/ci/workflow.yml >commands
 while read -r command; do
     quietly sh -c "$command" </dev/null
 done <commands
-grep -q '<testcase' claims.xml
 
 # A mistake.
 quietly cmake -DFAST=ON build

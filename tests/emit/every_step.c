@@ -70,7 +70,6 @@ static void tell_a_triangle(struct rt_trace* t) {
     rt_primitive(t, "triangle", "ABC");
     rt_texts(t, "vertices", names, 3);
     rt_rows(t, "at", at, 3, 2);
-    rt_number(t, "within", 1e-300);
     rt_numbers(t, "depths", third, 3);
     rt_color(t, 0, 0, 0, 128);
     rt_texts(t, "colors", colors, 3);
@@ -79,6 +78,7 @@ static void tell_a_triangle(struct rt_trace* t) {
     rt_flag(t, "painted", 0);
     rt_whole(t, "radius", 3);
     rt_undecided(t);
+    rt_text(t, "name", "ABC");
     rt_number(t, "difference", 1e-20);
     rt_number(t, "error", 1e-19);
     rt_edge(t, "BC");

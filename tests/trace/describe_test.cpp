@@ -140,7 +140,7 @@ TEST(Describe, WhatDoublesLeaveOpen) {
     for (std::size_t n = 1; found.empty() && n < 10; ++n)
         if (const std::string text = description(scene, n); text.starts_with("doubles"))
             found = text;
-    EXPECT_TRUE(found.starts_with("doubles leave it open: a difference of ")) << found;
+    EXPECT_TRUE(found.starts_with("doubles leave ABC open: a difference of ")) << found;
     EXPECT_TRUE(found.ends_with("; drawn in exact numbers")) << found;
 }
 

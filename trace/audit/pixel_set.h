@@ -11,7 +11,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <iterator>
-#include <ranges>
 #include <vector>
 
 namespace rastertrace {
@@ -52,6 +51,12 @@ public:
         std::uint32_t place_ = 0; ///< in the run
     };
 
+    struct Part {
+        Iterator from, to;
+        Iterator begin() const { return from; }
+        Iterator end() const { return to; }
+    };
+
     PixelSet() = default;
 
     /// Of offsets in any order and however often, each below 2^26, the most pixels of a canvas.
@@ -70,8 +75,8 @@ public:
     Iterator not_before(std::uint32_t offset) const;
 
     /// Those with an offset from `first` to before `end`.
-    auto part(std::uint32_t first, std::uint32_t end) const {
-        return std::ranges::subrange(not_before(first), not_before(end));
+    Part part(std::uint32_t first, std::uint32_t end) const {
+        return {not_before(first), not_before(end)};
     }
 
 private:
