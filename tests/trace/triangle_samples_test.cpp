@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <rastertrace/trace/explain/triangle_samples.h>
+#include <rastertrace/trace/audit/triangle_samples.h>
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>

@@ -2,9 +2,9 @@
 #include "coverage.h"
 
 #include "positions.h"
+#include "screen_point.h"
 #include "shared_edges.h"
-#include <rastertrace/trace/explain/screen_point.h>
-#include <rastertrace/trace/explain/triangle_samples.h>
+#include "triangle_samples.h"
 
 #include <rastertrace/trace/record/told_samples.h>
 

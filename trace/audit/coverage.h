@@ -8,8 +8,8 @@
 //     compare_with_corners(trace, drawn, stats);
 
 #include "pixel_set.h"
+#include "screen_point.h"
 #include "stats.h"
-#include <rastertrace/trace/explain/screen_point.h>
 
 #include <rastertrace/trace/record/trace.h>
 

@@ -6,7 +6,7 @@
 //
 //     const auto at = positions_in(trace.step(1).as<PrimitiveStep>(), trace);
 
-#include <rastertrace/trace/explain/screen_point.h>
+#include "screen_point.h"
 
 #include <rastertrace/trace/record/trace.h>
 #include <rastertrace/trace/record/traced_steps.h>

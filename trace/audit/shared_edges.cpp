@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "shared_edges.h"
 
-#include <rastertrace/trace/explain/screen_point.h>
-#include <rastertrace/trace/explain/triangle_samples.h>
+#include "screen_point.h"
+#include "triangle_samples.h"
 
 #include <rastertrace/trace/record/traced_steps.h>
 #include <rastertrace/trace/text/primitive_name.h>

@@ -4,7 +4,7 @@
 // What triangles drew where one ends and the next begins: at an edge that they share.
 
 #include "coverage.h"
-#include <rastertrace/trace/explain/triangle_samples.h>
+#include "triangle_samples.h"
 
 #include <rastertrace/core/raster/canvas.h>
 

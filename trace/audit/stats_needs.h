@@ -13,8 +13,8 @@
 // that drew nothing and was skipped or clipped needs none. Rows are judged by scanline steps; a
 // fill of another kind tells its samples or its rays.
 
+#include "screen_point.h"
 #include "stats.h"
-#include <rastertrace/trace/explain/screen_point.h>
 
 #include <rastertrace/trace/record/trace.h>
 #include <rastertrace/trace/record/traced_steps.h>
