@@ -141,7 +141,7 @@ TEST_P(BoundsOfAdaptive, DepthsOfARow) {
     // Also where the row is narrower than its ends are off, and in pixels beyond its ends.
     for (const double narrow : {1.0, 0x1p-18, 0x1p-46}) {
         if (narrow < GetParam())
-            continue; // it may have no width
+            continue; // no row is wider than its ends may be off
         const double found = worst<double, 20>(
             [narrow](const Inputs& in) -> std::optional<double> {
                 const KnownTriangle ends = known_triangle(in, GetParam());
@@ -156,7 +156,7 @@ TEST_P(BoundsOfAdaptive, DepthsOfARow) {
                         (in[19] < 0 ? 1 : 0);
                     return part_of_bound(about.at(x), exact.at(x));
                 } catch (const Undecided&) {
-                    return std::nullopt; // nor here
+                    return std::nullopt; // it may have no width
                 }
             },
             side);
