@@ -11,7 +11,7 @@ if [ "${1:-}" = --all ]; then
     shift
 fi
 
-[ "$all" = OFF ] || scripts/install-packages.sh emscripten node-acorn
+[ "$all" = OFF ] || scripts/install-packages.sh emscripten libboost-dev node-acorn
 # shellcheck disable=SC2046  # a list of words
 scripts/install-packages.sh $(cat scripts/program-packages.txt) binutils libgtest-dev libgmock-dev librapidcheck-dev libtinyobjloader-dev \
     tmux git

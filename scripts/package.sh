@@ -5,7 +5,7 @@
 set -eu
 cd "$(dirname "$0")/.."
 # shellcheck disable=SC2046  # a list of words
-scripts/install-packages.sh $(cat scripts/program-packages.txt) dpkg-dev emscripten node-acorn
+scripts/install-packages.sh $(cat scripts/program-packages.txt) dpkg-dev emscripten libboost-dev node-acorn
 packages=$PWD/build/packages
 version=$(sed -n 's/^project(rastertrace VERSION \([^ ]*\).*/\1/p' CMakeLists.txt)
 name=rastertrace-$version
