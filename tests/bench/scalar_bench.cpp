@@ -52,9 +52,9 @@ Scene flat_triangles(int pixels, int digits, Fill fill) {
     return scene;
 }
 
-/// A torus of 2 x 100 x 60 triangles in a perspective, against a depth buffer.
+/// A torus of 2 x 250 x 200 triangles in a perspective, against a depth buffer.
 Scene torus(Fill fill, Shade shade) {
-    constexpr int around = 100, across = 60;
+    constexpr int around = 250, across = 200;
     Scene scene;
     scene.canvas = {.width = 800, .height = 800};
     scene.method.fill = fill;

@@ -112,27 +112,24 @@ public:
     Drawing(const Scene& scene, const Plan& plan, const AList& list, const Listener& listener,
             const Sink& sink, Image& image)
         : scene_(scene), plan_(plan), list_(list), listener_(listener), sink_(sink),
-          scratch_(scene.canvas), trial_{scene, plan, scratch_}, doubles_{scene, plan, image},
-          fractions_{scene, plan, image}, exact_(scene, plan) {
+          scratch_(Image::of_one_row(scene.canvas)), trial_{scene, plan, scratch_},
+          doubles_{scene, plan, image}, fractions_{scene, plan, image}, exact_(scene, plan) {
         if (!scene.has_depth_buffer())
             return;
-        trial_.depth = doubles_.depth = fractions_.depth =
-            &depths_.emplace(plan.stages.depth_region, depth_rule<Rational>(scene),
-                             [this](std::uint32_t piece, std::size_t corner, int x, int row) {
-                                 return exact_depth(scene_, exactly(drawn_[piece]), corner,
-                                                    {x, scene_.canvas.y_of(row)});
-                             });
-        trial_.owners.primitive_of = doubles_.owners.primitive_of = fractions_.owners.primitive_of =
-            [this](std::uint32_t owner) { return drawn_of(owner).primitive; };
-        trial_.owners.triangle_of = [this](std::uint32_t owner) {
-            return corners_of(in_intervals(drawn_of(owner)));
+        depths_.emplace(plan.stages.depth_region, depth_rule<Rational>(scene),
+                        [this](std::uint32_t piece, std::size_t corner, int x, int row) {
+                            return exact_depth(scene_, exactly(drawn_[piece]), corner,
+                                               {x, scene_.canvas.y_of(row)});
+                        });
+        const auto share_depths = [this](auto& drawing, auto piece_of) {
+            drawing.depth = &*depths_;
+            drawing.owners = {
+                [this](std::uint32_t owner) { return drawn_of(owner).primitive; },
+                [=, this](std::uint32_t owner) { return corners_of(piece_of(drawn_of(owner))); }};
         };
-        doubles_.owners.triangle_of = [this](std::uint32_t owner) {
-            return corners_of(in_doubles(in_intervals(drawn_of(owner))));
-        };
-        fractions_.owners.triangle_of = [this](std::uint32_t owner) {
-            return corners_of(exactly(drawn_of(owner)));
-        };
+        share_depths(trial_, [this](const Drawn& one) { return in_intervals(one); });
+        share_depths(doubles_, [this](const Drawn& one) { return in_doubles(in_intervals(one)); });
+        share_depths(fractions_, [this](const Drawn& one) { return exactly(one); });
     }
 
     Fallbacks draw() {

@@ -74,20 +74,20 @@ public:
         return is_exact ? Interval(low, high) : around(low, high);
     }
     /// Throws Undecided if b may be 0.
-    friend Interval operator/(Interval a, Interval b) {
+    [[gnu::always_inline]] friend inline Interval operator/(Interval a, Interval b) {
         if (!(b.low_ > 0 || b.high_ < 0)) [[unlikely]]
             leave_open(b, Interval(0));
-        if (a.is(0) || b.is(1))
-            return a;
-        if (b.high_ < 0)
-            return -a / -b;
-        const double low = a.low_ / (a.low_ < 0 ? b.low_ : b.high_);
-        const double high = a.high_ / (a.high_ < 0 ? b.high_ : b.low_);
-        const bool may_be_exact = a.is_exact() && b.is_exact() && low * b.low_ == a.low_;
-        return may_be_exact && is_exact_product(Interval(low), b) ? Interval(low)
-                                                                  : around(low, high);
+        const bool is_negative = b.high_ < 0;
+        const Interval above = is_negative ? -a : a;
+        const Interval below = is_negative ? -b : b;
+        const double low = above.low_ / (above.low_ < 0 ? below.low_ : below.high_);
+        const double high = above.high_ / (above.high_ < 0 ? below.high_ : below.low_);
+        const bool is_exact = low == high ? above.is_exact() && low * below.low_ == above.low_ &&
+                                                is_exact_product(Interval(low), below)
+                                          : below.is(1);
+        return is_exact ? Interval(low, high) : around(low, high);
     }
-    Interval& operator+=(Interval b) { return *this = *this + b; }
+    [[gnu::always_inline]] Interval& operator+=(Interval b) { return *this = *this + b; }
 
     // Comparisons throw Undecided.
     [[gnu::always_inline]] friend inline bool operator<(Interval a, Interval b) {
@@ -194,8 +194,9 @@ inline bool may_differ(Interval a, Interval b) {
     return !(a.is_exact() && b.is_exact() && a.low() == b.low());
 }
 inline Interval held_between(Interval x, Interval low, Interval high) {
-    for (const Interval one : {x, low, high})
-        require_finite(one);
+    require_finite(low);
+    require_finite(high);
+    require_finite(x);
     return {std::min(std::max(x.low(), low.low()), high.low()),
             std::min(std::max(x.high(), low.high()), high.high())};
 }

@@ -43,7 +43,7 @@ template <typename Scalar> struct DepthRow {
     Scalar slope;                   ///< the change in depth from a pixel to the next
     std::optional<Scalar> end = {}; ///< pixels outside of [x, end] have the depth of the nearer end
 
-    Scalar at(int column) const {
+    [[gnu::always_inline]] Scalar at(int column) const {
         const Scalar here = scalar_from<Scalar>(column);
         return depth + slope * ((end ? held_between(here, x, *end) : here) - x);
     }

@@ -57,23 +57,22 @@ using Colors = BlankVector<Color>;
 /// A canvas and its colors.
 class Image {
 public:
-    explicit Image(const Canvas& canvas)
-        : canvas_(canvas), left_(canvas.left()), top_(canvas.top()), down_(canvas.down()),
-          colors_(static_cast<std::size_t>(canvas.width) *
-                  static_cast<std::size_t>(canvas.height)) {}
+    explicit Image(const Canvas& canvas) : Image(canvas, canvas.width, canvas.height) {}
+
+    /// A picture that nobody looks at: all rows are one.
+    static Image of_one_row(const Canvas& canvas) { return {canvas, 0, 1}; }
 
     const Canvas& canvas() const { return canvas_; }
     const Colors& colors() const { return colors_; }
 
     /// The color of a pixel of the canvas.
-    Color& at(Pixel pixel) { return colors_[canvas_.offset_of(pixel)]; }
+    Color& at(Pixel pixel) { return row(pixel.y).at(pixel.x); }
     const Color& at(Pixel pixel) const { return colors_[canvas_.offset_of(pixel)]; }
 
     /// The row at height `y` of the canvas.
     ImageRow row(int y) {
         const int index = (y - top_) * down_;
-        return {index, y, left_, left_ + canvas_.width - 1,
-                colors_.data() + static_cast<std::ptrdiff_t>(index) * canvas_.width};
+        return {index, y, left_, left_ + canvas_.width - 1, colors_.data() + index * between_rows_};
     }
 
     /// How many pixels have been drawn.
@@ -83,11 +82,17 @@ public:
     }
 
 private:
+    Image(const Canvas& canvas, int between_rows, int rows)
+        : canvas_(canvas), left_(canvas.left()), top_(canvas.top()), down_(canvas.down()),
+          between_rows_(between_rows),
+          colors_(static_cast<std::size_t>(canvas.width) * static_cast<std::size_t>(rows)) {}
+
     Canvas canvas_;
     int left_; ///< left(), top() and down() of the canvas, computed once: rows are often short
     int top_;
     int down_;
-    Colors colors_; ///< of zeros at first: no_color
+    std::ptrdiff_t between_rows_; ///< from a pixel to the one below it
+    Colors colors_;               ///< of zeros at first: no_color
 };
 
 } // namespace rastertrace

@@ -2,8 +2,8 @@
 #pragma once
 
 // The depth tests of a picture whose pieces are drawn in doubles or in fractions. A cell has a double
-// and the number of its piece, and of each piece it is known how far its doubles may be off. So each
-// depth is an interval. Where two meet, the exact depths of both pieces are compared.
+// and the number of its piece, and of each piece it is known how far its doubles may be off. Where two
+// depths are not farther apart, the exact depths of both pieces are compared.
 //
 //     depths.begin(7);       // the depths that follow are of piece 7
 //     depths.try_out(true);  // they are intervals, and none is kept: how far may doubles be off?
@@ -14,6 +14,7 @@
 #include <rastertrace/core/numbers/interval.h>
 
 #include <functional>
+#include <limits>
 #include <utility>
 
 namespace rastertrace {
@@ -34,13 +35,13 @@ public:
         if (rule.cleared)
             cleared_ = turned(*rule.cleared);
         const auto known = Conversion<Interval>::of(cleared_.value_or(0));
-        clear_ = {known.middle(), known, no_owner};
+        clear_ = {known.middle(), known.width(), no_owner};
     }
 
     void begin(std::uint32_t piece) {
         owner_ = piece * sides;
-        errors_.resize(piece + std::size_t{1});
-        errors_[piece] = 0;
+        errors_.resize(piece);
+        errors_.push_back(0);
     }
     void begin_side(std::size_t corner) {
         owner_ = piece_of(owner_) * sides + static_cast<std::uint32_t>(corner);
@@ -70,6 +71,10 @@ public:
         return is_less(in(cell), held_by(depth), cell);
     }
     template <typename Depth> bool keep_if_nearer(double& cell, const Depth& depth) {
+        if (is_trial_ && !throws_) {
+            held_by(depth); // that alone is asked for
+            return true;
+        }
         if (!is_nearer(cell, depth))
             return false;
         if (!is_trial_) {
@@ -108,30 +113,28 @@ private:
     using Thin = ThinDepths<double>::Thin;
     static constexpr std::uint32_t sides = 4; ///< of a piece, at most; each is an owner
 
-    /// A turned depth.
+    /// A turned depth, and how far it may be off.
     struct Held {
         double near;
-        Interval depth;
+        double error;
         std::uint32_t owner;
     };
-    Held held_by(double near, std::uint32_t owner) const {
-        const double error = errors_[piece_of(owner)];
-        return {near, error == 0 ? Interval(near) : Interval::around(near - error, near + error),
-                owner};
+    Held held_by(const Thin& thin) const {
+        return {thin.depth, errors_[piece_of(thin.owner)], thin.owner};
     }
-    Held held_by(const Thin& thin) const { return held_by(thin.depth, thin.owner); }
-    Held held_by(const double& depth) { return held_by(depth, owner_); }
-    Held held_by(const Interval& depth) {
+    Held held_by(const double& depth) { return {depth, errors_.back(), owner_}; }
+    [[gnu::always_inline]] Held held_by(const Interval& depth) {
         if (is_trial_ && throws_)
-            require_finite(depth);                 // it is told
-        double& error = errors_[piece_of(owner_)]; // of any double in it
-        error = depth.width() <= error ? error : depth.width();
-        return {depth.middle(), depth, owner_};
+            require_finite(depth);          // it is told
+        const double error = depth.width(); // of any double in it
+        if (!(error <= errors_.back()))
+            errors_.back() = error;
+        return {depth.middle(), error, owner_};
     }
     Held held_by(const Rational& depth) { return held_by(Conversion<Interval>::of(depth)); }
     Held in(const double& cell) const {
         const auto owner = owner_of(cell);
-        return owner ? held_by(cell, *owner) : clear_;
+        return owner ? Held{cell, errors_[piece_of(*owner)], *owner} : clear_;
     }
     bool has_depth(const double& cell) const { return cleared_ || owner_of(cell); }
     const Thin* thin_at(const double& cell) const {
@@ -140,12 +143,14 @@ private:
     }
 
     [[gnu::always_inline]] bool is_less(const Held& a, const Held& b, const double& cell) {
-        return a.depth.high() < b.depth.low() ||
-               (!(a.depth.low() >= b.depth.high()) && is_less_exactly(a, b, cell));
+        // Rounded, with the right sign, and an error that is rounded up for both.
+        const double difference = b.near - a.near;
+        const double error = (a.error + b.error) * (1 + 4 * std::numeric_limits<double>::epsilon());
+        return difference > error || (!(difference <= -error) && is_less_exactly(a, b, cell));
     }
     [[gnu::noinline]] bool is_less_exactly(const Held& a, const Held& b, const double& cell) {
         if (is_trial_ && throws_)
-            Interval::leave_open(a.depth, b.depth);
+            throw Undecided{a.near - b.near, a.error + b.error};
         exact_tests_ += is_trial_ ? 0 : 1;
         return is_trial_ || exact(a, cell) < exact(b, cell);
     }
