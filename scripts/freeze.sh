@@ -26,7 +26,7 @@ mkdir "$folder/scenes" "$folder/faults"
 {
     find examples -name '*.json' | sort | while read -r scene; do
         for call in trace show 'show --all --working --max-steps 500' plan stats 'stats --json' sheet \
-            'figure -o - --format svg' 'figure -o - --format tikz' 'play --print 100x30 --step last' \
+            'figure -o - --format svg' 'figure -o - --format tex' 'play --print 100x30 --step last' \
             'diff --against fill=top-left' 'diff --against fill=two-halves --json'; do
             echo "$call $scene"
         done
