@@ -121,11 +121,11 @@ public:
                             return exact_depth(scene_, exactly(drawn_[piece]), corner,
                                                {x, scene_.canvas.y_of(row)});
                         });
-        const auto share_depths = [this](auto& drawing, auto piece_of) {
+        const auto share_depths = [this](auto& drawing, auto converted) {
             drawing.depth = &*depths_;
             drawing.owners = {
                 [this](std::uint32_t owner) { return drawn_of(owner).primitive; },
-                [=, this](std::uint32_t owner) { return corners_of(piece_of(drawn_of(owner))); }};
+                [=, this](std::uint32_t owner) { return corners_of(converted(drawn_of(owner))); }};
         };
         share_depths(trial_, [this](const Drawn& one) { return in_intervals(one); });
         share_depths(doubles_, [this](const Drawn& one) { return in_doubles(in_intervals(one)); });

@@ -59,20 +59,20 @@ class Image {
 public:
     explicit Image(const Canvas& canvas) : Image(canvas, canvas.width, canvas.height) {}
 
-    /// A picture that nobody looks at: all rows are one.
+    /// A picture whose rows share the memory of one, for drawing that nobody looks at.
     static Image of_one_row(const Canvas& canvas) { return {canvas, 0, 1}; }
 
     const Canvas& canvas() const { return canvas_; }
     const Colors& colors() const { return colors_; }
 
     /// The color of a pixel of the canvas.
-    Color& at(Pixel pixel) { return row(pixel.y).at(pixel.x); }
-    const Color& at(Pixel pixel) const { return colors_[canvas_.offset_of(pixel)]; }
+    Color& at(Pixel pixel) { return colors_[offset_of(pixel)]; }
+    const Color& at(Pixel pixel) const { return colors_[offset_of(pixel)]; }
 
     /// The row at height `y` of the canvas.
     ImageRow row(int y) {
         const int index = (y - top_) * down_;
-        return {index, y, left_, left_ + canvas_.width - 1, colors_.data() + index * between_rows_};
+        return {index, y, left_, left_ + canvas_.width - 1, colors_.data() + index * stride_};
     }
 
     /// How many pixels have been drawn.
@@ -82,17 +82,21 @@ public:
     }
 
 private:
-    Image(const Canvas& canvas, int between_rows, int rows)
+    Image(const Canvas& canvas, int stride, int rows)
         : canvas_(canvas), left_(canvas.left()), top_(canvas.top()), down_(canvas.down()),
-          between_rows_(between_rows),
+          stride_(stride),
           colors_(static_cast<std::size_t>(canvas.width) * static_cast<std::size_t>(rows)) {}
+
+    std::size_t offset_of(Pixel pixel) const {
+        return static_cast<std::size_t>((pixel.y - top_) * down_ * stride_ + (pixel.x - left_));
+    }
 
     Canvas canvas_;
     int left_; ///< left(), top() and down() of the canvas, computed once: rows are often short
     int top_;
     int down_;
-    std::ptrdiff_t between_rows_; ///< from a pixel to the one below it
-    Colors colors_;               ///< of zeros at first: no_color
+    std::ptrdiff_t stride_; ///< from a row to the next; 0 if all are one
+    Colors colors_;         ///< of zeros at first: no_color
 };
 
 } // namespace rastertrace

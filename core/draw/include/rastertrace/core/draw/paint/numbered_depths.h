@@ -3,7 +3,7 @@
 
 // The depth tests of a picture whose pieces are drawn in doubles or in fractions. A cell has a double
 // and the number of its piece, and of each piece it is known how far its doubles may be off. Where two
-// depths are not farther apart, the exact depths of both pieces are compared.
+// depths differ by less than that, the exact depths of both pieces are compared.
 //
 //     depths.begin(7);       // the depths that follow are of piece 7
 //     depths.try_out(true);  // they are intervals, and none is kept: how far may doubles be off?
@@ -48,7 +48,8 @@ public:
     }
     static std::uint32_t piece_of(std::uint32_t owner) { return owner / sides; }
 
-    /// A test that intervals leave open throws Undecided, or else passes.
+    /// A test that intervals leave open throws Undecided. Without `throws` it passes, and every face
+    /// does: then a trial only finds out how far its doubles may be off.
     void try_out(bool throws) {
         is_trial_ = true;
         throws_ = throws;
@@ -72,7 +73,7 @@ public:
     }
     template <typename Depth> bool keep_if_nearer(double& cell, const Depth& depth) {
         if (is_trial_ && !throws_) {
-            held_by(depth); // that alone is asked for
+            held_by(depth); // keeps the error
             return true;
         }
         if (!is_nearer(cell, depth))
@@ -143,7 +144,7 @@ private:
     }
 
     [[gnu::always_inline]] bool is_less(const Held& a, const Held& b, const double& cell) {
-        // Rounded, with the right sign, and an error that is rounded up for both.
+        // Both are rounded. The difference has the right sign; the error is enlarged by more than that.
         const double difference = b.near - a.near;
         const double error = (a.error + b.error) * (1 + 4 * std::numeric_limits<double>::epsilon());
         return difference > error || (!(difference <= -error) && is_less_exactly(a, b, cell));
