@@ -2,7 +2,7 @@
 #
 #   cmake -DOUTPUT=page_parts.cpp -DFILES=page.html,page.css -P embed.cmake
 #
-# A font becomes an array of its bytes: Sans.ttf is const unsigned char Sans_ttf[]. Other FILES are ASCII; each becomes
+# A font becomes an array of its bytes: Sans.ttf is const unsigned char Sans_ttf[]. Each other file becomes
 # a function that returns its text: page.html is std::string page_html().
 cmake_minimum_required(VERSION 3.25)
 string(REPLACE "," ";" files "${FILES}")
@@ -19,13 +19,18 @@ foreach(path IN LISTS files)
   string(APPEND code "\nstd::string ${name}() {\n    std::string text;\n")
   file(READ "${path}" text)
   string(LENGTH "${text}" length)
-  # Compilers have a limit to how long a string literal may be.
-  set(chunk 8000)
+  # Compilers have a limit to how long a string literal may be. A part ends with a line, not within a letter.
   set(begin 0)
   while(begin LESS length)
-    string(SUBSTRING "${text}" ${begin} ${chunk} part)
+    string(SUBSTRING "${text}" ${begin} 8000 part)
+    string(FIND "${part}" "\n" last REVERSE)
+    if(last EQUAL -1)
+      message(FATAL_ERROR "${path}: expected lines of at most 8000 bytes, found a longer one")
+    endif()
+    math(EXPR size "${last} + 1")
+    string(SUBSTRING "${part}" 0 ${size} part)
     string(APPEND code "    text += R\"embedded(${part})embedded\";\n")
-    math(EXPR begin "${begin} + ${chunk}")
+    math(EXPR begin "${begin} + ${size}")
   endwhile()
   string(APPEND code "    return text;\n}\n")
 endforeach()

@@ -155,7 +155,7 @@ class RasterTrace extends HTMLElement {
       const program = typeof rastertrace === "function" ? await programOf(rastertrace).catch(() => undefined) : undefined;
       return {options, program, frames: await inflated(data)};
     }
-    const source = this.getAttribute("src"), language = this.getAttribute("language") ?? "en";
+    const source = this.getAttribute("src"), asked = this.getAttribute("language"), language = asked in RESOURCES.words ? asked : "en";
     if (!source && !this.#given) return {problem: "<raster-trace>: expected src, the address of a scene, or the property scene, found neither"};
     const [text, program] = await Promise.all([
       this.#given ?? fetch(source).then(answer => answer.ok ? answer.text() : Promise.reject(Error(`${source}: ${answer.status} ${answer.statusText}`))),

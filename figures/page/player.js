@@ -85,7 +85,6 @@ function filled(pieces, fill) {
 
 /** What a step says, with a mark if its numbers give something else. */
 function sentenceOf(trace, n) {
-  if (n === 0) return "nothing drawn yet";
   const sentence = filled(trace.pieces[trace.kind[n]], i => trace.words[trace.data.fills[trace.fills[n] + i]]);
   const marks = trace.data.marks ?? [];
   const mark = marks.findIndex((step, i) => i % 2 === 0 && step === n);
@@ -157,13 +156,19 @@ const numberIn = text => { const [above, below = 1] = String(text).split("/").ma
 /**
  * Shows frames in the root of an element, and lets a reader go through them.
  *
- * options: keys with their language (page.cpp), language, title; view, step, scene and whether it is movable, if given. `program`
+ * options: keys and words in each language (page.cpp), language, title; view, step, scene and whether it is movable, if given. `program`
  * draws a changed scene; none if undefined. What it returns is what the element does: goTo(step), setView(name), repaint() in other colors, end().
  */
 function startPlayer(host, options, frames, program) {
 const root = host.shadowRoot, by = id => root.getElementById(id);
 const isPage = host.hasAttribute("whole-page"); // keys and the address are the player's
 const gone = new AbortController(), until = {signal: gone.signal};
+
+/** Words around the picture in the language of steps, with values for their {}; as they are if the table has none. */
+function say(text, ...values) {
+  return (options.words[options.language]?.[text] ?? text).replace(/\{\}/g, () => values.shift());
+}
+const saidOf = n => n === 0 ? say("nothing drawn yet") : sentenceOf(trace, n);
 
 let frame = 0, trace, step = 0, view = "plotted";
 let told, toldOf;                      // the step that listeners were told of, and its trace
@@ -467,18 +472,18 @@ function drawLegend() {
   if (tells === legendOf) return;
   legendOf = tells;
   const entries = [], entry = (color, text) => entries.push({color, text});
-  if (view === "plotted") { entry("var(--plotted)", "drawn"); entry("var(--current)", "by this step"); }
+  if (view === "plotted") { entry("var(--plotted)", say("drawn")); entry("var(--current)", say("by this step")); }
   if (view === "faces") {
     const groups = [...trace.data.groups.keys()].filter(group => seen[group] > 0);
     if (trace.data.heading) entry("", trace.data.heading);
     groups.slice(0, 24).forEach(i => entry(`var(--face-${i % 8 + 1})`, trace.words[trace.data.groups[i]]));
-    if (groups.length > 24) entry("", `and ${groups.length - 24} more`);
+    if (groups.length > 24) entry("", say("and {} more", groups.length - 24));
   }
-  if (view === "shade") entry("", "pixels in their own colors");
-  if (view === "depth") { entry("rgb(250 250 250)", "nearest"); entry("rgb(120 120 120)", "farthest"); }
+  if (view === "shade") entry("", say("pixels in their own colors"));
+  if (view === "depth") { entry("rgb(250 250 250)", say("nearest")); entry("rgb(120 120 120)", say("farthest")); }
   if (view === "writes")
     trace.data.write_grays.forEach((level, i, all) =>
-      entry(`rgb(${level} ${level} ${level})`, `${i + 1}${i + 1 === all.length ? " or more writes" : ""}`));
+      entry(`rgb(${level} ${level} ${level})`, i + 1 === all.length ? say("{} or more writes", i + 1) : i + 1));
   by("legend").replaceChildren(...entries.map(({color, text}) => {
     const item = document.createElement("li");
     if (color) item.append(swatch(color));
@@ -490,7 +495,7 @@ function drawLegend() {
 // --- the words -------------------------------------------------------------------------------------------------------
 
 function tellStep() {
-  const sentence = sentenceOf(trace, step);
+  const sentence = saidOf(step);
   if (step !== told || trace !== toldOf) {
     [told, toldOf] = [step, trace];
     host.dispatchEvent(new CustomEvent("step", {bubbles: true, detail: {step, count: trace.count, kind: nameOf(step), sentence}}));
@@ -499,9 +504,9 @@ function tellStep() {
   by("working").replaceChildren(...(hasWorking && step > 0 ? workingOf(step) : []).map(line => element("li", "", line)));
   const slider = by("slider");
   slider.value = step;
-  slider.setAttribute("aria-valuetext", `step ${step} of ${trace.count}${step ? ": " + nameOf(step) : ""}`);
+  slider.setAttribute("aria-valuetext", say("step {} of {}", step, trace.count) + (step ? ": " + nameOf(step) : ""));
   if (root.activeElement !== by("number")) by("number").value = step;
-  raster.setAttribute("aria-label", `The picture after step ${step} of ${trace.count}`);
+  raster.setAttribute("aria-label", say("The picture after step {} of {}", step, trace.count));
   if (by("as-text").open) tellAsText();
 }
 
@@ -542,7 +547,7 @@ function tellSteps() {
     button.tabIndex = n === step ? 0 : -1;
     if (n === step) button.setAttribute("aria-current", "step"); else button.removeAttribute("aria-current");
     number.textContent = n;
-    said.textContent = sentenceOf(trace, n);
+    said.textContent = saidOf(n);
     if (n === step && hadFocus) button.focus({preventScroll: true});
   }
 }
@@ -562,35 +567,35 @@ function tellPixel() {
   const pixel = hovered >= 0 ? hovered : cursor;
   const about = by("pixel-told");
   if (pixel < 0) {
-    by("pixel-heading").textContent = "Pixel";
-    about.replaceChildren(element("p", "", "Point at a pixel, or tap it, to see who drew it, and why the others did not."));
+    by("pixel-heading").textContent = say("Pixel");
+    about.replaceChildren(element("p", "", say("Point at a pixel, or tap it, to see who drew it, and why the others did not.")));
     return;
   }
-  by("pixel-heading").textContent = `Pixel (${xOf(pixel)}, ${yOf(pixel)})`;
+  by("pixel-heading").textContent = say("Pixel ({}, {})", xOf(pixel), yOf(pixel));
   const all = answerAbout(pixel), lines = [];
   if (all) lines.push(element("p", "answer", all.answer));
   for (const line of all?.lacks ?? []) lines.push(element("p", "note", line));
   const tries = triesOf(pixel);
   if (tries.length > 0) {
-    lines.push(element("h3", "", "Steps that tried to write it"));
+    lines.push(element("h3", "", say("Steps that tried to write it")));
     const list = element("ol");
     list.append(...tries.slice(0, 60).map(tryItem));
     lines.push(list);
-    if (tries.length > 60) lines.push(element("p", "", `and ${tries.length - 60} more`));
+    if (tries.length > 60) lines.push(element("p", "", say("and {} more", tries.length - 60)));
   }
   if (all && all.whyNot.length > 0) {
-    lines.push(element("h3", "", "Not drawn by"));
+    lines.push(element("h3", "", say("Not drawn by")));
     const list = element("ul");
     list.append(...all.whyNot.map(whyNotItem));
     lines.push(list);
-    if (all.count > all.whyNot.length) lines.push(element("p", "", `and ${all.count - all.whyNot.length} more`));
+    if (all.count > all.whyNot.length) lines.push(element("p", "", say("and {} more", all.count - all.whyNot.length)));
   }
   if (fileOf()) {
-    const more = element("p", "", all ? "The working: " : "Who did not draw it, and why: ");
-    more.append(element("code", "", `rastertrace explain ${fileOf()} --pixel ${xOf(pixel)},${yOf(pixel)}`));
+    const more = element("p", "", say(all ? "The working:" : "Who did not draw it, and why:"));
+    more.append(" ", element("code", "", `rastertrace explain ${fileOf()} --pixel ${xOf(pixel)},${yOf(pixel)}`));
     lines.push(more);
   } else if (!all) {
-    lines.push(element("p", "", "It would take too long here to say why others did not draw it."));
+    lines.push(element("p", "", say("It would take too long here to say why others did not draw it.")));
   }
   about.replaceChildren(...lines);
 }
@@ -599,10 +604,10 @@ function tryItem(n) {
   const item = element("li", n > step ? "later" : ""), button = element("button", "", n);
   button.type = "button";
   button.dataset.step = n;
-  button.setAttribute("aria-label", `Go to step ${n}`);
+  button.setAttribute("aria-label", say("Go to step {}", n));
   const said = element("span", "said");
   if (nameOf(n) === "pixel") said.append(swatch(trace.words[trace.data.pixels[trace.own[n]]]));
-  said.append(...parts(sentenceOf(trace, n)));
+  said.append(...parts(saidOf(n)));
   item.append(button, said);
   return item;
 }
@@ -696,7 +701,7 @@ function setCursor(pixel) {
   drawMarks();
   tellPixel();
   if (pixel < 0) return;
-  announce(`pixel (${xOf(pixel)}, ${yOf(pixel)}): ` + (answerAbout(pixel)?.answer ?? `${triesOf(pixel).length} tries`));
+  announce(say("pixel ({}, {}): {}", xOf(pixel), yOf(pixel), answerAbout(pixel)?.answer ?? say("{} tries", triesOf(pixel).length)));
   const {x, y} = middleOf(pixel), box = scroller;
   if (x < box.scrollLeft + 20 || x > box.scrollLeft + box.clientWidth - 20) box.scrollLeft = x - box.clientWidth / 2;
   if (y < box.scrollTop + 20 || y > box.scrollTop + box.clientHeight - 20) box.scrollTop = y - box.clientHeight / 2;
@@ -725,7 +730,7 @@ function setView(name) {
 function nextView(direction) {
   const {views} = trace.data;
   setView(views[(views.indexOf(view) + direction + views.length) % views.length]);
-  announce(`view ${view}`);
+  announce(say("view {}", view));
 }
 
 function setZoom(factor) {
@@ -738,7 +743,7 @@ function stop() {
   timer = 0;
   by("sentence").setAttribute("aria-live", "polite");
   by("play").setAttribute("aria-pressed", "false");
-  by("play").setAttribute("aria-label", "Play");
+  by("play").setAttribute("aria-label", say("Play"));
 }
 
 function tick() {
@@ -754,13 +759,13 @@ function togglePlay() {
   if (step >= trace.count) goTo(0);
   by("sentence").setAttribute("aria-live", "off"); // nobody can listen that fast
   by("play").setAttribute("aria-pressed", "true");
-  by("play").setAttribute("aria-label", "Pause");
+  by("play").setAttribute("aria-label", say("Pause"));
   timer = setTimeout(tick, 1000 / rate);
 }
 
 function setRate(factor) {
   rate = Math.max(0.25, Math.min(rate * factor, 4096));
-  announce(`${rate} steps a second`);
+  announce(say("{} steps a second", rate));
 }
 
 /** What keys and buttons do, by the names of the player's actions. */
@@ -914,7 +919,7 @@ function placeHandles() {
     handle.style.left = `${place.x}px`;
     handle.style.top = `${place.y}px`;
     handle.hidden = !isInside(place);
-    handle.setAttribute("aria-label", `Vertex ${handle.dataset.vertex} at (${x}, ${y})` + (program ? ": arrow keys move it" : ""));
+    handle.setAttribute("aria-label", say("Vertex {} at ({}, {})", handle.dataset.vertex, x, y) + (program ? `: ${say("arrow keys move it")}` : ""));
   }
 }
 
@@ -980,7 +985,8 @@ let turning = []; // those of numbers that turn the scene
 function turned(scene, axis, degrees) {
   const turn = (model, points) => {
     const center = [0, 1, 2].map(k => points.reduce((sum, point) => sum + numberIn(point[k] ?? 0), 0) / points.length);
-    return [{translate: center.map(x => -x)}, {rotate: {axis, degrees}}, {translate: center}, ...model ?? []];
+    const moved = way => center.some(x => x) ? [{translate: center.map(x => way * x)}] : [];
+    return [...moved(-1), {rotate: {axis, degrees}}, ...moved(1), ...model ?? []];
   };
   for (const mesh of scene.meshes ?? []) if (mesh.vertices) mesh.model = turn(mesh.model, Object.values(mesh.vertices));
   if (scene.vertices) scene.model = turn(scene.model, Object.values(scene.vertices));
@@ -997,7 +1003,7 @@ function prepareNumbers() {
     numbers.push({slider, told, first, put, unmoved: slider.value});
     return numbers.at(-1);
   };
-  turning = ["x", "y"].map(axis => add(`turn about ${axis}`, 0, -180, 180, 1, (scene, degrees) => turned(scene, axis, degrees)));
+  turning = ["x", "y"].map(axis => add(say("turn about {}", axis), 0, -180, 180, 1, (scene, degrees) => turned(scene, axis, degrees)));
   const addNumbersOf = (label, value, holderIn, key) => { // all that the value has
     if (typeof value === "object")
       for (const [name, one] of Object.entries(value ?? {}))
@@ -1144,22 +1150,33 @@ function listen() {
   }
 }
 
+/** The words of element.html and its labels, in the language of steps. */
+function translate() {
+  for (const one of root.querySelectorAll("*")) {
+    const label = one.getAttribute("aria-label");
+    if (label) one.setAttribute("aria-label", say(label));
+    for (const node of one.childNodes)
+      if (node.nodeType === Node.TEXT_NODE) node.data = node.data.replace(/\S.*\S|\S/s, words => say(words));
+  }
+}
+
 function tellKeys() {
   const signs = {Right: "\u2192", Left: "\u2190", Up: "\u2191", Down: "\u2193"};
-  const shown = key => key.replace(/(Right|Left|Up|Down)$/, word => signs[word]);
+  const shown = key => say(key.replace(/(Right|Left|Up|Down)$/, word => signs[word]));
   by("keys").tBodies[0].replaceChildren(...options.keys.filter(([action]) => frames.length > 1 || !action.endsWith("-frame"))
     .map(([, does, ...keys]) => {
       const row = element("tr"), cell = element("td");
       keys.forEach((key, i) => cell.append(i ? " " : "", element("kbd", "", shown(key))));
-      row.append(cell, Object.assign(element("td", "", does), {lang: options.keys_language}));
+      row.append(cell, element("td", "", does[options.language]));
       return row;
     }));
 }
 
+by("all").lang = options.language;
+translate();
 by("title").textContent = options.title;
 by("frame").replaceChildren(...frames.map(({label}, i) => Object.assign(element("option", "", label), {value: i})));
 by("frame-choice").hidden = frames.length < 2;
-for (const told of ["sentence", "working", "steps"]) by(told).lang = options.language;
 view = options.view ?? frames[0].data.view;
 tellKeys();
 show(readTrace(frames[0].data), (isPage ? stepOfAddress() : null) ?? options.step ?? Infinity);

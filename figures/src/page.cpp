@@ -116,14 +116,15 @@ std::string paper_of(Theme theme) {
                        rule(Theme::dark));
 }
 
-/// The keys that pages have: of each action its name, what it does, in the language of steps, and its keys.
+/// The keys that pages have: of each action its name, what it does in each language, and its keys.
 std::string keys_text() {
     std::string text = "[";
     for (const PlayerKey& row : player_keys()) {
         if (!row.is_on_pages)
             continue;
-        text += fmt::format("{}[{},{}", text.size() > 1 ? "," : "", json_quoted(row.name),
-                            json_quoted(row.does.in(language_of_steps())));
+        text += fmt::format(R"({}[{},{{"en":{},"pt":{}}})", text.size() > 1 ? "," : "",
+                            json_quoted(row.name), json_quoted(row.does.in(Language::english)),
+                            json_quoted(row.does.in(Language::portuguese)));
         for (const std::string_view key : row.keys)
             text += "," + json_quoted(key);
         text += "]";
@@ -158,8 +159,8 @@ std::string data_text(std::span<const PageFrame> frames) {
 
 std::string page_element() {
     const std::string resources = fmt::format(
-        R"({{"steps_with_working":{},"keys":{},"keys_language":{},"html":{},"css":{}}})",
-        most_steps_with_working, keys_text(), json_quoted(code_of(language_of_steps())),
+        R"({{"steps_with_working":{},"keys":{},"words":{},"html":{},"css":{}}})",
+        most_steps_with_working, keys_text(), words_json(),
         json_quoted(squeezed(element_html())),
         json_quoted(squeezed_css(colors_of_themes() + element_css() + rules_of_roles("in-space"))));
     return fmt::format(

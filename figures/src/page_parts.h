@@ -12,5 +12,6 @@ std::string element_html();
 std::string element_css();
 std::string element_js();
 std::string player_js();
+std::string words_json();
 
 } // namespace rastertrace

@@ -124,7 +124,7 @@ function check() {
   by("checked").replaceChildren(...told.map(({line, claim, verdict, fields, slips, remarks, working}) => {
     const item = document.createElement("li");
     item.append(Object.assign(document.createElement("span"), {className: `verdict ${verdict}`, textContent: verdict}), ` ${line}: ${claim}`);
-    const lines = [...fields.map(({field, expected, found}) => `${field}: expected ${expected}, found ${found}`), ...slips.map(slip => `likely: ${slip}`),
+    const lines = [...fields, ...slips.map(slip => `likely: ${slip}`),
                    ...remarks, ...verdict === "right" ? [] : working];
     if (lines.length) item.append(Object.assign(document.createElement("pre"), {textContent: lines.join("\n")}));
     return item;
@@ -201,12 +201,28 @@ function setText(words) {
   view.dispatch({changes: {from: 0, to: view.state.doc.length, insert: words}});
 }
 
+// --- examples --------------------------------------------------------------------------------------------------------
+
+async function textAt(address) {
+  const answer = await fetch(address);
+  if (!answer.ok) throw Error(`${address}: ${answer.status} ${answer.statusText}`);
+  return answer.text();
+}
+
+/** An example. A mesh that it has from a file stands in its text, which is all that is drawn. */
+async function exampleOf(name) {
+  const address = new URL(`examples/${name}.json`, import.meta.url), words = await textAt(address), {meshes = [], ...rest} = JSON.parse(words);
+  if (!meshes.some(({obj}) => obj)) return words;
+  const inText = async ({obj, ...mesh}) => obj ? {...meshOf(/([^/]*)\.obj$/.exec(obj)[1], await textAt(new URL(obj, address))), ...mesh} : mesh;
+  return written({...rest, meshes: await Promise.all(meshes.map(inText))});
+}
+
 // --- begin -----------------------------------------------------------------------------------------------------------
 
 async function begin() {
   const module = import(new URL("raster-trace.js", import.meta.url)).then(({RasterTrace}) => RasterTrace.module());
   const held = await heldByAddress();
-  const first = held.scene ?? await fetch(`../examples/${examples[0][1]}.json`).then(answer => answer.text());
+  const first = held.scene ?? await exampleOf(examples[0][1]);
   program = await module;
   if (!held.convention && !program.problem(first)) show(first); // it does not wait for the editor
   const loaded = await Promise.all([import("./editor.js"), fetch("scene.schema.json").then(answer => answer.json())]);
@@ -231,7 +247,7 @@ async function begin() {
   by("picture").addEventListener("scene", event => takeMoved(event.detail.scene));
   by("share").addEventListener("click", share);
   by("example").addEventListener("change", async event => {
-    if (event.target.value) setText(await (await fetch(`../examples/${event.target.value}.json`)).text());
+    if (event.target.value) await exampleOf(event.target.value).then(setText, problem => tellProblem({message: problem.message}));
   });
   by("editor").addEventListener("dragover", event => {
     if (!event.dataTransfer.types.includes("Files")) return;

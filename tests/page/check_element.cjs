@@ -76,7 +76,7 @@ async function checkTen() {
 async function checkChanges() {
   const page = await open(`<raster-trace src="${triangle}" step="14" language="pt"></raster-trace>`);
   expectSame((await sentencesOf(page))[0].includes("y=2"), true, "the step");
-  expectSame(await page.$eval("#sentence", one => one.lang), "pt", "the language");
+  expectSame(await page.$eval("#all", one => one.lang), "pt", "the language");
   const told = await page.evaluate(() => {
     const element = document.querySelector("raster-trace"), told = [];
     document.addEventListener("step", event => told.push([event.target.localName, event.detail.step, event.detail.count, event.detail.kind]));
@@ -91,16 +91,33 @@ async function checkChanges() {
   scene.vertices.A = [0, 4];
   await page.evaluate(scene => { document.querySelector("raster-trace").scene = scene; }, scene);
   await page.waitForFunction(() => document.querySelector("raster-trace").shadowRoot.getElementById("last").textContent !== "62");
-  expectSame(await page.$eval("[data-vertex=A]", one => one.getAttribute("aria-label")), "Vertex A at (0, 4): arrow keys move it", "the scene that was set");
+  expectSame(await page.$eval("[data-vertex=A]", one => one.getAttribute("aria-label")), "Vértice A em (0, 4): as setas o movem", "the scene that was set");
   // Taken out and put back, it starts again; a resize after that is nobody's.
   await page.evaluate(() => { const one = document.querySelector("raster-trace"); one.remove(); document.body.append(one); });
   await page.waitForSelector("raster-trace[data-ready]");
   await page.focus("#slider");
   await page.keyboard.press("Home");
-  expectSame((await sentencesOf(page))[0], "nothing drawn yet", "a key once it is put back");
+  expectSame((await sentencesOf(page))[0], "nada desenhado ainda", "a key once it is put back");
   await page.setViewportSize({width: 700, height: 800});
   expectSame(await page.isVisible("#raster"), true, "put back");
   await close(page);
+}
+
+/** All that stands around a picture, and around what a pixel tells, is in the element's language. */
+async function checkLanguages() {
+  const names = "#title, #view, #in-force, #conventions, #numbers label:nth-child(n + 3), kbd, code, svg, .who"; // of scenes, options and commands
+  const wordsIn = async language => {
+    const page = await open(`<raster-trace src="${cube}" step="300" language="${language}"></raster-trace>`), raster = await page.locator("#raster").boundingBox();
+    await page.mouse.click(raster.x + raster.width / 2, raster.y + raster.height / 2);
+    const words = await page.$eval("#all", (all, names) => [...all.querySelectorAll("*")].filter(one => !one.closest(names)).flatMap(one =>
+      [one.ariaLabel ?? "", ...[...one.childNodes].filter(node => node.nodeType === Node.TEXT_NODE).map(node => node.data.trim())]), names);
+    await close(page);
+    return words.filter(text => /[a-z]{2}/i.test(text));
+  };
+  const english = new Set(await wordsIn("en"));
+  expectSame((await wordsIn("pt")).filter(text => english.has(text) && !/^Pixel\b/.test(text)), [], "what is English in Portuguese");
+  expectSame([...english].length > 40, true, "there are words");
+  expectSame(await wordsIn("fr"), await wordsIn("en"), "of a language that there is not");
 }
 
 async function checkWrong() {
@@ -258,7 +275,7 @@ async function main() {
   address = `http://localhost:${server.address().port}`;
   browser = await launch();
   const wanted = process.argv[5] ?? "";
-  for (const check of [checkTen, checkChanges, checkWrong, checkPlaces, checkTurning, checkSite, checkWidget].filter(check => check.name.includes(wanted))) {
+  for (const check of [checkTen, checkChanges, checkLanguages, checkWrong, checkPlaces, checkTurning, checkSite, checkWidget].filter(check => check.name.includes(wanted))) {
     doing = check.name;
     try {
       await check();

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The playground as somebody uses it: a scene is typed, broken, mended, dragged, asked about, checked, shared and opened again.
 //
-//     check_playground.cjs FOLDER     with playground/ and examples/
+//     check_playground.cjs FOLDER     with playground/, which needs nothing else of a site
 "use strict";
 
 const {launch, axe} = require("../page/browser.cjs");
@@ -20,7 +20,7 @@ const types = {".html": "text/html", ".css": "text/css", ".js": "text/javascript
 const compressed = {}; // as a site keeps its files
 const server = http.createServer((request, answer) => {
   const file = path.join(folder, decodeURI(request.url.split("?")[0]));
-  if (!fs.existsSync(file)) return answer.writeHead(404).end();
+  if (!request.url.startsWith("/playground/") || !fs.existsSync(file)) return answer.writeHead(404).end("<h1>There is no such page</h1>");
   compressed[file] ??= zlib.gzipSync(fs.readFileSync(file), {level: 9});
   answer.writeHead(200, {"content-type": types[path.extname(file)] ?? "text/plain", "content-encoding": "gzip"}).end(compressed[file]);
 });
@@ -82,6 +82,9 @@ async function checkUse(options) {
   await page.fill("#claims", "y=4: 0, 0 -> 0..0\ny=3: 7, 8 -> 0..1\n");
   await until(page, () => document.querySelectorAll("#checked li").length === 2);
   expectSame(await page.$$eval("#checked .verdict", all => all.map(one => one.textContent)), ["right", "wrong"], "what was worked out");
+  await page.fill("#claims", "(0,4): off\n");
+  await until(page, () => document.querySelector("#checked pre")?.textContent.startsWith("pixel: expected on, found off\n"));
+  await page.fill("#claims", "y=4: 0, 0 -> 0..0\ny=3: 7, 8 -> 0..1\n");
   await page.selectOption("#convention", "cgfs");
   await until(page, () => document.querySelector("#picture").shadowRoot.getElementById("in-force").textContent.includes("convention cgfs"));
   await page.selectOption("#mistake", "slope-of-zero");
@@ -103,6 +106,19 @@ async function checkUse(options) {
   await page.context().close();
 }
 
+/** Each example opens, and is drawn. */
+async function checkExamples() {
+  const page = await open(""), names = await page.$$eval("#example option", all => all.map(one => one.value).filter(name => name));
+  expectSame(names.length, 8, "examples");
+  for (const name of names) {
+    const {title} = JSON.parse(fs.readFileSync(path.join(folder, "playground/examples", `${name}.json`), "utf8"));
+    await page.selectOption("#example", name);
+    await until(page, title => document.querySelector("#picture").shadowRoot.getElementById("title").textContent === title, title);
+    expectSame([await page.isVisible("#problem"), Number(await page.textContent("#picture #last")) > 0], [false, true], name);
+  }
+  await page.context().close();
+}
+
 /** A cube is turned, and the text follows. */
 async function checkTurning() {
   const page = await open("");
@@ -115,7 +131,7 @@ async function checkTurning() {
   await page.mouse.up();
   await until(page, () => document.querySelector(".cm-content").textContent.includes("\"degrees\": 30"));
   const scene = JSON.parse(await typed(page));
-  expectSame([scene.meshes[0].model.length, scene.meshes[0].vertices.A], [4, [-1, 1, -1]], "the model of the mesh, and its vertices");
+  expectSame([scene.meshes[0].model.length, scene.meshes[0].vertices.A], [2, [-1, 1, -1]], "the model of the mesh, and its vertices");
   await page.context().close();
 }
 
@@ -184,7 +200,7 @@ async function main() {
   await new Promise(done => server.listen(0, "localhost", done));
   address = `http://localhost:${server.address().port}`;
   browser = await launch();
-  const checks = [["words", checkWords], ["input", checkInput], ["turning", checkTurning], ["first picture", measureFirstPicture],
+  const checks = [["words", checkWords], ["input", checkInput], ["examples", checkExamples], ["turning", checkTurning], ["first picture", measureFirstPicture],
     ...["light", "dark"].flatMap(colorScheme => [360, 1400].map(width =>
       [`${colorScheme}, ${width} wide`, () => checkUse({colorScheme, viewport: {width, height: 1000}})]))];
   for (const [name, check] of checks.filter(([name]) => name.includes(process.argv[3] ?? ""))) {

@@ -142,7 +142,8 @@ function check_questions(module) {
   expect(JSON.parse(module.explain_pixel(scene, 4, 2)).whyNot[0].sentence, 'AC ends row y=2 at x = 25/8 -> floor -> 3; x = 4 lies beyond it by 7/8');
   expect(message_of(() => module.explain_pixel(scene, 400, 2)), 'expected a pixel of the canvas, found 400,2');
   expect(JSON.parse(module.check(scene, 'y=2: -1/4, 25/8 -> -1..3\ny=1: 0, 7/2 -> -1..3')).map((one) => [one.verdict, one.fields]),
-         [['right', []], ['wrong', [{field: 'left end', expected: '-1', found: '0'}]]]);
+         [['right', []], ['wrong', ['left end: expected -1, found 0']]]);
+  expect(JSON.parse(module.check(scene, '(4,2): on'))[0].fields, ['pixel: expected off, found on']);
   expect(message_of(() => module.check(scene, 'y=2 what')).startsWith('claims:1:'), true);
   expect(JSON.parse(module.mistakes(scene)).some(({name}) => name === 'dx-dy-inverted'), true);
   expect(JSON.parse(module.mistakes(scene)).some(({name}) => name === 'factor-2-dropped'), false); // one of lines

@@ -563,4 +563,21 @@ Checked check(const Truth& truth, const Claims& claims) {
     return Checker(truth, claims).run();
 }
 
+std::string place_in_list(const CheckedField& field) {
+    return field.place == 0 ? "" : said({", number {}", ", número {}"}, field.place);
+}
+
+std::string difference_text(const Claims& claims, const CheckedField& field,
+                            std::string_view expected, std::string_view found) {
+    if (field.name == "picture")
+        return fmt::format("{}: {}", words_for_field(field.name), found);
+    const auto as_written = [&](std::string_view value) {
+        const bool is_of_json = !claims.is_table && (value == "true" || value == "false");
+        return is_of_json ? value : word_for_value(field.name, value);
+    };
+    return said({"{}{}: expected {}, found {}", "{}{}: esperado {}, encontrado {}"},
+                claims.in_words(field.name), place_in_list(field), as_written(expected),
+                as_written(found));
+}
+
 } // namespace rastertrace

@@ -146,4 +146,12 @@ struct Checked {
 /// does not have, or if it does not say which of several steps is meant.
 Checked check(const Truth& truth, const Claims& claims);
 
+/// `, number 3` of a list; empty of any other field.
+std::string place_in_list(const CheckedField& field);
+
+/// "first pixel: expected -1, found 0", in the words that the claims are written in. `expected` and `found` are the
+/// field's, or what is shown of them.
+std::string difference_text(const Claims& claims, const CheckedField& field,
+                            std::string_view expected, std::string_view found);
+
 } // namespace rastertrace

@@ -785,4 +785,8 @@ std::string_view words_for_field(std::string_view field, Language language) {
     return known == field_words.end() ? field : known->words.in(language);
 }
 
+std::string_view Claims::in_words(std::string_view field) const {
+    return is_table ? words_for_field(field) : field;
+}
+
 } // namespace rastertrace

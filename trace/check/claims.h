@@ -53,6 +53,9 @@ struct Claims {
     bool truncates = false; ///< "round": "truncate": decimals may be cut off instead of rounded
     bool has_decimal_comma = false; ///< a table in which 0,25 is 1/4
     std::vector<Claim> claims = {};
+
+    /// The name of a field in the words that they are written in: `first pixel` in a table, `from` in JSON.
+    std::string_view in_words(std::string_view field) const;
 };
 
 /// Reads claims in either layout, found by its content: one that begins with `{` is JSON. Claims about

@@ -30,15 +30,6 @@ struct CheckedFile {
     const Claim& claim_of(const CheckedClaim& checked_claim) const {
         return claims.claims[checked_claim.claim];
     }
-
-    /// The name of a field in the words that the claims are written in: `first pixel` in a table, `from` in JSON.
-    std::string_view in_words(std::string_view field) const {
-        return claims.is_table ? words_for_field(field) : field;
-    }
-
-    /// "first pixel: expected -1, found 0", in the same words.
-    std::string difference(const CheckedField& field, std::string_view expected,
-                           std::string_view found) const;
 };
 
 /// right, wrong, follows, open

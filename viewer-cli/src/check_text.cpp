@@ -67,18 +67,13 @@ std::string_view verdict_of(const CheckedClaim& claim, CheckTold told) {
                                                                           : claim.verdict);
 }
 
-/// `, number 3` of a list.
-std::string place_in_list(const CheckedField& field) {
-    return field.place == 0 ? "" : said({", number {}", ", número {}"}, field.place);
-}
-
 /// `; follows from line 2`, or `from its left end`, which is in the same line
 std::string origin_of(const CheckedFile& file, const CheckedField& field,
                       std::size_t line_of_claim) {
     const std::string origin =
         field.follows_from == line_of_claim
             ? said({"its {}", "de outro valor da mesma linha do arquivo ({})"},
-                   file.in_words(field.follows_from_field))
+                   file.claims.in_words(field.follows_from_field))
             : said({"line {}", "da linha {} do arquivo"}, field.follows_from);
     return said({"; follows from {}{}", "; decorre {}{}"}, origin,
                 field.follows_from_rounded
@@ -89,8 +84,8 @@ std::string origin_of(const CheckedFile& file, const CheckedField& field,
 /// `first pixel: expected -1, found 0; follows from line 2`
 std::string field_line(const CheckedFile& file, const CheckedField& field,
                        std::size_t line_of_claim) {
-    std::string line =
-        "    " + file.difference(field, shown_expected(field.expected), shown(field.found));
+    std::string line = "    " + difference_text(file.claims, field, shown_expected(field.expected),
+                                                shown(field.found));
     if (field.verdict == ClaimVerdict::follows)
         line += origin_of(file, field, line_of_claim);
     if (!field.remark.empty())
@@ -145,7 +140,7 @@ std::string remarks_in(const CheckedFile& file, const CheckedClaim& claim) {
     std::string text;
     for (const CheckedField& field : claim.fields)
         if (!field.remark.empty())
-            text += fmt::format("    {}: {}, {}\n", file.in_words(field.name),
+            text += fmt::format("    {}: {}, {}\n", file.claims.in_words(field.name),
                                 in_words(field.verdict), printable(field.remark));
     return text + indented(claim.remarks, "    ");
 }
@@ -156,7 +151,7 @@ std::string hints(const CheckedFile& file, const CheckedClaim& claim, CheckTold 
     for (const CheckedField& field : claim.fields) {
         if (!is_wrong(field.verdict) || told == CheckTold::verdicts)
             continue;
-        text += fmt::format("    {}{}\n", file.in_words(field.name), place_in_list(field));
+        text += fmt::format("    {}{}\n", file.claims.in_words(field.name), place_in_list(field));
         if (field.verdict == ClaimVerdict::follows)
             text += fmt::format("        {}\n",
                                 origin_of(file, field, file.claim_of(claim).line).substr(2));
@@ -229,19 +224,6 @@ std::string frequent_slips(const std::vector<CheckedFile>& files) {
 }
 
 } // namespace
-
-std::string CheckedFile::difference(const CheckedField& field, std::string_view expected,
-                                    std::string_view found) const {
-    if (field.name == "picture")
-        return fmt::format("{}: {}", words_for_field(field.name), found);
-    const auto as_written = [&](std::string_view value) {
-        const bool is_of_json = !claims.is_table && (value == "true" || value == "false");
-        return is_of_json ? value : word_for_value(field.name, value);
-    };
-    return said({"{}{}: expected {}, found {}", "{}{}: esperado {}, encontrado {}"},
-                in_words(field.name), place_in_list(field), as_written(expected),
-                as_written(found));
-}
 
 std::string_view name_of(ClaimVerdict verdict) {
     return words_of(verdict).in(Language::english);

@@ -193,22 +193,21 @@ std::string frame_of(const PlannedScene& planned) {
 }
 
 /// What was found about a claim.
-std::string json_of(const Claim& claim, const CheckedClaim& checked) {
+std::string json_of(const Claims& claims, const CheckedClaim& checked) {
+    const Claim& claim = claims.claims[checked.claim];
     constexpr std::array<std::string_view, 4> verdicts{"right", "wrong", "follows", "open"};
     std::vector<std::string> fields, slips;
     for (const CheckedField& field : checked.fields) {
         if (field.verdict == ClaimVerdict::right || field.verdict == ClaimVerdict::open)
             continue;
-        fields.push_back(fmt::format(R"({{"field":{},"expected":{},"found":{}}})",
-                                     json_quoted(words_for_field(field.name)),
-                                     json_quoted(field.expected), json_quoted(field.found)));
+        fields.push_back(difference_text(claims, field, field.expected, field.found));
         for (const LikelySlip& slip : field.slips)
             slips.push_back(slip.meaning);
     }
     return fmt::format(
-        R"({{"line":{},"claim":{},"verdict":"{}","fields":[{}],"slips":{},"remarks":{},"working":{}}})",
+        R"({{"line":{},"claim":{},"verdict":"{}","fields":{},"slips":{},"remarks":{},"working":{}}})",
         claim.line, json_quoted(claim.text), verdicts[static_cast<std::size_t>(checked.verdict)],
-        joined(fields, ","), json_of(slips), json_of(checked.remarks), json_of(checked.working));
+        json_of(fields), json_of(slips), json_of(checked.remarks), json_of(checked.working));
 }
 
 } // namespace
@@ -295,7 +294,7 @@ const char* rastertrace_check(const char* scene, const char* claims_text) {
         const Truth truth({.name = "scene", .text = scene}, {});
         std::vector<std::string> told;
         for (const CheckedClaim& checked : check(truth, claims.value()).claims)
-            told.push_back(json_of(claims.value().claims[checked.claim], checked));
+            told.push_back(json_of(claims.value(), checked));
         return fmt::format("[{}]", joined(told, ",\n"));
     });
 }
