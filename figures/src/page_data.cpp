@@ -40,6 +40,7 @@
 #include <rastertrace/trace/tell/step_text.h>
 #include <rastertrace/trace/tell/working.h>
 #include <rastertrace/trace/text/color_text.h>
+#include <rastertrace/trace/text/language.h>
 #include <rastertrace/trace/text/method_names.h>
 #include <rastertrace/trace/text/text.h>
 
@@ -481,7 +482,7 @@ private:
             answers.add(told.why_not.size());
             for (const WhyNot& why : told.why_not) {
                 answers.add(printable_word(why.primitive));
-                answers.add(word(why.reason));
+                answers.add(word(std::string(in_language_of_steps(why.reason))));
                 add_sentence(why.sentence, answers);
             }
             answers.add(told.lacks.size());
@@ -562,7 +563,8 @@ std::string page_answer(PixelExplainer& explainer, Pixel pixel) {
     JsonList reasons, lacks;
     for (const WhyNot& why : told.why_not)
         reasons.add_json(fmt::format(R"({{"primitive":{},"reason":{},"sentence":{}}})",
-                                     json_quoted(printable(why.primitive)), json_quoted(why.reason),
+                                     json_quoted(printable(why.primitive)),
+                                     json_quoted(in_language_of_steps(why.reason)),
                                      json_quoted(why.sentence)));
     for (const std::string& line : told.lacks)
         lacks.add_text(line);
