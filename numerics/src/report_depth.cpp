@@ -9,6 +9,7 @@
 #include <rastertrace/core/draw/list/drawing_order.h>
 #include <rastertrace/core/draw/paint/fill.h>
 #include <rastertrace/core/draw/paint/numbered_depths.h>
+#include <rastertrace/core/transform/matrix.h>
 #include <rastertrace/trace/text/method_names.h>
 
 #include <fmt/core.h>
@@ -154,17 +155,22 @@ private:
         return input;
     }
 
-    /// Calls `visit(row, span, piece)` with the depths of each row of each piece.
+    /// Calls `visit(row, span, number)` with the turned depths of each row of the piece with this number.
     template <typename D, typename Visit>
-    static void for_each_row(const DepthInput<D>& input, const DepthScene& shared,
-                             DepthTests<D>& buffer, Visit&& visit) {
-        for (std::size_t i = 0; i < input.pieces.size(); ++i) {
-            const auto& [triangle, depths] = input.pieces[i];
-            const auto plane = TriangleDepth<D>(triangle.vertices, depths, buffer.larger_passes())
-                                   .plane({D(0.5), D(0.5)});
-            for (const PieceSpan& span : shared.pieces[i].spans)
-                visit(plane.on_row(span.y), span, i);
-        }
+    static void visit_rows(const std::array<Vec<D, 2>, 3>& at, const std::array<D, 3>& depths,
+                           bool larger_passes, const DepthScene& shared, std::size_t number,
+                           Visit&& visit) {
+        const auto plane = TriangleDepth<D>(at, depths, larger_passes).plane({D(0.5), D(0.5)});
+        for (const PieceSpan& span : shared.pieces[number].spans)
+            visit(plane.on_row(span.y), span, number);
+    }
+
+    /// The same of all pieces.
+    template <typename D, typename Visit>
+    static void for_each_row(const DepthInput<D>& input, const DepthScene& shared, Visit&& visit) {
+        for (std::size_t i = 0; i < input.pieces.size(); ++i)
+            visit_rows<D>(input.pieces[i].triangle.vertices, input.pieces[i].depths,
+                          input.rule.larger_passes, shared, i, visit);
     }
 
     static DepthRegion whole(const Canvas& canvas) {
@@ -178,11 +184,10 @@ private:
             const Scene scene = scene_with(kind, ScalarKind::exact);
             const Plan plan = plan_for(scene);
             const auto input = input_of<Rational>(scene, plan);
-            DepthTests<Rational> buffer(whole(shared_->canvas), input->rule);
-            for_each_row(*input, *shared_, buffer,
+            for_each_row(*input, *shared_,
                          [&](const DepthRow<Rational>& row, const PieceSpan& span, std::size_t) {
                              for (int x = span.from; x <= span.to; ++x)
-                                 keep_depth(buffer.turned(row.at(x)));
+                                 keep_depth(turned(row.at(x), input->rule.larger_passes));
                          });
             return input;
         };
@@ -192,44 +197,44 @@ private:
             shared_->inverse_distance.emplace_back(shared_->is_inverse_linear ? depth : other);
             shared_->distance.emplace_back(shared_->is_inverse_linear ? other : depth);
         });
-        shared_->winners = run_buffer(*input, *shared_, DirectDepths{});
+        shared_->winners = run_buffer(*input, *shared_, DirectDepths{}, DepthStore{});
         if (scene_.projection.type == ProjectionType::none)
             return;
         const auto ndc = exact_depths(
             Depth::ndc_z, [&](const Rational& depth) { shared_->ndc.emplace_back(depth); });
         // What is linear on the screen is linear in the other: two depths tell how steep.
-        const Rational* first_ndc = nullptr;
-        const Rational* first_right = nullptr;
+        const Rational& first_ndc = ndc->pieces[0].depths[0];
+        const Rational& first_right = input->pieces[0].depths[0];
         for (std::size_t i = 0; i < ndc->pieces.size(); ++i)
-            for (std::size_t k = 0; k < 3; ++k) {
-                const Rational& here = ndc->pieces[i].depths[k];
-                const Rational& right_here = input->pieces[i].depths[k];
-                if (first_ndc == nullptr) {
-                    first_ndc = &here;
-                    first_right = &right_here;
-                } else if (here != *first_ndc && !shared_->per_ndc) {
+            for (std::size_t k = 0; k < 3; ++k)
+                if (const Rational step = ndc->pieces[i].depths[k] - first_ndc; step != 0)
                     shared_->per_ndc =
-                        nearest_double(Rational((right_here - *first_right) / (here - *first_ndc)));
-                }
-            }
+                        nearest_double(Rational((input->pieces[i].depths[k] - first_right) / step));
     }
 
-    /// The whole work of a depth buffer. `depths_of(row)` gives the depths of a row, pixel by pixel.
-    template <typename D, typename DepthsOf>
+    /// The whole work of a depth buffer. `depths_of(row)` gives the depths of a row, pixel by pixel, and
+    /// `store` has the code that a cell holds of a depth.
+    template <typename D, typename DepthsOf, typename Store>
     static Winners run_buffer(const DepthInput<D>& input, const DepthScene& shared,
-                              const DepthsOf& depths_of) {
-        DepthTests<D> buffer(whole(shared.canvas), input.rule);
-        Winners winners(shared.canvas.area());
-        for_each_row(input, shared, buffer,
+                              const DepthsOf& depths_of, const Store& store) {
+        const auto& [larger_passes, cleared] = input.rule;
+        const bool is_open = !cleared; // any depth passes against a clear cell
+        std::vector codes(shared.canvas.area(),
+                          store.code_of(turned(cleared.value_or(D()), larger_passes)));
+        Winners winners(codes.size());
+        for_each_row(input, shared,
                      [&](const DepthRow<D>& row, const PieceSpan& span, std::size_t piece) {
-                         const int line = static_cast<int>(shared.canvas.row_of(span.y));
-                         D* const cells = buffer.row_from(0, line);
-                         std::uint32_t* const seen = row_of(winners, shared.canvas, line);
+                         auto* const cells = row_of(codes, shared.canvas, span.y);
+                         std::uint32_t* const seen = row_of(winners, shared.canvas, span.y);
                          const auto number = static_cast<std::uint32_t>(piece + 1);
                          auto depths = depths_of(row);
-                         for (int x = span.from; x <= span.to; ++x)
-                             if (buffer.keep_if_nearer(cells[x], depths.at(x)))
+                         for (int x = span.from; x <= span.to; ++x) {
+                             auto code = store.code_of(depths.at(x));
+                             if ((is_open && seen[x] == 0) || code < cells[x]) {
+                                 cells[x] = std::move(code);
                                  seen[x] = number;
+                             }
+                         }
                      });
         return winners;
     }
@@ -248,34 +253,31 @@ private:
         }
     };
 
-    /// A row of what each pixel has, from x = 0 on.
-    template <typename Value>
-    static Value* row_of(std::vector<Value>& values, const Canvas& canvas, int line) {
-        return values.data() + static_cast<std::ptrdiff_t>(line) * canvas.width - canvas.left();
-    }
+    /// A cell that holds depths as they are.
+    struct DepthStore {
+        template <typename D> D code_of(D depth) const { return depth; }
+        template <typename D> D depth_of(D stored) const { return stored; }
+    };
 
-    /// Which primitive is seen in each pixel: its place in the scene, plus 1.
-    using SeenPrimitives = std::vector<std::size_t>;
-    SeenPrimitives primitives_of(const Winners& winners) const {
-        SeenPrimitives seen;
-        for (const std::uint32_t winner : winners)
-            seen.push_back(winner == 0 ? 0 : shared_->pieces[winner - 1].primitive + 1);
-        return seen;
+    /// The row at this height of what each pixel has, from x = 0 on.
+    template <typename Value>
+    static Value* row_of(std::vector<Value>& values, const Canvas& canvas, int y) {
+        return values.data() + canvas.row_of(y) * canvas.width - canvas.left();
     }
 
     /// How many pixels show another primitive than in exact arithmetic.
-    ErrorValue wrong_winners(const SeenPrimitives& seen) const {
-        const SeenPrimitives exact = primitives_of(shared_->winners);
+    ErrorValue wrong_winners(const Winners& winners) const {
+        const auto primitive_of = [this](std::uint32_t winner) {
+            return winner == 0 ? 0 : shared_->pieces[winner - 1].primitive + 1;
+        };
         std::uint64_t wrong = 0;
         std::uint64_t covered = 0;
-        for (std::size_t i = 0; i < seen.size(); ++i) {
-            covered += exact[i] == 0 ? 0 : 1;
-            wrong += seen[i] == exact[i] ? 0 : 1;
+        for (std::size_t i = 0; i < winners.size(); ++i) {
+            const std::size_t exact = primitive_of(shared_->winners[i]);
+            covered += exact == 0 ? 0 : 1;
+            wrong += primitive_of(winners[i]) == exact ? 0 : 1;
         }
         return ErrorValue::ratio(wrong, covered);
-    }
-    ErrorValue wrong_winners(const Winners& winners) const {
-        return wrong_winners(primitives_of(winners));
     }
 
     /// The relative error of 1/z of a fragment, if the buffer holds `depth` for it: with d what it
@@ -283,40 +285,34 @@ private:
     std::optional<double> inverse_z_error(Depth kind, std::size_t fragment, double depth) const {
         const double z = std::abs(shared_->distance[fragment].near);
         const double inverse = std::abs(shared_->inverse_distance[fragment].near);
-        if (z == 0)
+        if (z == 0 || (kind == Depth::ndc_z && !shared_->per_ndc))
             return std::nullopt;
-        switch (kind) {
-        case Depth::inverse_z:
-            return shared_->inverse_distance[fragment].error_of(depth) / inverse;
-        case Depth::linear_z:
-            return shared_->distance[fragment].error_of(depth) / std::abs(depth);
-        case Depth::ndc_z:
-            if (!shared_->per_ndc)
-                return std::nullopt;
-            return shared_->ndc[fragment].error_of(depth) * std::abs(*shared_->per_ndc) /
-                   (shared_->is_inverse_linear ? inverse : z);
-        case Depth::none:
-        case Depth::painter:
-            break;
-        }
-        return std::nullopt;
+        const double error = exact_of(kind)[fragment].error_of(depth);
+        if (kind == Depth::ndc_z)
+            return error * std::abs(*shared_->per_ndc) / (shared_->is_inverse_linear ? inverse : z);
+        return error / (kind == Depth::inverse_z ? inverse : std::abs(depth));
     }
 
-    /// The largest of these, where `depth_of(row, span, visit)` visits the depths of a row, turned.
-    template <typename D, typename VisitDepths>
-    ErrorValue largest_error(Depth kind, const DepthInput<D>& input,
-                             VisitDepths&& visit_depths) const {
-        DepthTests<D> buffer(whole(shared_->canvas), input.rule);
+    static void keep_larger(std::optional<double>& largest, const std::optional<double>& error) {
+        if (error && !(largest && *error <= *largest))
+            largest = error;
+    }
+
+    /// The largest of these, of the depths that a buffer holds.
+    template <typename D, typename DepthsOf, typename Store>
+    ErrorValue largest_error(Depth kind, const DepthInput<D>& input, const DepthsOf& depths_of,
+                             const Store& store) const {
         std::optional<double> largest;
         std::size_t fragment = 0;
-        for_each_row(input, *shared_, buffer,
-                     [&](const DepthRow<D>& row, const PieceSpan& span, std::size_t) {
-                         visit_depths(row, span, [&](const D& depth) {
-                             const auto error = error_of(kind, fragment++, buffer.turned(depth));
-                             if (error && !(largest && *error <= *largest))
-                                 largest = error;
-                         });
-                     });
+        for_each_row(
+            input, *shared_, [&](const DepthRow<D>& row, const PieceSpan& span, std::size_t) {
+                auto depths = depths_of(row);
+                for (int x = span.from; x <= span.to; ++x) {
+                    const auto stored = store.depth_of(store.code_of(depths.at(x)));
+                    keep_larger(largest, error_of(kind, fragment++,
+                                                  turned(stored, input.rule.larger_passes)));
+                }
+            });
         return {largest};
     }
     template <typename D>
@@ -355,20 +351,22 @@ private:
         });
     }
 
+    /// True if depths of this kind are linear on the screen, whatever the scene's triangles are.
+    bool is_right(Depth kind) const {
+        return kind == Depth::ndc_z || (kind == Depth::inverse_z) == shared_->is_inverse_linear;
+    }
+
     void add_scalars(Depth kind) {
         builder_.begin_curve(name_of_depth(kind), "scalar");
         for (const ScalarSetting& scalar : scalar_settings()) {
             // Depths of fixed-point vertices are doubles; the grid that is drawn on will do.
             if (scalar.bits && std::int64_t{1} << *scalar.bits != fixed_grid)
                 continue;
-            // ndc-z is linear on the screen whatever the projection.
-            const bool is_right =
-                kind == Depth::ndc_z || (kind == Depth::inverse_z) == shared_->is_inverse_linear;
             Setting scalar_setting = named_setting(scalar.name);
-            scalar_setting.never_errs = is_right && scalar.never_errs();
+            scalar_setting.never_errs = is_right(kind) && scalar.never_errs();
             with_input(scene_with(kind, scalar.kind), std::move(scalar_setting),
                        [&]<typename D>(Setting setting, std::shared_ptr<DepthInput<D>> input) {
-                           add_buffer(kind, std::move(setting), input, DirectDepths{});
+                           add_buffer(kind, std::move(setting), input, DirectDepths{}, as_they_are);
                        });
         }
     }
@@ -392,30 +390,25 @@ private:
         std::uint64_t left_open = 0;
         for (std::size_t i = 0; i < input.placed.size(); ++i) {
             const AdaptiveTriangles::Placed& one = input.placed[i];
-            const auto visit_rows = [&]<typename Scalar>(const Piece<Scalar>& piece, auto&& take) {
-                using D = DepthOf<Scalar>;
-                const auto plane =
-                    TriangleDepth<D>(depth_positions(Triangle<Scalar>{piece.positions}),
-                                     piece.depths, buffer.larger_passes())
-                        .plane({D(0.5), D(0.5)});
-                for (const PieceSpan& span : shared.pieces[i].spans)
-                    take(plane.on_row(span.y), span, i);
+            const auto rows_of = [&]<typename Scalar>(const Piece<Scalar>& piece, auto&& take) {
+                visit_rows<DepthOf<Scalar>>(depth_positions(Triangle<Scalar>{piece.positions}),
+                                            piece.depths, buffer.larger_passes(), shared, i, take);
             };
             buffer.begin(static_cast<std::uint32_t>(i));
             buffer.try_out(false);
             const bool is_decided = one.is_decided([&](const Piece<Interval>& piece) {
-                visit_rows(piece, [&](const auto& row, const PieceSpan& span, std::size_t) {
+                rows_of(piece, [&](const auto& row, const PieceSpan& span, std::size_t) {
                     const int line = static_cast<int>(shared.canvas.row_of(span.y));
                     keep_nearer(buffer, line, {span.from, span.to}, row, [](int) {});
                 });
             });
             buffer.draw();
             if (is_decided) {
-                visit_rows(one.doubles, visit);
+                rows_of(one.doubles, visit);
             } else {
                 ++left_open;
                 buffer.begin(static_cast<std::uint32_t>(i));
-                visit_rows(one.exact, visit);
+                rows_of(one.exact, visit);
             }
         }
         return left_open;
@@ -429,7 +422,7 @@ private:
         fallbacks += for_each_adaptive_row(
             input, shared, buffer, [&](const auto& row, const PieceSpan& span, std::size_t piece) {
                 const int line = static_cast<int>(shared.canvas.row_of(span.y));
-                std::uint32_t* const seen = row_of(winners, shared.canvas, line);
+                std::uint32_t* const seen = row_of(winners, shared.canvas, span.y);
                 const auto number = static_cast<std::uint32_t>(piece + 1);
                 keep_nearer(buffer, line, {span.from, span.to}, row,
                             [seen, number](int x) { seen[x] = number; });
@@ -464,54 +457,60 @@ private:
         NumberedDepths buffer = buffer_of(input, *shared_);
         std::optional<double> largest;
         std::size_t fragment = 0;
-        for_each_adaptive_row(input, *shared_, buffer,
-                              [&](const auto& row, const PieceSpan& span, std::size_t) {
-                                  for (int x = span.from; x <= span.to; ++x) {
-                                      const double depth = to_double(buffer.turned(row.at(x)));
-                                      const auto error = inverse_z_error(kind, fragment++, depth);
-                                      if (error && !(largest && *error <= *largest))
-                                          largest = error;
-                                  }
-                              });
+        for_each_adaptive_row(
+            input, *shared_, buffer, [&](const auto& row, const PieceSpan& span, std::size_t) {
+                for (int x = span.from; x <= span.to; ++x) {
+                    const double depth = to_double(buffer.turned(row.at(x)));
+                    keep_larger(largest, inverse_z_error(kind, fragment++, depth));
+                }
+            });
         return {largest};
     }
 
-    template <typename D, typename DepthsOf>
+    static constexpr auto as_they_are = [](const auto&) { return DepthStore{}; };
+
+    /// `make_store(input)` makes the cells for depths, and for depths that are counted.
+    template <typename D, typename DepthsOf, typename MakeStore>
     void add_buffer(Depth kind, Setting setting, std::shared_ptr<DepthInput<D>> input,
-                    const DepthsOf& depths_of) {
-        setting.errors = {
-            wrong_winners(run_buffer(*input, *shared_, depths_of)),
-            largest_error(kind, *input,
-                          [&](const DepthRow<D>& row, const PieceSpan& span, auto&& visit) {
-                              auto depths = depths_of(row);
-                              for (int x = span.from; x <= span.to; ++x)
-                                  visit(depths.at(x));
-                          })};
-        setting.work =
-            work_of([&] { keep(run_buffer(counting_copy_of(*input), *shared_, depths_of)); },
-                    shared_->fragments);
+                    const DepthsOf& depths_of, const MakeStore& make_store) {
+        const auto store = make_store(*input);
+        setting.errors = {wrong_winners(run_buffer(*input, *shared_, depths_of, store)),
+                          largest_error(kind, *input, depths_of, store)};
+        setting.work = work_of(
+            [&] {
+                const auto counting = counting_copy_of(*input);
+                keep(run_buffer(counting, *shared_, depths_of, make_store(counting)));
+            },
+            shared_->fragments);
         builder_.add(
             std::move(setting),
-            [input, shared = shared_, depths_of] { keep(run_buffer(*input, *shared, depths_of)); },
+            [input, shared = shared_, depths_of, store] {
+                keep(run_buffer(*input, *shared, depths_of, store));
+            },
             shared_->fragments);
     }
 
-    /// Buffers of whole numbers, between the nearest and the farthest vertex of the scene, and of
-    /// floats. Depths are worked out in double.
+    /// Of depths that are worked out in double; no other input is asked for.
+    template <typename MakeStore>
+    void add_stored(Depth kind, const Setting& setting, const MakeStore& make_store) {
+        with_input(scene_with(kind, ScalarKind::double_precision), setting,
+                   [&]<typename D>(Setting one, std::shared_ptr<DepthInput<D>> input) {
+                       if constexpr (std::same_as<D, double>)
+                           add_buffer(kind, std::move(one), input, DirectDepths{}, make_store);
+                   });
+    }
+
+    /// Buffers of whole numbers, from the near plane to the far one, and of floats. Depths are
+    /// worked out in double.
     void add_buffers(Depth kind) {
         builder_.begin_curve(fmt::format("{}, stored", name_of_depth(kind)), "bits of the buffer");
         for (const int bits : depth_buffer_bits)
-            with_input(scene_with(kind, ScalarKind::double_precision), bits_setting(bits),
-                       [&]<typename D>(Setting setting, std::shared_ptr<DepthInput<D>> input) {
-                           add_stored<std::uint32_t>(
-                               kind, std::move(setting), input,
-                               [bits](const auto& in) { return codes_of(in, bits); });
+            add_stored(kind, bits_setting(bits),
+                       [this, kind, bits]<typename D>(const DepthInput<D>& input) {
+                           const auto [nearest, farthest] = ends_of(kind, input);
+                           return DepthCodes<D>(D(nearest), D(farthest), bits);
                        });
-        with_input(scene_with(kind, ScalarKind::double_precision), named_setting("float"),
-                   [&]<typename D>(Setting setting, std::shared_ptr<DepthInput<D>> input) {
-                       add_stored<float>(kind, std::move(setting), input,
-                                         [](const auto&) { return FloatStore{}; });
-                   });
+        add_stored(kind, named_setting("float"), [](const auto&) { return FloatStore{}; });
     }
 
     /// Floats as a buffer holds them.
@@ -522,65 +521,47 @@ private:
         double depth_of(float stored) const { return static_cast<double>(stored); }
     };
 
-    template <typename D> static DepthCodes<D> codes_of(const DepthInput<D>& input, int bits) {
-        std::vector<D> turned;
-        for (const DepthPiece<D>& piece : input.pieces)
-            for (const D& depth : piece.depths)
-                turned.push_back(input.rule.larger_passes ? D(-depth) : depth);
-        const auto [nearest, farthest] = std::minmax_element(turned.begin(), turned.end());
-        return {*nearest, *farthest, bits};
-    }
-
-    /// A buffer whose cells are a Code.
-    template <typename Code, typename D, typename Store>
-    static Winners run_stored(const DepthInput<D>& input, const DepthScene& shared,
-                              const Store& store) {
-        DepthTests<D> unused(DepthRegion{}, input.rule);
-        const auto size = shared.canvas.area();
-        std::vector<Code> codes(size, std::numeric_limits<Code>::max());
-        Winners winners(size);
-        for_each_row(input, shared, unused,
-                     [&](const DepthRow<D>& row, const PieceSpan& span, std::size_t piece) {
-                         const int line = static_cast<int>(shared.canvas.row_of(span.y));
-                         Code* const cells = row_of(codes, shared.canvas, line);
-                         std::uint32_t* const seen = row_of(winners, shared.canvas, line);
-                         for (int x = span.from; x <= span.to; ++x) {
-                             // The first one always passes: nothing is farther than a clear cell.
-                             const Code code = store.code_of(row.at(x));
-                             if (code < cells[x] || seen[x] == 0) {
-                                 cells[x] = code;
-                                 seen[x] = static_cast<std::uint32_t>(piece + 1);
-                             }
-                         }
-                     });
-        return winners;
-    }
-
-    template <typename Code, typename D, typename MakeStore>
-    void add_stored(Depth kind, Setting setting, std::shared_ptr<DepthInput<D>> input,
-                    const MakeStore& make_store) {
-        if constexpr (std::same_as<D, double>) {
-            const auto store = make_store(*input);
-            setting.errors = {wrong_winners(run_stored<Code>(*input, *shared_, store)),
-                              largest_error(kind, *input,
-                                            [&store](const DepthRow<D>& row, const PieceSpan& span,
-                                                     auto&& visit) {
-                                                for (int x = span.from; x <= span.to; ++x)
-                                                    visit(store.depth_of(store.code_of(row.at(x))));
-                                            })};
-            setting.work = work_of(
-                [&] {
-                    const auto counting = counting_copy_of(*input);
-                    keep(run_stored<Code>(counting, *shared_, make_store(counting)));
-                },
-                shared_->fragments);
-            builder_.add(
-                std::move(setting),
-                [input, shared = shared_, store] {
-                    keep(run_stored<Code>(*input, *shared, store));
-                },
-                shared_->fragments);
+    /// The depth that lies on the near plane, or on the far one. `nullopt` if there is no such plane,
+    /// or in clip space, where only z/w is known there.
+    std::optional<double> depth_of_plane(Depth kind, bool is_near) const {
+        const Projection& projection = scene_.projection;
+        const auto distance = is_near ? near_of(projection) : far_of(projection);
+        if (kind == Depth::linear_z && distance)
+            return nearest_double(*distance);
+        if (kind == Depth::inverse_z && distance && sgn(*distance) > 0)
+            return nearest_double(1 / *distance);
+        const bool is_in_clip_space = projection.type == ProjectionType::clip_space;
+        if (kind != Depth::ndc_z || !(distance || is_in_clip_space))
+            return std::nullopt;
+        Vec<Rational, 4> clip{0, 0, is_near ? projection.z_from_zero ? 0 : -1 : 1, 1};
+        if (!is_in_clip_space) {
+            const bool goes_up = view_axis_of(projection.type) == ViewAxis::plus_z;
+            clip.z = goes_up ? *distance : Rational(-*distance);
+            clip = product_of(factors_of(projection, scene_.canvas)) * clip;
         }
+        const Vec<Rational, 4> canonical{0, 0, Rational(clip.z / clip.w), 1};
+        return nearest_double(
+            (product_of(factors_of(scene_.viewport, scene_.canvas)) * canonical).z);
+    }
+
+    /// The turned depths of the first and the last code of whole numbers: those of the near and the
+    /// far plane. Without a near plane, that of the nearest vertex; without a far one, what the buffer
+    /// is cleared to, or else the farthest vertex.
+    template <typename D>
+    std::array<double, 2> ends_of(Depth kind, const DepthInput<D>& input) const {
+        const auto near = depth_of_plane(kind, true);
+        auto far = depth_of_plane(kind, false);
+        if (!far && input.rule.cleared)
+            far = static_cast<double>(*input.rule.cleared);
+        constexpr double infinity = std::numeric_limits<double>::infinity();
+        std::array<double, 2> of_vertices{infinity, -infinity};
+        for (const DepthPiece<D>& piece : input.pieces)
+            for (const D& depth : piece.depths) {
+                const double one = turned(static_cast<double>(depth), input.rule.larger_passes);
+                of_vertices = {std::min(of_vertices[0], one), std::max(of_vertices[1], one)};
+            }
+        return {near ? turned(*near, input.rule.larger_passes) : of_vertices[0],
+                far ? turned(*far, input.rule.larger_passes) : of_vertices[1]};
     }
 
     /// Depths accumulated from pixel to pixel.
@@ -590,7 +571,8 @@ private:
         for (const int interval : reseed_intervals)
             with_input(scene_with(kind, scalar), interval_setting(interval, "pixel"),
                        [&]<typename D>(Setting setting, std::shared_ptr<DepthInput<D>> input) {
-                           add_buffer(kind, std::move(setting), input, AccumulatedDepths{interval});
+                           add_buffer(kind, std::move(setting), input, AccumulatedDepths{interval},
+                                      as_they_are);
                        });
     }
 
@@ -652,8 +634,7 @@ private:
             if (const auto found = pieces_of.find(primitive); found != pieces_of.end())
                 for (const std::size_t piece : found->second)
                     for (const PieceSpan& span : shared.pieces[piece].spans) {
-                        const int line = static_cast<int>(shared.canvas.row_of(span.y));
-                        std::uint32_t* const seen = row_of(winners, shared.canvas, line);
+                        std::uint32_t* const seen = row_of(winners, shared.canvas, span.y);
                         std::fill(seen + span.from, seen + span.to + 1,
                                   static_cast<std::uint32_t>(piece + 1));
                     }

@@ -13,6 +13,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <fstream>
@@ -236,12 +238,131 @@ TEST(DepthReport, CountsTheWrongWinnersOfZ2) {
     EXPECT_LT(error(job, "inverse-z", "double", 1), 1e-15);
     // Nearest vertex first: ABC covers DEF everywhere, and is 45 pixels too much.
     EXPECT_EQ(wrong(job, "painter", "nearest"), 2016U - 1971U);
-    // Half a code of a buffer from 1/9 to 1, against 1/9 at the far end.
-    EXPECT_LE(error(job, "inverse-z, stored", "16 bits", 1), 0.5 * (8.0 / 9) / 65535 * 9 * 1.01);
+    // Half a code of a buffer from the nearest vertex, 1, to infinity, 0, against 1/9 at the far end.
+    EXPECT_LE(error(job, "inverse-z, stored", "16 bits", 1), 0.5 / 65535 * 9 * 1.01);
     EXPECT_GT(error(job, "inverse-z, stored", "16 bits", 1),
               error(job, "inverse-z, stored", "24 bits", 1));
     EXPECT_GT(error(job, "inverse-z, stored", "24 bits", 1),
               error(job, "inverse-z, stored", "32 bits", 1));
+}
+
+/// Squares of 16 x 32 pixels at these distances, parallel to the screen, drawn in this order. In clip
+/// space as a frustum from `near` to `far` has them.
+struct Squares {
+    std::vector<Rational> distances;
+    Rational near{1, 10};
+    Rational far{1000};
+
+    Scene scene(Projection projection, const Viewport& viewport = {}) const {
+        Scene scene;
+        scene.title = "squares";
+        scene.canvas = {.width = 32, .height = 32, .origin = Origin::top_left};
+        projection.near = Number::fraction(near);
+        projection.far = Number::fraction(far);
+        const bool is_clip = projection.type == ProjectionType::clip_space;
+        scene.projection = projection;
+        if (is_clip)
+            scene.projection = {.type = projection.type};
+        scene.viewport = viewport;
+        scene.viewport.type = ViewportType::pixels;
+        scene.viewport.pixels = PixelRange::edges;
+        scene.method.fill = Fill::top_left;
+        for (const Rational& z : distances) {
+            const Rational size = is_perspective(projection.type) ? z : Rational(1);
+            const Rational depth =
+                is_clip ? Rational(((far + near) * z - 2 * far * near) / (far - near))
+                : projection.type == ProjectionType::pinhole ? z
+                                                             : Rational(-z);
+            const std::size_t first = scene.vertices.size();
+            for (const auto& [x, y] :
+                 std::vector<std::pair<int, int>>{{-1, -1}, {0, -1}, {0, 1}, {-1, 1}})
+                scene.vertices.push_back({std::to_string(scene.vertices.size()),
+                                          Number::fraction(x * size),
+                                          Number::fraction(y * size),
+                                          {},
+                                          Number::fraction(depth),
+                                          is_clip ? Number::fraction(z) : Number(1)});
+            for (const std::size_t second : {first + 1, first + 2})
+                scene.primitives.push_back({.kind = PrimitiveKind::triangle,
+                                            .name = std::to_string(scene.primitives.size()),
+                                            .vertices = {first, second, second + 1},
+                                            .color = {}});
+        }
+        return scene;
+    }
+
+    /// far (z - near)/(z (far - near)), from 0 at the near plane to 1 at the far one: in so many codes.
+    Rational code(const Rational& z, const Rational& codes) const {
+        const Rational depth = far * (z - near) / (z * (far - near)) * codes + Rational(1, 2);
+        mpz_class whole;
+        mpz_fdiv_q(whole.get_mpz_t(), depth.get_num_mpz_t(), depth.get_den_mpz_t());
+        return Rational(whole);
+    }
+    /// How far 1/z is off, if it is read back from the code.
+    double error(const Rational& z, const Rational& codes) const {
+        const Rational read = (far - code(z, codes) / codes * (far - near)) / (far * near);
+        return std::abs(Rational(read * z - 1).get_d());
+    }
+};
+
+// The codes of issue 78: near 0.1, far 1000, 16 bits. z = 502 and z = 500 have one code, and what is drawn first
+// stays in all pixels; 1/z at 500 is off by 3.4 %.
+TEST(DepthReport, CodesOfWholeNumbersGoFromTheNearPlaneToTheFarOne) {
+    const Squares squares{{502, 500}};
+    const Rational codes = 65535;
+    EXPECT_EQ(squares.code(502, codes), 65528);
+    EXPECT_EQ(squares.code(500, codes), 65528);
+    EXPECT_NEAR(squares.error(500, codes), 0.034, 0.0005);
+
+    const Projection frustum{.type = ProjectionType::frustum,
+                             .left = Number::decimal(-1, -1),
+                             .right = Number::decimal(1, -1),
+                             .bottom = Number::decimal(-1, -1),
+                             .top = Number::decimal(1, -1)};
+    const auto ranged = [](int near, int far) {
+        return Viewport{.depths = DepthRange<Number>{near, far}};
+    };
+    for (const Scene& scene :
+         {squares.scene(frustum), squares.scene(frustum, ranged(0, 1)),
+          squares.scene(frustum, ranged(1, 0)), squares.scene({.type = ProjectionType::pinhole}),
+          squares.scene({.type = ProjectionType::view_plane}),
+          squares.scene({.type = ProjectionType::clip_space})}) {
+        const JobReport job = report_of_job(scene, ReportJob::depth);
+        for (const std::string kind : {"ndc-z", "inverse-z"}) {
+            // The z of clip space says nothing of the eye's distance from its planes.
+            if (kind == "inverse-z" && scene.projection.type == ProjectionType::clip_space)
+                continue;
+            const std::string curve = kind + ", stored";
+            EXPECT_EQ(wrong(job, curve, "16 bits"), 512U) << kind;
+            EXPECT_EQ(setting_of(job, curve, "16 bits").errors[0].of, 512U);
+            EXPECT_NEAR(error(job, curve, "16 bits", 1),
+                        std::max(squares.error(500, codes), squares.error(502, codes)), 1e-6)
+                << kind;
+            EXPECT_EQ(wrong(job, curve, "32 bits"), 0U) << kind;
+        }
+    }
+}
+
+TEST(DepthReport, CodesOfAParallelViewAreEvenlySpaced) {
+    const Projection parallel{.type = ProjectionType::orthographic};
+    for (const auto& [distances, wrong_ones] :
+         {std::pair(std::vector{Rational(52, 5), Rational(101, 10)}, 512U), // code 10 for both
+          std::pair(std::vector{Rational(53, 5), Rational(52, 5)}, 0U)}) {
+        const Squares squares{distances, 0, 65535};
+        const JobReport job = report_of_job(squares.scene(parallel), ReportJob::depth);
+        EXPECT_EQ(wrong(job, "linear-z, stored", "16 bits"), wrong_ones);
+        EXPECT_EQ(wrong(job, "ndc-z, stored", "16 bits"), wrong_ones);
+    }
+}
+
+// Half a code before the far plane, a depth is stored as what the buffer is cleared to.
+TEST(DepthReport, WhatHasTheLastCodeIsNotSeen) {
+    const Squares squares{{995}};
+    EXPECT_EQ(squares.code(995, 65535), 65535);
+    const JobReport job =
+        report_of_job(squares.scene({.type = ProjectionType::pinhole}), ReportJob::depth);
+    EXPECT_EQ(wrong(job, "ndc-z, stored", "16 bits"), 512U);
+    EXPECT_EQ(wrong(job, "ndc-z, stored", "24 bits"), 0U);
 }
 
 /// Z2 in a perspective, from an eye at the origin, with colors.
