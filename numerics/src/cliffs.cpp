@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include <rastertrace/numerics/cliffs.h>
 
+#include <rastertrace/core/draw/draw.h>
 #include <rastertrace/core/draw/list/geometry.h>
 #include <rastertrace/core/draw/list/pieces.h>
 #include <rastertrace/core/draw/paint/piece_in.h>
 #include <rastertrace/core/draw/plan/plan.h>
 #include <rastertrace/core/raster/rounding.h>
-#include <rastertrace/numerics/drawing.h>
 #include <rastertrace/trace/scene/scene_file.h>
 #include <rastertrace/trace/text/primitive_name.h>
 
@@ -16,7 +16,9 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <set>
+#include <string>
 #include <tuple>
 #include <utility>
 
@@ -247,11 +249,18 @@ private:
         Scene tested = scene_;
         tested.method.cull = Cull::back;
         const auto geometry = geometry_of<Rational>(tested);
+        // Where the world of clip space is is not known, but x, y and w are a view of it, from (0, 0, 0).
+        const auto world_of = [&](std::size_t vertex) {
+            const Vec<Rational, 4>& clip = geometry.vertices[vertex].clip;
+            return tested.projection.type == ProjectionType::clip_space
+                       ? Vec<Rational, 3>{clip.x, clip.y, clip.w}
+                       : geometry.world[vertex];
+        };
         for (const ScenePrimitive& primitive : tested.primitives) {
             if (primitive.kind != PrimitiveKind::triangle)
                 continue;
             const auto [a, b, c] = primitive.vertices;
-            const std::array world{geometry.world[a], geometry.world[b], geometry.world[c]};
+            const std::array world{world_of(a), world_of(b), world_of(c)};
             const auto face = face_of<Rational>(tested, geometry.list.transforms, primitive, world);
             if (!face.tested || !face.tested->cosine)
                 continue;
@@ -515,25 +524,59 @@ private:
     std::array<std::uint64_t, words_of_kinds.size()> more_{};
 };
 
-/// Counts the pixels that differ. A canvas that is fitted to rounded vertices may have a row or
-/// column that the other has not.
-void compare(const Image& picture, const Image& exact, ComparedPicture& result) {
-    const auto color_in = [](const Image& image, Pixel pixel) {
-        return image.canvas().contains(pixel.x, pixel.y) ? image.at(pixel) : no_color;
-    };
+/// Of each primitive, by its name: a number from 1 on.
+using NumberOfPrimitive = std::map<std::string, std::size_t, std::less<>>;
+
+/// A picture, and the primitive that each pixel shows: the listener to its own drawing.
+struct OwnedPicture {
+    NumberOfPrimitive& numbers;
+    Canvas canvas;
+    std::vector<std::size_t> owners; ///< of the pixels; 0 is none
+    std::size_t current = 0;
+    Image image;
+
+    OwnedPicture(const PlannedScene& planned, NumberOfPrimitive& numbers_of_names)
+        : numbers(numbers_of_names), canvas(planned.scene.canvas), owners(canvas.area()),
+          image(draw(planned.scene, planned.plan, *this)) {}
+
+    void operator()(const PrimitiveBegan<Quantity>& began) {
+        if (!began.is_part) // a part is of the primitive that began before it
+            current =
+                numbers.try_emplace(std::string(began.name), numbers.size() + 1).first->second;
+    }
+    void operator()(const PixelPlotted& plotted) {
+        owners[canvas.offset_of(plotted.pixel)] = current;
+    }
+
+    /// The owner and the color of a pixel, which the canvas need not have.
+    std::pair<std::size_t, Color> at(Pixel pixel) const {
+        if (!canvas.contains(pixel.x, pixel.y))
+            return {0, no_color};
+        return {owners[canvas.offset_of(pixel)], image.at(pixel)};
+    }
+};
+
+/// Counts the pixels that either picture draws, and those that differ. A canvas that is fitted to
+/// rounded vertices may have a row or column that the other has not.
+void compare(const OwnedPicture& picture, const OwnedPicture& exact, ComparedPicture& result) {
     const auto visit = [&](const Canvas& canvas, const auto& is_new) {
         for (int row = 0; row < canvas.height; ++row)
             for (int x = canvas.left(); x <= canvas.right(); ++x) {
                 const Pixel pixel{x, canvas.y_of(row)};
-                if (!is_new(pixel) || color_in(picture, pixel) == color_in(exact, pixel))
+                const auto found = picture.at(pixel);
+                const auto right = exact.at(pixel);
+                if (!is_new(pixel) || (found.first == 0 && right.first == 0))
+                    continue;
+                ++result.pixels;
+                if (found == right)
                     continue;
                 ++result.differing;
                 result.first = result.first.value_or(pixel);
             }
     };
-    visit(exact.canvas(), [](Pixel) { return true; });
-    visit(picture.canvas(),
-          [&exact](Pixel pixel) { return !exact.canvas().contains(pixel.x, pixel.y); });
+    visit(exact.canvas, [](Pixel) { return true; });
+    visit(picture.canvas,
+          [&exact](Pixel pixel) { return !exact.canvas.contains(pixel.x, pixel.y); });
 }
 
 } // namespace
@@ -558,10 +601,10 @@ std::vector<ComparedPicture> compared_pictures(const Source& source, const Metho
         with.emplace_back("scalar", scalar);
         return read_scene(source, with, limits, choice);
     };
-    const auto drawn_with = [](const PlannedScene& one) { return drawn(one.scene, one.plan); };
-    std::optional<Image> exact;
+    NumberOfPrimitive numbers;
+    std::optional<OwnedPicture> exact;
     if (const auto scene = read_with("exact"))
-        exact = drawn_with(scene.value());
+        exact.emplace(scene.value(), numbers);
 
     std::vector<ComparedPicture> compared;
     for (const std::string_view scalar : find_method_key("scalar")->values) {
@@ -570,10 +613,8 @@ std::vector<ComparedPicture> compared_pictures(const Source& source, const Metho
         if (!scene) {
             one.refusal = scene.problem().message;
         } else {
-            const Image picture = drawn_with(scene.value());
-            one.pixels = picture.drawn();
-            if (exact)
-                compare(picture, *exact, one);
+            const OwnedPicture picture(scene.value(), numbers);
+            compare(picture, exact ? *exact : picture, one);
         }
         compared.push_back(std::move(one));
     }

@@ -3,7 +3,7 @@
 
 #include "job_builder.h"
 
-#include <rastertrace/numerics/drawing.h>
+#include <rastertrace/core/draw/draw.h>
 #include <rastertrace/trace/record/write_trace.h>
 #include <rastertrace/trace/text/output.h>
 
@@ -49,7 +49,7 @@ TraceCost trace_cost_of(const Scene& scene, const ReportOptions& options) {
     cost.steps = write_trace(scene, {}, nowhere);
     cost.bytes = nowhere.bytes();
     std::vector<TimedRun> runs(2);
-    runs[0].run = [&scene] { keep(drawn(scene, plan_for(scene))); };
+    runs[0].run = [&scene] { keep(draw(scene, plan_for(scene))); };
     runs[1].run = [&scene] {
         NullOutput output;
         keep(write_trace(scene, {}, output));

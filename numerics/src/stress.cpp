@@ -38,10 +38,6 @@ bool reads_as(double value, std::string_view like) {
     return read(fmt::format("{:.{}g}", value, significant_digits(like))) == read(like);
 }
 
-std::string plural(std::uint64_t count, std::string_view unit) {
-    return fmt::format("{}{}", unit, count == 1 ? "" : "s");
-}
-
 } // namespace
 
 std::string_view name_of(Verdict verdict) {
@@ -87,7 +83,7 @@ std::string described_error(const StressRow& row) {
     const Measured& measured = row.measured;
     std::string text;
     if (measured.wrong > 0 && !measured.unit.empty())
-        text = fmt::format("{} {} wrong", measured.wrong, plural(measured.wrong, measured.unit));
+        text = counted(measured.wrong, measured.unit) + " wrong";
     if (!measured.worst_unit.empty())
         text += fmt::format("{}at most {:.{}g} {}", text.empty() ? "" : ", ", measured.worst,
                             significant_digits(row.documented.worst), measured.worst_unit);
@@ -115,8 +111,7 @@ std::string described(const Documented& documented, const Measured& measured) {
     case Verdict::wrong:
         break;
     }
-    std::string text =
-        fmt::format("{} {} wrong", documented.wrong, plural(documented.wrong, measured.unit));
+    std::string text = counted(documented.wrong, measured.unit) + " wrong";
     if (!documented.worst.empty())
         text += fmt::format(", at most {} {}", documented.worst, measured.worst_unit);
     return text;

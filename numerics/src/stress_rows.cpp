@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "stress_rows.h"
 
-#include <rastertrace/numerics/drawing.h>
+#include <rastertrace/core/draw/draw.h>
 #include <rastertrace/trace/record/write_trace.h>
 #include <rastertrace/trace/scene/scene_file.h>
 #include <rastertrace/trace/text/output.h>
@@ -79,7 +79,7 @@ std::uint64_t count_of(const Trace& trace, StepKind kind) {
 }
 
 Colors drawn_picture(const Scene& scene) {
-    return drawn(scene, plan_for(scene)).colors();
+    return draw(scene, plan_for(scene)).colors();
 }
 
 Colors moved_picture(const Colors& picture, const Canvas& canvas, Index right, Index down) {
@@ -149,7 +149,7 @@ void StressRows::add_pictures(std::string_view json, std::string_view label,
             continue;
         }
         const bool is_fixed = scene.value().method.scalar == ScalarKind::fixed;
-        const Image picture = drawn(scene.value(), plan_for(scene.value()));
+        const Image picture = draw(scene.value(), plan_for(scene.value()));
         Measured measured{.wrong = differing(picture.colors(), is_fixed ? on_grid : reference),
                           .unit = "pixel",
                           .note = counted(picture.drawn(), "pixel")};

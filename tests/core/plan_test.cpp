@@ -51,6 +51,31 @@ RC_GTEST_PROP(Plan, NeverLetsAFractionOverflow, ()) {
     RC_ASSERT(draw_as_planned(scene).colors() == draw_with(NumberType::rational, scene).colors());
 }
 
+// Nothing can hide a triangle that is alone and is not cut, in whatever numbers; a camera turned by 30 degrees and
+// a field of view of 60 make the intervals of `adaptive` wider than a last place.
+RC_GTEST_PROP(Plan, LeavesOutTheDepthsOfATriangleThatIsAlone, ()) {
+    const auto tenths = [](int low, int high) {
+        return Number::decimal(*rc::gen::inRange(low, high), -1);
+    };
+    Scene scene = triangle_scene({"0", "0", "0", "0", "0", "0"}, {.width = 32, .height = 32}, {});
+    for (SceneVertex& vertex : scene.vertices)
+        vertex = {vertex.name, tenths(-10, 10), tenths(-10, 10), {}, tenths(-20, 20)};
+    scene.projection = {.type = ProjectionType::frustum,
+                        .fov_y = 60,
+                        .near = Number::decimal(1, -1),
+                        .far = Number(100)};
+    scene.viewport = {.type = ViewportType::pixels};
+    scene.camera = Camera{.position = {3, 3, 9}, .look_at = {0, 0, 0}};
+    scene.method.fill = Fill::top_left;
+    scene.method.depth = *rc::gen::element(Depth::inverse_z, Depth::linear_z, Depth::ndc_z);
+    const auto tests_depth = [&scene](ScalarKind scalar) {
+        scene.method.scalar = scalar;
+        return plan_for(scene).stages.pixels[0].tests_depth;
+    };
+    RC_PRE(!tests_depth(ScalarKind::double_precision));
+    RC_ASSERT(!tests_depth(ScalarKind::adaptive));
+}
+
 TEST(Unfit, OfACoordinateIsFound) {
     const auto unfit = find_unfit(
         triangle_scene({"0", "0", "1", "1", "-1e308", "2"}, {.width = 4, .height = 4}, {}));

@@ -9,7 +9,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace rastertrace {
@@ -166,6 +168,24 @@ TEST(Cliffs, FacesSeenFromTheirEdge) {
     EXPECT_EQ(worst_of(CliffKind::edge_on, seen("-1, 0.01, -4", "1, 0.01, -4", "0, 0.01, -6")), "");
 }
 
+// In clip space x, y and w are a view from (0, 0, 0): a face is seen from its edge if they lie in one plane
+// with that, whatever z is.
+TEST(Cliffs, FacesInClipSpaceAreSeenFromTheirEdgeWhereTheScreenHasThemSo) {
+    const auto clip = [](const std::string& a, const std::string& b, const std::string& c) {
+        return R"({"canvas":{"width":8,"height":8},"convention":"opengl","vertices":{"A":[)" + a +
+               R"(],"B":[)" + b + R"(],"C":[)" + c + R"(]},"triangles":["ABC"]})";
+    };
+    for (const std::string z : {"0", "0.25"})
+        EXPECT_EQ(
+            worst_of(CliffKind::edge_on, clip("-0.5, 0.5, " + z + ", 1", "0.5, -0.5, " + z + ", 1",
+                                              "-0.5, -0.5, " + z + ", 1")),
+            "");
+    // The determinant of x, y and w is -1. Then y = w/8 in all three.
+    EXPECT_EQ(worst_of(CliffKind::edge_on, clip("1, 0, 0, 2", "0, 1, 0, 2", "1, 1, 0, 3")), "");
+    EXPECT_EQ(worst_of(CliffKind::edge_on, clip("-1, 0.25, 0, 2", "1, 0.5, 1, 4", "0, 0.25, 0, 2")),
+              "triangle ABC: seen exactly from its edge: normal . view = 0");
+}
+
 TEST(Cliffs, VerticesAtTheNearPlaneAndBehindTheEye) {
     EXPECT_EQ(worst_of(CliffKind::near_plane, seen("-1, -1, -4", "1, -1, -4", "0, 1, -1")),
               "vertex C: on the near plane");
@@ -203,6 +223,36 @@ TEST(Cliffs, AreListedOnceAndWorstFirst) {
     EXPECT_TRUE(
         std::is_sorted(groups[0].worst.begin(), groups[0].worst.end(),
                        [](const Cliff& a, const Cliff& b) { return a.nearness > b.nearness; }));
+}
+
+/// The pixels that differ with a scalar, and out of how many.
+std::pair<std::uint64_t, std::uint64_t> compared(const std::string& scalar,
+                                                 const std::string& json) {
+    for (const ComparedPicture& one : compared_pictures({"scene.json", json}))
+        if (one.scalar == scalar)
+            return {one.differing, one.pixels};
+    throw std::runtime_error("no such scalar: " + scalar);
+}
+
+// U lies 1/2^30 before T, which float cannot tell: the first one drawn stays. Whatever their colors.
+TEST(ComparedPictures, ShowTheSamePrimitivesToo) {
+    const auto planes = [](const std::string& color) {
+        return R"({"canvas":{"width":8,"height":8,"origin":"top-left"},"vertices":{"A":[0,0,1],"B":[16,0,1],)"
+               R"("C":[0,16,1],"D":[0,0,"1073741823/1073741824"],"E":[16,0,"1073741823/1073741824"],)"
+               R"("F":[0,16,"1073741823/1073741824"]},"triangles":["ABC",{"vertices":"DEF","color":")" +
+               color + R"("}],"method":{"fill":"top-left","depth":"inverse-z"}})";
+    };
+    using Counts = std::pair<std::uint64_t, std::uint64_t>;
+    for (const std::string color : {"black", "red"}) {
+        EXPECT_EQ(compared("float", planes(color)), Counts(64, 64)) << color;
+        EXPECT_EQ(compared("double", planes(color)), Counts(0, 64)) << color;
+    }
+}
+
+// C14: `fixed` leaves nothing of a triangle of one pixel: 1 of 1, not "1 of 0".
+TEST(ComparedPictures, CountOutOfThePixelsOfEither) {
+    EXPECT_EQ(compared("fixed", find_stress_case("C14")->scenes().front().json),
+              (std::pair<std::uint64_t, std::uint64_t>(1, 1)));
 }
 
 TEST(ComparedPictures, CountWhatDiffersFromExactOrSayWhyThereIsNone) {

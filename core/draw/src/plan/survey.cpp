@@ -109,6 +109,11 @@ template <typename Coordinate> PixelBox box_of(const Piece<Coordinate>& piece, c
     return {side(x.low - around), side(top - around), side(x.high + around), side(bottom + around)};
 }
 
+/// `epsilon`, or more where numbers of this size are `error` off: 64 times that.
+double with_error(double epsilon, double error, double size) {
+    return 64 * error <= epsilon * size ? epsilon : 64 * error / size;
+}
+
 /// True if a triangle's depths pass by a margin that is larger than what rounding makes of them.
 /// They come from slopes, whose error grows with the square of its extent over its area.
 /// `position_error(i)` is that of a corner.
@@ -126,8 +131,7 @@ bool has_safe_slopes(const Piece<double>& triangle, double largest, double margi
     // Differences of coordinates are as exact as this times epsilon; so must be the coordinates.
     const double farthest = std::max({std::abs(a.x), std::abs(a.y), extent});
     for (std::size_t i = 0; i < 3; ++i)
-        if (!(position_error(i) <= epsilon * farthest / 64))
-            return false;
+        epsilon = with_error(epsilon, position_error(i), farthest);
     if (!(area2 > epsilon * extent * farthest))
         return false;
 
@@ -161,10 +165,9 @@ bool has_safe_depth(const Piece<Coordinate>& piece, const DepthRule<double>& rul
                               rule.larger_passes ? depth - *rule.cleared : *rule.cleared - depth);
     }
     const bool is_single = method.scalar == ScalarKind::single_precision;
-    const double epsilon = is_single ? 0x1p-18 : 0x1p-46;
+    double epsilon = is_single ? 0x1p-18 : 0x1p-46;
     for (const auto& depth : piece.depths)
-        if (!(error_of(depth) <= epsilon * largest / 64))
-            return false;
+        epsilon = with_error(epsilon, error_of(depth), largest);
     if (piece.kind != PrimitiveKind::triangle)
         return epsilon * largest < margin;
     return has_safe_slopes(in_doubles(piece), largest, margin, epsilon, method, [&](std::size_t i) {

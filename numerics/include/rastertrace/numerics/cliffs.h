@@ -71,9 +71,9 @@ std::vector<CliffGroup> cliffs_of(const Scene& scene);
 /// A scene's picture with one scalar, beside the exact one.
 struct ComparedPicture {
     std::string scalar;
-    std::string refusal; ///< why there is no picture; "" if there is one
-    std::uint64_t pixels = 0;
-    std::uint64_t differing = 0; ///< from `exact`
+    std::string refusal;         ///< why there is no picture; "" if there is one
+    std::uint64_t pixels = 0;    ///< that it draws, or `exact` does
+    std::uint64_t differing = 0; ///< of these: by their color, or by the primitive that they show
     std::optional<Pixel> first;  ///< of those, from the top and from the left
 };
 
