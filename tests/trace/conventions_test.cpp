@@ -97,6 +97,34 @@ TEST(Conventions, WhatTheSceneSaysItselfWins) {
     EXPECT_EQ(overridden.value().scene.method.line, LineMethod::dda);
 }
 
+/// On the grid of 1/256, 0.501 is 1/2: the sample (1/2, 1/2) lies on AB, a right edge, which has no samples.
+TEST(Conventions, OfHardwareSnapVerticesUnlessAskedForOtherNumbers) {
+    const auto pixels = [](const std::string& more, const MethodOverrides& method = {}) {
+        const auto scene =
+            read_scene({"scene.json", R"({"canvas":{"width":2,"height":1,"origin":"top-left"},)"
+                                      R"("vertices":{"A":[0.501,0],"B":[0.501,1],"C":[-3,0.5]},)"
+                                      R"("triangles":["ABC"])" +
+                                          more + "}"},
+                       method);
+        const Trace trace = trace_of(scene.value().scene);
+        const bool has_pixel = trace.end->count.contains("pixel");
+        return std::pair(std::string(trace.method_value("scalar")), has_pixel);
+    };
+    using Found = std::pair<std::string, bool>;
+    for (const ConventionRow& row : convention_rows()) {
+        const std::string name(row.name);
+        const std::string says = R"(,"convention":")" + name + "\"";
+        const bool is_hardware = name == "opengl" || name == "direct3d" || name == "vulkan";
+        EXPECT_EQ(pixels(says).first, is_hardware ? "fixed" : "double") << name;
+        if (!is_hardware)
+            continue;
+        EXPECT_EQ(pixels(says), Found("fixed", false)) << name;
+        EXPECT_EQ(pixels("", {{"convention", name}}), Found("fixed", false)) << name;
+        EXPECT_EQ(pixels(says + R"(,"method":{"scalar":"double"})"), Found("double", true)) << name;
+        EXPECT_EQ(pixels(says, {{"scalar", "exact"}}), Found("exact", true)) << name;
+    }
+}
+
 /// Direct3D and Vulkan have z in view from 0 to w, OpenGL from -w to w.
 TEST(Conventions, SayWhichZIsInView) {
     const auto depths = [](const std::string& convention, const std::string& z) {

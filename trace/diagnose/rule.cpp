@@ -85,11 +85,12 @@ std::vector<Settings> lines() {
                          combined(each("line", {"diamond-exit"}), placements())});
 }
 
-/// A named convention, whatever a scene says itself.
+/// A named convention, whatever a scene says itself, but for its scalar: rules are compared in exact numbers.
 Settings settings_of(const ConventionRow& row) {
     Settings settings{{"convention", std::string(row.name)}};
     for (const auto& [name, value] : row.method)
-        settings.emplace_back(name, value);
+        if (name != "scalar")
+            settings.emplace_back(name, value);
     return settings;
 }
 

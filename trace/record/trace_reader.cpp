@@ -295,13 +295,14 @@ private:
             sums_.state.emplace(trace_.canvas, FrameParts{.writes = true, .depths = true});
     }
 
-    /// A named set stands for all that it sets, as in a scene. What the header says itself wins.
+    /// A named set stands for all that it sets, as in a scene. What the header says itself wins; the numbers
+    /// that a foreign trace was drawn with, nothing else tells.
     void add_convention() {
         const std::string name = trace_.method_value("convention");
         for (const ConventionRow& row : convention_rows())
             if (row.name == name)
                 for (const auto& [key, value] : row.method)
-                    if (trace_.method_value(key).empty())
+                    if (key != "scalar" && trace_.method_value(key).empty())
                         trace_.method.emplace_back(key, value);
     }
 

@@ -30,7 +30,8 @@ std::span<const ConventionRow> convention_rows() {
              {"horizontal_edge", "bottom"},
              {"sample", "center"},
              {"line", "diamond-exit"},
-             {"depth", "ndc-z"}},
+             {"depth", "ndc-z"},
+             {"scalar", "fixed"}},
             &gl_view,
             "OpenGL 4.6 core, sections 13.8.1 (viewport), 14.5.1 (lines), 14.6.1 (polygons)",
             "which triangle owns a sample on a shared edge is the driver's choice, but exactly one "
@@ -42,7 +43,8 @@ std::span<const ConventionRow> convention_rows() {
             {{"fill", "top-left"},
              {"sample", "center"},
              {"line", "diamond-exit"},
-             {"depth", "ndc-z"}},
+             {"depth", "ndc-z"},
+             {"scalar", "fixed"}},
             &d3d_view,
             "Direct3D 11.3 functional specification, sections 3.3 (viewport), 3.4.2.1 (triangles), "
             "3.4.3 (lines)",
@@ -55,7 +57,8 @@ std::span<const ConventionRow> convention_rows() {
             {{"fill", "top-left"},
              {"sample", "center"},
              {"line", "diamond-exit"},
-             {"depth", "ndc-z"}},
+             {"depth", "ndc-z"},
+             {"scalar", "fixed"}},
             &vulkan_view,
             "Vulkan 1.3, chapters 27.9 (viewport) and 28.11 (polygons), "
             "VK_EXT_line_rasterization: Bresenham lines",
