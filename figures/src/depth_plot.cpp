@@ -2,6 +2,7 @@
 #include "depth_plot.h"
 
 #include <rastertrace/figures/corners.h>
+#include <rastertrace/trace/record/told_samples.h>
 #include <rastertrace/trace/record/traced_steps.h>
 #include <rastertrace/trace/tell/step_text.h>
 
@@ -11,7 +12,6 @@
 #include <array>
 #include <cmath>
 #include <functional>
-#include <limits>
 #include <string>
 
 namespace rastertrace {
@@ -28,6 +28,7 @@ struct Sample {
 struct Depths {
     std::string along; ///< "x in the row y=2", "y along the side AC"
     std::vector<Sample> drawn;
+    std::array<Sample, 2> ends{};               ///< of the face in the row, or of the side as drawn
     std::string truth;                          ///< what the true depths are called
     std::function<double(double along)> true_z; ///< empty if nothing tells them
     double from = 0;                            ///< where the face begins
@@ -47,13 +48,13 @@ bool is_parallel(const Replay& replay) {
     return false;
 }
 
-/// The depths of the pixels of the row, as they were tested.
-std::vector<Sample> along_row(const Trace& trace, ShownSteps steps) {
+/// The depths of the pixels of the row at their samples, as they were tested.
+std::vector<Sample> along_row(const Trace& trace, ShownSteps steps, double offset) {
     std::vector<Sample> samples;
     for (const std::size_t n : trace.steps_of({StepKind::depth}, steps.first, steps.last)) {
         const auto test = trace.step(n).as<DepthStep>();
         if (const auto depth = test.depth.nearest_double())
-            samples.push_back({static_cast<double>(test.x), *depth});
+            samples.push_back({static_cast<double>(test.x) + offset, *depth});
     }
     return samples;
 }
@@ -65,7 +66,7 @@ struct Side {
     std::vector<Sample> samples;
     std::vector<double> x; ///< where it is in each of these rows
 };
-Side along_side(const Replay& replay) {
+Side along_side(const Replay& replay, double offset) {
     const Trace& trace = replay.trace();
     std::vector<Side> sides;
     for (const std::size_t n :
@@ -82,7 +83,7 @@ Side along_side(const Replay& replay) {
             });
             if (side == sides.end())
                 side = sides.insert(sides.end(), {edge, is_left, {}, {}});
-            side->samples.push_back({static_cast<double>(row.y), *depth});
+            side->samples.push_back({static_cast<double>(row.y) + offset, *depth});
             side->x.push_back(*x);
         }
     }
@@ -99,7 +100,6 @@ Side along_side(const Replay& replay) {
 }
 
 std::optional<Depths> depths_of(const Panel& panel) {
-    constexpr double infinity = std::numeric_limits<double>::infinity();
     const Replay& replay = panel.replay;
     const Trace& trace = panel.trace();
     const std::string kind = trace.method_value("depth");
@@ -108,33 +108,41 @@ std::optional<Depths> depths_of(const Panel& panel) {
         return std::nullopt;
 
     // What was drawn, as z.
+    const auto z_of = [is_inverse](double depth) { return is_inverse ? 1 / depth : depth; };
     Depths depths;
     const std::size_t scanline = replay.scanline();
     const bool is_row = panel.is_step() && scanline != 0 && scanline <= panel.frame.steps.first;
-    Index row = 0;                             // its y
-    std::array<std::optional<double>, 2> ends; // of the face in it
+    const SampleOffset<Rational> offset = told_samples(trace).triangles;
+    const double offset_x = nearest_double(offset.x());
+    const double offset_y = nearest_double(offset.y());
+    double row = 0;                                // its y
+    std::optional<std::array<Sample, 2>> row_ends; // of the face in it
     Side side;
     if (is_row) {
         const auto told = trace.step(scanline).as<ScanlineStep>();
-        row = told.y;
-        ends = {told.left.nearest_double(), told.right.nearest_double()};
-        depths.along = said({"x in the row y = {}", "x na linha y = {}"}, row);
-        depths.drawn = along_row(trace, {scanline, end_of(trace, scanline)});
+        row = static_cast<double>(told.y) + offset_y;
+        const auto left = told.left.nearest_double(), right = told.right.nearest_double();
+        const auto left_depth = told.left_depth.nearest_double();
+        const auto right_depth = told.right_depth.nearest_double();
+        if (left && right && left_depth && right_depth)
+            row_ends = {{{*left, z_of(*left_depth)}, {*right, z_of(*right_depth)}}};
+        depths.along = said({"x in the row y = {}", "x na linha y = {}"}, told.y);
+        depths.drawn = along_row(trace, {scanline, end_of(trace, scanline)}, offset_x);
     } else {
-        side = along_side(replay);
+        side = along_side(replay, offset_y);
         depths.along = said({"y along the side {}", "y ao longo do lado {}"}, side.edge);
         depths.drawn = side.samples;
     }
-    if (is_inverse)
-        for (Sample& sample : depths.drawn)
-            sample.z = 1 / sample.z;
+    for (Sample& sample : depths.drawn)
+        sample.z = z_of(sample.z);
     std::erase_if(depths.drawn, [](const Sample& sample) { return !std::isfinite(sample.z); });
     if (depths.drawn.size() < 2)
         return std::nullopt;
     std::sort(depths.drawn.begin(), depths.drawn.end(),
               [](const Sample& a, const Sample& b) { return a.along < b.along; });
-    depths.from = std::max(depths.drawn.front().along, ends[0].value_or(-infinity));
-    depths.to = std::min(depths.drawn.back().along, ends[1].value_or(infinity));
+    depths.ends = row_ends.value_or(std::array{depths.drawn.front(), depths.drawn.back()});
+    depths.from = std::max(depths.drawn.front().along, depths.ends[0].along);
+    depths.to = std::min(depths.drawn.back().along, depths.ends[1].along);
 
     // The truth, from the triangle's corners.
     const auto primitive = trace.step(replay.primitive()).as<PrimitiveStep>();
@@ -159,7 +167,7 @@ std::optional<Depths> depths_of(const Panel& panel) {
         return is_linear ? value : 1 / value;
     };
     if (is_row) {
-        depths.true_z = [true_at, y = static_cast<double>(row)](double x) { return true_at(x, y); };
+        depths.true_z = [true_at, row](double x) { return true_at(x, row); };
     } else {
         // Between two rows the side is straight.
         depths.true_z = [true_at, side](double y) {
@@ -195,8 +203,11 @@ Plot plot_of(const Depths& depths, std::string_view name, double (*value)(double
     PlotCurve straight{.name = said({"straight between the ends", "reta entre os extremos"}),
                        .marks = {},
                        .has_marks = false};
-    if (!drawn.marks.empty())
-        straight.marks = {drawn.marks.front(), drawn.marks.back()};
+    const auto& [first, last] = depths.ends;
+    const double slope = (value(last.z) - value(first.z)) / (last.along - first.along);
+    for (const double along : {depths.from, depths.to})
+        if (const double y = value(first.z) + slope * (along - first.along); std::isfinite(y))
+            straight.marks.push_back({.x = along, .y = y});
     PlotCurve truth{.name = depths.truth, .marks = {}, .has_marks = false};
     if (depths.true_z) {
         constexpr int pieces = 60;

@@ -393,13 +393,17 @@ TEST(Figures, EdgesAreSeenWhereNothingNearerIs) {
     EXPECT_EQ(seen_and_hidden("linear-z", "2", "outlines"), std::pair(10.0, 0.0));
 }
 
-/// What is plotted at the end of a trace.
-std::vector<Plot> plots_of(const Trace& trace) {
+/// What is plotted at the end of a trace, or at the row that it steps through at this height.
+std::vector<Plot> plots_of(const Trace& trace, std::optional<Index> y = {}) {
+    ShownSteps steps{0, trace.size()};
+    for (const std::size_t n : trace.steps_of({StepKind::scanline}))
+        if (trace.step(n).as<ScanlineStep>().y == y)
+            steps = {n, n};
     Replay replay(trace, {.depths = true});
-    replay.go_to(trace.size());
+    replay.go_to(steps.last);
     const FaceGroups groups;
     return depth_plots({.replay = replay,
-                        .frame = {.steps = {0, trace.size()}},
+                        .frame = {.steps = steps},
                         .lattice = {},
                         .parts = {},
                         .view = View::plotted,
@@ -439,6 +443,34 @@ TEST(Figures, WithoutAPerspectiveDepthsAreStraightInTruth) {
                         first.y + (mark.x - first.x) / (last.x - first.x) * (last.y - first.y),
                         1e-9)
                 << depth;
+    }
+}
+
+// In the row y = 2, floor(left) and floor(right) are not where the face ends: the straight line leads through these,
+// and of 1/z it is the true one. Sampled at the center, the row lies at y = 5/2.
+TEST(Figures, StraightBetweenTheEndsOfARowIsTheTruthOfItsReciprocals) {
+    for (const auto& [sample, left, left_depth] : {std::tuple("integer", -29.0 / 6, 7.0 / 9),
+                                                   std::tuple("center", -377.0 / 72, 22.0 / 27)}) {
+        const Trace trace = trace_of_scene(R"({"canvas": {"width": 17, "height": 14},
+            "vertices": {"A": ["-29/4", 5, 1], "B": ["31/4", 5, 10], "C": [0, -4, 3]},
+            "triangles": ["ABC"], "keep": ["depth"],
+            "method": {"scalar": "exact", "depth": "inverse-z", "sample": ")" +
+                                           std::string(sample) + R"("}})");
+        const auto plots = plots_of(trace, 2);
+        ASSERT_EQ(plots.size(), 2U);
+        const auto& truth = plots[1].curves[0].marks;
+        const auto& straight = plots[1].curves[1].marks;
+        ASSERT_EQ(straight.size(), 2U);
+        EXPECT_NEAR(straight[0].x, left, 1e-12);
+        EXPECT_NEAR(straight[0].y, left_depth, 1e-12);
+        const double slope = (straight[1].y - straight[0].y) / (straight[1].x - straight[0].x);
+        for (const PlotMark& mark : truth)
+            EXPECT_NEAR(mark.y, straight[0].y + slope * (mark.x - straight[0].x), 1e-12) << sample;
+        // What is drawn lies on it, too, but for the first pixel, whose sample lies outside.
+        const auto& drawn = plots[1].curves[2].marks;
+        for (std::size_t i = 1; i < drawn.size(); ++i)
+            EXPECT_NEAR(drawn[i].y, straight[0].y + slope * (drawn[i].x - straight[0].x), 1e-12)
+                << sample;
     }
 }
 
