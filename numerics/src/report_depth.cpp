@@ -351,13 +351,14 @@ private:
         });
     }
 
-    /// True if depths of this kind are linear on the screen, whatever the scene's triangles are.
+    /// True if depths of this kind are linear on the screen, whatever the scene's triangles are. Another
+    /// kind may be right in this picture by luck, and is never advised.
     bool is_right(Depth kind) const {
         return kind == Depth::ndc_z || (kind == Depth::inverse_z) == shared_->is_inverse_linear;
     }
 
     void add_scalars(Depth kind) {
-        builder_.begin_curve(name_of_depth(kind), "scalar");
+        builder_.begin_curve(name_of_depth(kind), "scalar", !is_right(kind));
         for (const ScalarSetting& scalar : scalar_settings()) {
             // Depths of fixed-point vertices are doubles; the grid that is drawn on will do.
             if (scalar.bits && std::int64_t{1} << *scalar.bits != fixed_grid)
@@ -503,7 +504,8 @@ private:
     /// Buffers of whole numbers, from the near plane to the far one, and of floats. Depths are
     /// worked out in double.
     void add_buffers(Depth kind) {
-        builder_.begin_curve(fmt::format("{}, stored", name_of_depth(kind)), "bits of the buffer");
+        builder_.begin_curve(fmt::format("{}, stored", name_of_depth(kind)), "bits of the buffer",
+                             !is_right(kind));
         for (const int bits : depth_buffer_bits)
             add_stored(kind, bits_setting(bits),
                        [this, kind, bits]<typename D>(const DepthInput<D>& input) {
@@ -576,9 +578,10 @@ private:
                        });
     }
 
-    /// The painter has no depth in a pixel: the last one drawn is seen.
+    /// The painter has no depth in a pixel: the last one drawn is seen. It is never advised: triangles
+    /// that cut each other have no order.
     void add_painter() {
-        builder_.begin_curve("painter", "sorted by the distance that is");
+        builder_.begin_curve("painter", "sorted by the distance that is", true);
         const MethodKey& key = *find_method_key("painter_key");
         for (const std::string_view name : key.values) {
             Scene scene = scene_with(Depth::painter, ScalarKind::double_precision);

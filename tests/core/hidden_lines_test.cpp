@@ -603,6 +603,17 @@ TEST(HiddenLines, ASideIsHiddenByAFaceThatCoversItsPoint) {
     }
 }
 
+// As docs/scene-format.md says: a face that is the nearest at no sample of nine is not asked.
+TEST(HiddenLines, ASliverBetweenSamplesHidesNothing) {
+    for (const std::string below : {"33/10", "36/10"}) { // samples lie at y = 5/2, 7/2
+        FlatScene flat({.scalar = ScalarKind::exact, .fill = Fill::top_left});
+        flat.add(PrimitiveKind::triangle,
+                 {{"-9", "27/10", "1"}, {"40", "27/10", "1"}, {"9", below, "1"}}, red);
+        flat.add(PrimitiveKind::line, {{"8", "3", "5"}, {"10", "3", "5"}}, green);
+        EXPECT_EQ(count_of(draw_as_planned(flat.scene), green), below == "33/10" ? 3U : 0U);
+    }
+}
+
 TEST(HiddenLines, ADiagonalOfAFaceIsNoSideOfIt) {
     // The square AXBY is drawn, AZB is turned away: of AZB's sides, AB is only a diagonal of the square.
     Scene scene;

@@ -19,6 +19,7 @@
 #include <cstdio>
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <tuple>
 #include <utility>
@@ -713,6 +714,46 @@ RC_GTEST_PROP(Shade, MixesWhatTheRayMeets, ()) {
                 (shares[0] * levels[0] + shares[1] * levels[1] + shares[2] * levels[2]) / sum;
             RC_ASSERT(image.at({x, y}).red() == floor_index(Rational(level + Rational(1, 2))));
         }
+}
+
+// 400 planes from z = 1000 to 1001, near 1/10, far 10000, in float (docs/pipeline.md): z/w is rounded next to 1 before a
+// range of [1, 0] turns it.
+TEST(DepthRange, ReversedIsNoFinerInFloatButAReversedMatrixIs) {
+    const auto depths_of = [](Depth depth, bool has_range, bool is_reversed_before) {
+        Scene scene;
+        scene.canvas = {.width = 2, .height = 2};
+        scene.projection = {.type = ProjectionType::frustum,
+                            .fov_y = 90,
+                            .near = Number::decimal(1, -1),
+                            .far = 10000};
+        scene.viewport = {.type = ViewportType::pixels, .pixels = PixelRange::edges};
+        if (has_range)
+            scene.viewport.depths = DepthRange<Number>{1, 0};
+        scene.method = {.scalar = ScalarKind::single_precision, .depth = depth};
+        scene.keep.add(Stage::depth);
+        for (std::size_t i = 0; i < 400; ++i) {
+            const Rational z = 1000 + Rational(static_cast<int>(i)) / 399;
+            SceneVertex& vertex =
+                scene.vertices.emplace_back(SceneVertex{.name = "P", .x = 0, .y = 0});
+            vertex.z = Number::fraction(-z);
+            if (is_reversed_before) { // w at the near plane, 0 at the far one
+                scene.projection = {.type = ProjectionType::clip_space, .z_from_zero = true};
+                vertex.z = Number::fraction((10000 - z) / Rational(99999));
+                vertex.w = Number::fraction(z);
+                scene.method.depth_compare = DepthCompare::greater;
+            }
+            scene.primitives.push_back(
+                {.kind = PrimitiveKind::point, .name = "P", .vertices = {i}});
+        }
+        std::set<double> depths;
+        draw(scene, plan_for(scene), [&depths](const DepthTested<Quantity>& test) {
+            depths.insert(test.depth.to_double());
+        });
+        return depths.size();
+    };
+    EXPECT_EQ(depths_of(Depth::ndc_z, true, false), 4U);
+    EXPECT_EQ(depths_of(Depth::inverse_z, false, false), 400U);
+    EXPECT_EQ(depths_of(Depth::ndc_z, false, true), 400U);
 }
 
 } // namespace

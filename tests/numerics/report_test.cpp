@@ -365,6 +365,22 @@ TEST(DepthReport, WhatHasTheLastCodeIsNotSeen) {
     EXPECT_EQ(wrong(job, "ndc-z, stored", "24 bits"), 0U);
 }
 
+// One triangle is drawn right by any order and any depth. On others of its kind, the painter and the depths of another
+// kind of view are wrong.
+TEST(DepthReport, AdvisesWhatIsRightInScenesOfThisKind) {
+    for (const auto& [type, not_right] : {std::pair(ProjectionType::pinhole, "linear-z"),
+                                          std::pair(ProjectionType::orthographic, "inverse-z")}) {
+        const JobReport job = report_of_job(Squares{{5}}.scene({.type = type}), ReportJob::depth);
+        for (const std::string& advice : job.advice)
+            EXPECT_THAT(advice,
+                        testing::Not(testing::AnyOf(HasSubstr("painter"), HasSubstr(not_right))));
+        for (const Curve& curve : job.curves)
+            EXPECT_EQ(curve.is_apart,
+                      curve.method == "painter" || curve.method.starts_with(not_right))
+                << curve.method;
+    }
+}
+
 /// Z2 in a perspective, from an eye at the origin, with colors.
 Scene z2_in_perspective() {
     Scene scene = z2();
