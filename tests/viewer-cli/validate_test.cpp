@@ -69,6 +69,49 @@ TEST_F(ValidateTest, DoesEveryStepOfATraceAgain) {
     EXPECT_THAT(run("validate --redo scene.json claims.txt - < trace.json"), Ends(0));
 }
 
+// Of every fill and line, and by every command that does a trace again.
+TEST_F(ValidateTest, DoesEachNumberAgain) {
+    const auto redone = [this](const std::string& scene, const std::string& script) {
+        return shell("$rastertrace trace " + scene + " -o right.jsonl && sed -e '" + script +
+                     "' right.jsonl > bad.json && ! cmp -s right.jsonl bad.json && "
+                     "$rastertrace validate --redo right.jsonl > ok.txt && "
+                     "$rastertrace validate --redo bad.json");
+    };
+    write("samples.json", R"({"canvas":{"width":8,"height":8,"origin":"top-left"},
+        "vertices":{"A":[2,1],"B":[6,3],"C":[2,6]},"triangles":["ABC"],"method":{"fill":"top-left"}})");
+    for (const std::string left : {"4", R"("NaN")"})
+        EXPECT_THAT(redone("samples.json", R"(s/"y":2,"left":2,/"y":2,"left":)" + left + ",/"),
+                    Refused(HasSubstr("expected 2 for scanline: left, done again")))
+            << left;
+    EXPECT_THAT(run("stats bad.json --fail-on redo"), Ends(1));
+    EXPECT_THAT(run("show bad.json --step \"scanline y=2\" --color never").out,
+                HasSubstr("[!] its numbers give left = 2"));
+    const std::string bresenham = std::string(RASTERTRACE_EXAMPLES) + "/t2-lines/bresenham.json";
+    EXPECT_THAT(redone(bresenham, R"(0,/"d":3,/s/"d":3,/"d":17,/)"),
+                Refused(HasSubstr("expected 3 for decide: d, done again")));
+    EXPECT_THAT(redone(bresenham, R"(0,/"octant":1/s/"octant":1/"octant":2/)"),
+                Refused(HasSubstr("expected 1 for primitive: octant, done again")));
+    EXPECT_THAT(redone(bresenham, R"(0,/"move":"E"/s/"move":"E"/"move":"W"/)"),
+                Refused(HasSubstr("expected E for decide: move, done again")));
+    EXPECT_THAT(redone("scene.json --fill two-halves", R"(s/"half":"lower","from_y":-/&1/)"),
+                Refused(HasSubstr(" for half: from_y, done again")));
+    EXPECT_THAT(
+        redone("scene.json", R"(s/{"step":"pixel","x":0,"y":2}/{"step":"pixel","x":0,"y":6}/)"),
+        Refused(HasSubstr("expected 2 for pixel: y, done again")));
+}
+
+TEST_F(ValidateTest, SaysThatNothingWasDoneAgain) {
+    write("pixels.jsonl", R"({"rastertrace":1,"canvas":{"width":4,"height":4,"origin":"top-left"}}
+{"step":"pixel","x":1,"y":2}
+{"end":{"steps":1}}
+)");
+    const std::string nothing =
+        "nothing was compared: expected numbers that can be done again, found none\n";
+    EXPECT_THAT(run("validate --redo pixels.jsonl"),
+                Refused("rastertrace: pixels.jsonl: --redo: " + nothing));
+    EXPECT_THAT(run("stats pixels.jsonl --fail-on redo"), Ends(2, _, HasSubstr(nothing)));
+}
+
 TEST_F(ValidateTest, SaysWhatOfATraceCanBeJudged) {
     for (const std::string trace : {"trace.jsonl", "trace.json"})
         EXPECT_THAT(

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "redo.h"
 
-#include "redo_exact.h"
-#include "redo_steps.h"
+#include "redo_beside.h"
+#include "redo_drawn.h"
+#include "redo_space.h"
 
 #include <rastertrace/trace/record/frame.h>
 #include <rastertrace/trace/tell/describe.h>
-#include <rastertrace/trace/text/method_names.h>
 
 #include <fmt/core.h>
 
@@ -14,40 +14,25 @@
 
 namespace rastertrace {
 
-RulesTold::RulesTold(const Trace& header)
-    : ToldMethod(told_method(header.method)), samples(told_samples(header)),
-      has_view_plane(header.projection == "view-plane") {}
-
-/// What was redone in two parts.
-Redone both(Redone a, Redone b) {
-    for (const auto& [what, count] : b.count)
-        a.count[what] += count;
-    if (a.wrong == 0 || (b.wrong > 0 && b.first.step < a.first.step))
-        a.first = b.first;
-    a.wrong += b.wrong;
-    a.wrong_steps.merge(b.wrong_steps);
-    return a;
-}
-
 Redone redo(const Trace& trace) {
     const RulesTold rules(trace);
-    if (!rules.says("scalar"))
-        return redo_in_rationals(trace, false);
-    switch (rules.triangles.scalar) {
-    case ScalarKind::single_precision:
-        return redo_steps::Redo<float, float, true>(trace).run();
-    case ScalarKind::double_precision:
-        return redo_steps::Redo<double, double, true>(trace).run();
-    case ScalarKind::fixed:
-        return trace.numbers == "fractions of any size" ? redo_in_rationals(trace, true)
-                                                        : redo_with_double_depths(trace);
-    case ScalarKind::exact:
-        return redo_in_rationals(trace, true);
-    case ScalarKind::adaptive:
-        return both(redo_steps::Redo<double, double, true>(trace, StepsToRedo::in_doubles).run(),
-                    redo_in_rationals(trace, true, StepsToRedo::in_fractions));
+    Findings findings;
+    SpaceAgain space(trace, rules, findings);
+    DrawnAgain drawn(trace, rules, findings);
+    const StepKindSet begins{StepKind::primitive};
+    for (std::size_t n = 1; n <= trace.size(); ++n) {
+        const auto kind = trace.kind_of(n);
+        if (kind == StepKind::vertex)
+            drawn.see(trace.step(n).as<VertexStep>());
+        if (kind == StepKind::primitive) {
+            const std::size_t last = trace.next_of(begins, n + 1, trace.size()) - 1;
+            if (!drawn.redo(n, last))
+                redo_beside(trace, rules, n, last, findings);
+        }
+        space.redo(n);
     }
-    not_an_enumerator();
+    space.finish();
+    return findings.take();
 }
 
 std::string WrongDecision::value() const {
@@ -56,6 +41,17 @@ std::string WrongDecision::value() const {
 
 std::string WrongDecision::field() const {
     return value().substr(0, value().find_first_of(" ,"));
+}
+
+std::uint64_t Redone::values() const {
+    std::uint64_t values = 0;
+    for (const auto& [what, times] : count)
+        values += times;
+    return values;
+}
+
+std::string nothing_redone() {
+    return "nothing was compared: expected numbers that can be done again, found none";
 }
 
 void mark_wrong_steps(Trace& trace) {

@@ -13,7 +13,6 @@
 #include <cstdint>
 #include <map>
 #include <string>
-#include <string_view>
 
 namespace rastertrace {
 
@@ -30,21 +29,26 @@ struct WrongDecision {
 };
 
 struct Redone {
-    std::map<std::string_view, std::uint64_t>
+    std::map<std::string, std::uint64_t>
         count;               ///< how many values were done again, by kind and field
     std::uint64_t wrong = 0; ///< how many of them are others in the trace
     WrongDecision first;     ///< if there is one
 
     /// Of the first steps with such values, by their number: what their numbers give, "from = -1, to = 2".
     std::map<std::size_t, std::string> wrong_steps;
+
+    std::uint64_t values() const; ///< all that were done again
 };
 
 /// So many wrong steps are kept.
 inline constexpr std::size_t most_wrong_steps = 10'000;
 
-/// Does every step again by the rules of docs/trace-format.md, "Doing it again", in the scalar that the header names. What
-/// the trace does not tell the numbers or the rule of is left out. The trace must have all its steps.
+/// Does every step again, in the scalar that the header names: each primitive is drawn again from its corners. What the
+/// trace does not tell the numbers or the rule of is left out. The trace must have all its steps.
 Redone redo(const Trace& trace);
+
+/// Why a trace with no value that can be done again is neither right nor wrong.
+std::string nothing_redone();
 
 /// A larger trace is not done again for the sentences of its wrong steps: it would take too long. `validate --redo` does.
 inline constexpr std::uint64_t largest_marked_trace = 16'000'000; // bytes

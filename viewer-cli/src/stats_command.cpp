@@ -73,8 +73,10 @@ bool has(const Stats& stats, StatsFinding finding) {
 }
 
 /// True if a decision of the trace is not the one that its numbers give; the first one is told.
-bool has_wrong_decision(const Trace& trace) {
+bool has_wrong_decision(const Trace& trace, const std::string& path) {
     const Redone redone = redo(trace);
+    if (redone.values() == 0)
+        throw problem_of(path, "--fail-on redo: " + nothing_redone());
     if (redone.wrong > 0)
         print_error(problem_of(redone, trace));
     return redone.wrong > 0;
@@ -97,7 +99,8 @@ int run(const StatsCommand& command) {
 
     std::vector<StatsFinding> found;
     for (const StatsFinding finding : command.fail_on)
-        if (finding == StatsFinding::redo ? has_wrong_decision(trace) : has(stats, finding))
+        if (finding == StatsFinding::redo ? has_wrong_decision(trace, command.trace)
+                                          : has(stats, finding))
             found.push_back(finding);
     if (!found.empty())
         print_error(fmt::format("rastertrace: --fail-on: found {}\n", names_of(found)));

@@ -165,10 +165,9 @@ void validate_decisions(const Trace& trace, ValidatedFile& file) {
     const Redone redone = redo(trace);
     if (redone.wrong > 0)
         file.add({problem_of(redone, trace)});
-    std::uint64_t count = 0;
-    for (const auto& [what, times] : redone.count)
-        count += times;
-    file.about += fmt::format("; {} done again", counted(count, "number"));
+    else if (redone.values() == 0)
+        throw problem_of(file.name, "--redo: " + nothing_redone());
+    file.about += fmt::format("; {} done again", counted(redone.values(), "number"));
 }
 
 /// A trace that has been read whole.

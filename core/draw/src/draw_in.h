@@ -6,6 +6,7 @@
 
 #include "hidden-lines/line_painter.h"
 #include "hidden-lines/owners.h"
+#include "plan/unfit.h"
 #include "tell/listener_sink.h"
 
 #include <rastertrace/core/draw/draw.h>
@@ -17,6 +18,7 @@
 #include <rastertrace/core/draw/paint/sample_walk.h>
 #include <rastertrace/core/draw/plan/plan.h>
 #include <rastertrace/core/draw/scene/scene.h>
+#include <rastertrace/core/draw/screen_drawing.h>
 #include <rastertrace/core/raster/circle.h>
 #include <rastertrace/core/raster/depth_interpolation.h>
 #include <rastertrace/core/raster/fill_edge_table.h>
@@ -38,6 +40,7 @@
 #include <limits>
 #include <optional>
 #include <span>
+#include <string_view>
 #include <utility>
 #include <variant>
 #include <vector>
@@ -258,13 +261,14 @@ void fill_polygon(const Piece<Scalar>& polygon, const SampleOffset<Scalar>& offs
 
 /// Emits PrimitiveBegan.
 template <typename Scalar, typename Tests, typename Sink>
-void tell_beginning(const Piece<Scalar>& piece, const PieceNames& names,
+void tell_beginning(const Piece<Scalar>& piece, std::string_view name,
+                    std::span<const std::string_view> corners,
                     const SceneDrawing<Scalar, Tests>& drawing, Sink&& sink) {
     const Plan& plan = drawing.plan;
     sink(PrimitiveBegan<Scalar>{
         .kind = piece.kind,
-        .name = names.piece,
-        .vertices = names.corners,
+        .name = name,
+        .vertices = corners,
         .positions = piece.corners(),
         .color = piece.color,
         .colors = std::span(piece.colors).first(plan.mixes_colors ? piece.count : 0),
@@ -337,7 +341,7 @@ void tell_and_draw(const AList& list, const ScreenPrimitive& one, const AFace& f
     const PieceNames names(drawing.scene, list,
                            one); // a listener may refer to them until the piece ends
     const ListenerSink sink(listener);
-    tell_beginning(piece, names, drawing, sink);
+    tell_beginning(piece, names.piece, names.corners, drawing, sink);
     tell_face(face, sink);
     if (!piece.is_skipped)
         draw_piece(piece, drawing, of_pixels);
@@ -402,6 +406,53 @@ Image draw_in(const Scene& scene, const Plan& plan, const Listener& listener, Fa
     };
     std::visit(draw_all, *plan.list);
     return image;
+}
+
+template <typename Scalar> struct ScreenDrawing<Scalar>::State {
+    const Scene& scene;
+    Plan plan;
+    Image image = Image::of_one_row(scene.canvas);
+    SceneDrawing<Scalar> drawing{scene, plan, image};
+    std::optional<DepthTests<DepthOf<Scalar>>> depth = {};
+    std::vector<Piece<Scalar>> pieces = {}; ///< by the owners of depths, if depths are tested
+};
+
+template <typename Scalar>
+ScreenDrawing<Scalar>::ScreenDrawing(const Scene& scene, std::int64_t denominator,
+                                     const DepthRegion& region,
+                                     const DepthRule<DepthOf<Scalar>>& rule)
+    : state_(new State{.scene = scene, .plan = {.denominator = denominator}}) {
+    State& state = *state_;
+    if (region.area() == 0)
+        return;
+    state.drawing.depth = &state.depth.emplace(region, rule, true);
+    state.drawing.owners = {
+        [&state](std::uint32_t owner) { return state.pieces[owner].primitive; },
+        [&state](std::uint32_t owner) { return corners_of(state.pieces[owner]); }};
+}
+
+template <typename Scalar> ScreenDrawing<Scalar>::~ScreenDrawing() = default;
+
+template <typename Scalar>
+bool ScreenDrawing<Scalar>::draw(const NamedPiece<Scalar>& named, const Listener& listener) {
+    State& state = *state_;
+    const auto& [piece, name, corners, stages] = named;
+    if (is_fraction<Scalar> && !fits_fractions(state.scene, in_doubles(piece), state.plan))
+        return false;
+    if (unfit_of(in_doubles(piece), state.scene.method, stages.colors != ColorStage::flat,
+                 stages.tests_depth))
+        return false;
+    state.plan.mixes_colors = stages.colors != ColorStage::flat;
+    state.plan.stages.pixels.resize(state.scene.primitives.size());
+    state.plan.stages.pixels[piece.primitive] = stages;
+    if (state.depth) {
+        state.depth->begin(static_cast<std::uint32_t>(state.pieces.size()));
+        state.pieces.push_back(piece);
+    }
+    const ListenerSink sink(listener);
+    tell_beginning(piece, name, corners, state.drawing, sink);
+    draw_piece(piece, state.drawing, sink);
+    return true;
 }
 
 } // namespace rastertrace

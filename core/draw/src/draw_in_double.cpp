@@ -5,5 +5,6 @@
 namespace rastertrace {
 
 template Image draw_in<double>(const Scene&, const Plan&, const Listener&, Fallbacks*);
+template class ScreenDrawing<double>;
 
 } // namespace rastertrace

@@ -5,5 +5,6 @@
 namespace rastertrace {
 
 template Image draw_in<Fraction64>(const Scene&, const Plan&, const Listener&, Fallbacks*);
+template class ScreenDrawing<Fraction64>;
 
 } // namespace rastertrace

@@ -87,24 +87,41 @@ bool all_coordinates(const Scene&, const ScreenList<Coordinate>& list, IsFine&& 
                        });
 }
 
-/// A plan with fractions over `denominator`: on 64 bits, if no step of drawing can overflow.
-template <typename AList>
-Plan plan_in_fractions(const Scene& scene, const AList& list, std::int64_t denominator) {
+/// True if no step of drawing can overflow in fractions of 64 bits over `denominator`. `all_of(is_fine)` asks
+/// about each coordinate.
+template <typename AllOf>
+bool fit_fractions(const Scene& scene, std::int64_t denominator, AllOf&& all_of) {
     std::uint64_t largest = 0;
-    const bool all_fit =
-        all_coordinates(scene, list, [&largest, denominator](const auto& coordinate) {
-            const auto numerator = nearest_numerator(coordinate, denominator);
-            if (!numerator || *numerator == std::numeric_limits<std::int64_t>::min())
-                return false;
-            largest = std::max(largest, static_cast<std::uint64_t>(std::llabs(*numerator)));
-            return true;
-        });
+    const bool all_fit = all_of([&largest, denominator](const auto& coordinate) {
+        const auto numerator = nearest_numerator(coordinate, denominator);
+        if (!numerator || *numerator == std::numeric_limits<std::int64_t>::min())
+            return false;
+        largest = std::max(largest, static_cast<std::uint64_t>(std::llabs(*numerator)));
+        return true;
+    });
     const int bits = bits_of_drawing(
         scene, static_cast<int>(std::bit_width(largest)),
         static_cast<int>(std::bit_width(static_cast<std::uint64_t>(denominator - 1))));
-    if (!all_fit || bits >= 64)
+    return all_fit && bits < 64;
+}
+
+/// A plan with fractions over `denominator`: on 64 bits, if no step of drawing can overflow.
+template <typename AList>
+Plan plan_in_fractions(const Scene& scene, const AList& list, std::int64_t denominator) {
+    const bool fits = fit_fractions(
+        scene, denominator, [&](auto&& is_fine) { return all_coordinates(scene, list, is_fine); });
+    if (!fits)
         return {.number = NumberType::rational};
     return {.number = NumberType::fraction64, .denominator = denominator};
+}
+
+bool fits_fractions(const Scene& scene, const Piece<double>& piece, const Plan& plan) {
+    const auto corners = piece.corners();
+    return fit_fractions(scene, plan.denominator, [&](auto&& is_fine) {
+        return std::all_of(corners.begin(), corners.end(), [&](const Vec<double, 2>& at) {
+            return is_fine(at.x) && is_fine(at.y);
+        });
+    });
 }
 
 /// The least common multiple of two denominators, if both are known and it fits.

@@ -16,6 +16,9 @@ namespace rastertrace {
 std::optional<Unfit> unfit_of(const Piece<double>& piece, const Method& method, bool mixes_colors,
                               bool tests_lines);
 
+/// True if no step of drawing a piece can overflow in fractions of 64 bits over the plan's denominator.
+bool fits_fractions(const Scene& scene, const Piece<double>& piece, const Plan& plan);
+
 /// The first unfit piece, in the scene's order.
 template <typename AList> std::optional<Unfit> unfit_piece(const Scene& scene, const AList& list) {
     const bool tests_lines = scene.has_tested_lines();
