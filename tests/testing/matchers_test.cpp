@@ -261,6 +261,32 @@ TEST(Matchers, AQuestionWithoutAnAnswerFailsWhateverStandsAroundIt) {
               off_canvas);
 }
 
+TEST(Matchers, ATraceOfPixelsAloneAnswersNothingElse) {
+    const TestedTrace trace = trace_from(
+        {"mine",
+         R"({"rastertrace":1,"canvas":{"width":4,"height":4,"origin":"top-left"},"method":{}}
+{"step":"primitive","kind":"triangle","name":"A","vertices":["P","Q","R"],"color":"#000000"}
+{"step":"pixel","x":1,"y":2}
+{"end":{"steps":2}}
+)"});
+    EXPECT_THAT(trace, AllOf(PlotsPixel(1, 2), Not(PlotsPixel(2, 2))));
+    const auto refusal_of = [&trace](const TraceMatcher& matcher) {
+        return first_failure(trace, Not(matcher));
+    };
+    EXPECT_EQ(
+        refusal_of(CullsFace("A")),
+        "Failed\nmine\ncannot tell if it culls face A: expected a trace with face steps or with "
+        "stages, found one that has none");
+    EXPECT_EQ(refusal_of(HasScanline(2, 1, 3)),
+              "Failed\nmine\ncannot tell if it has scanline y=2 from 1 to 3: expected a trace with "
+              "scanline steps, found one that has none");
+    const std::string nothing =
+        "Failed\nmine\ncannot tell if it decides by its numbers: nothing was "
+        "compared: expected numbers that can be done again, found none";
+    EXPECT_EQ(refusal_of(DecidesByItsNumbers()), nothing);
+    EXPECT_EQ(first_failure(trace, DecidesByItsNumbers()), nothing + "\n");
+}
+
 TEST(Matchers, AMistakeIsToldInTheLineOfTheTest) {
     ::testing::TestPartResultArray failures;
     {

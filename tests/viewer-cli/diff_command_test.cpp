@@ -193,6 +193,23 @@ TEST_F(DiffTest, WhatIsWrongIsSaid) {
     EXPECT_THAT(diff("a.json a.json").out, HasSubstr("both are the same file\n"));
 }
 
+TEST_F(DiffTest, NothingThatWasComparedIsNotTheSame) {
+    for (const std::string files : {"a.json b.json", "a.json a.json"})
+        for (const std::string left_out : {"--only depth", "--only depth --ignore header",
+                                           "--ignore primitive,edge,scanline,pixel,header"})
+            EXPECT_THAT(refusal("diff " + files + " " + left_out),
+                        HasSubstr("nothing was compared: expected steps that are not left out, "
+                                  "found none in a.json and "))
+                << files << left_out;
+    // A golden of few kinds, of which the scene has none.
+    write("golden.jsonl",
+          R"({"rastertrace":1,"canvas":{"width":17,"height":14,"origin":"center"},"only":["depth"]}
+{"end":{"steps":0}}
+)");
+    EXPECT_THAT(refusal("diff golden.jsonl a.json --only depth --ignore header"),
+                HasSubstr("nothing was compared"));
+}
+
 TEST_F(DiffTest, ARenamedPrimitiveIsOneDifference) {
     shell("sed 's|\"name\":\"ABC\"|\"name\":\"T1\"|' a.json > renamed.json");
     EXPECT_THAT(diff("a.json renamed.json"),

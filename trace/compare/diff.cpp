@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: MIT
 #include "diff.h"
 
+#include "compared_steps.h"
 #include "diff_context.h"
 #include "diff_header.h"
 #include "diff_options.h"
 #include "trace_comparison.h"
 
+#include <rastertrace/trace/record/step_lines.h>
 #include <rastertrace/trace/record/trace_lines.h>
+#include <rastertrace/trace/record/traced_steps.h>
 #include <rastertrace/trace/tell/step_text.h>
 #include <rastertrace/trace/text/text.h>
 
@@ -109,6 +112,32 @@ bool leave_out_steps(const DiffOptions& options) {
                        [](const std::string& name) { return name != "header"; });
 }
 
+/// True if a text has a step that is compared.
+bool has_compared_step(const TraceText& text, const ComparedSteps& compared) {
+    StepLines lines(text);
+    bool is_compared = compared.has_primitive("");
+    for (; const StepLine* const step = lines.front(); lines.pass()) {
+        if (step->kind == StepKind::primitive)
+            is_compared =
+                compared.has_primitive(StepView(step->json).as<PrimitiveStep>().name.text());
+        if (is_compared && compared.has(*step))
+            return true;
+    }
+    return false;
+}
+
+/// Throws a Problem if two traces are alike only because options, or the traces themselves, leave all steps out.
+void expect_compared_steps(const TraceText& a, const TraceText& b, const DiffOptions& options) {
+    const auto leaves_out = [](const TraceText& text) { return text.header().is_partial; };
+    if (!leave_out_steps(options) && !options.compares_common && !leaves_out(a) && !leaves_out(b))
+        return;
+    const ComparedSteps compared(a, b, options);
+    if (!has_compared_step(a, compared) && !has_compared_step(b, compared))
+        throw problem_of("", fmt::format("nothing was compared: expected steps that are not left "
+                                         "out, found none in {} and {}",
+                                         printable(a.name()), printable(b.name())));
+}
+
 TraceDiff same_bytes(TraceDiff found, const TraceText& a, const TraceText& b) {
     found.is_same = found.is_same_bytes = true;
     if (a.file() && a.file() == b.file())
@@ -128,8 +157,10 @@ TraceDiff same_bytes(TraceDiff found, const TraceText& a, const TraceText& b) {
 TraceDiff diff(const TraceText& a, const TraceText& b, const DiffOptions& options) {
     check_names(options, a, b);
     TraceDiff found{.name_a = a.name(), .name_b = b.name()};
-    if (have_same_bytes(a, b))
+    if (have_same_bytes(a, b)) {
+        expect_compared_steps(a, b, options);
         return same_bytes(std::move(found), a, b);
+    }
 
     TraceComparison comparison(a, b, options);
     comparison.run();
@@ -155,6 +186,8 @@ TraceDiff diff(const TraceText& a, const TraceText& b, const DiffOptions& option
             found.end = differing_ends(*end_a.end, *end_b.end);
     }
     found.is_same = found.header.empty() && found.end.empty() && tally.is_empty();
+    if (found.is_same && found.damage.empty())
+        expect_compared_steps(a, b, options);
     return found;
 }
 

@@ -26,6 +26,20 @@ bool is_at(const StepView& step, Pixel pixel) {
     return x_in(step) == pixel.x && y_in(step) == pixel.y;
 }
 
+/// Throws a Problem if a trace has no step of a kind: what it does not tell of any primitive is not false of one.
+void expect_any(const Trace& trace, StepKind kind, std::string_view of) {
+    if (trace.next_of({kind}, 1, trace.size()) > trace.size())
+        throw problem_of("",
+                         fmt::format("expected a trace with {} steps{}, found one that has none",
+                                     name_of(kind), of));
+}
+
+/// True if the header has stages, which tell whether faces are culled.
+bool tells_stages(const TestedTrace& tested) {
+    const std::string_view text = tested.text;
+    return text.substr(0, text.find(R"("step":)")).find(R"("stages":)") != std::string_view::npos;
+}
+
 /// Who has not drawn a pixel, and why: all primitives, or one and its parts.
 std::string why_not_text(const Explanation& explanation, const Name& primitive) {
     constexpr std::size_t most_told = 12; // more are counted
@@ -71,6 +85,8 @@ TraceMatcher plots_pixel(Pixel pixel, Name primitive, Caller caller) {
                 return {true, fmt::format("pixel ({}, {}) is plotted", pixel.x, pixel.y) +
                                   text_of_steps(trace, steps)};
             expect_told(trace, {StepKind::pixel}, pixel, primitive);
+            if (!trace.end || trace.end->pixels != 0)
+                expect_any(trace, StepKind::pixel, "");
             return {false, told_of_pixel(trace, pixel, primitive)};
         });
 }
@@ -102,8 +118,10 @@ TraceMatcher has_scanline(int y, const Value& left, const Value& right, Name pri
             });
             if (!holds)
                 expect_told(trace, {StepKind::scanline}, Pixel{trace.canvas.left(), y}, primitive);
-            if (rows.empty())
+            if (rows.empty()) {
+                expect_any(trace, StepKind::scanline, "");
                 return {false, fmt::format("no primitive has the row y={}", y)};
+            }
             return {holds, fmt::format("row y={} is", y) + text_of_steps(trace, rows)};
         });
 }
@@ -160,6 +178,8 @@ TraceMatcher CullsFace(const std::string& name, Caller caller) {
                           if (tests.empty()) {
                               expect_told(trace, {StepKind::face}, std::nullopt, name);
                               expect_primitive(trace, name);
+                              if (!tells_stages(tested))
+                                  expect_any(trace, StepKind::face, " or with stages");
                               return {false, "the trace does not test this face"};
                           }
                           const bool holds =
@@ -179,6 +199,8 @@ TraceMatcher DecidesByItsNumbers(Caller caller) {
                       [](const TestedTrace& tested) -> Verdict {
                           const Trace& trace = trace_or_throw(tested);
                           const Redone redone = redo(trace);
+                          if (redone.values() == 0)
+                              throw problem_of("", nothing_redone());
                           return {redone.wrong == 0, redone.wrong == 0
                                                          ? "all steps do"
                                                          : to_text(problem_of(redone, trace))};
