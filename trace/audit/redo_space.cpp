@@ -68,6 +68,27 @@ bool is_made(const std::string& vertex) {
     return vertex.find(':') != std::string::npos;
 }
 
+/// Of matrices, the one that moves a point nearest to another: meshes without a name do not say whose a model is.
+const std::vector<std::vector<Rational>>&
+nearest_to(const std::vector<Rational>& place,
+           const std::vector<std::vector<std::vector<Rational>>>& matrices,
+           const std::vector<Rational>& point) {
+    std::size_t best = 0;
+    Rational least = -1;
+    for (std::size_t i = 0; i < matrices.size() && matrices.size() > 1; ++i) {
+        std::vector<Rational> sizes;
+        const auto moved = times(matrices[i], point, sizes);
+        Rational distance = 0;
+        for (std::size_t k = 0; k < place.size() && k < moved.size(); ++k)
+            distance += abs(moved[k] - place[k]);
+        if (least < 0 || distance < least) {
+            best = i;
+            least = distance;
+        }
+    }
+    return matrices[best];
+}
+
 /// The mesh that a vertex belongs to; "" for the scene's own.
 std::string object_of(const std::string& vertex) {
     const std::size_t point = vertex.rfind('.');
@@ -192,7 +213,7 @@ void SpaceAgain::redo(const MatrixStep& step) {
         rows.push_back(numbers_of<Rational>(row));
     if (rows.size() != 4)
         throw NotTold();
-    matrices_[step.name.text() + " " + step.object.text()] = rows;
+    matrices_[step.name.text() + " " + step.object.text()].push_back(rows);
 
     // The product of its factors, column by column.
     std::vector<std::vector<Numbers>> factors;
@@ -243,7 +264,7 @@ void SpaceAgain::redo(const MatrixStep& step) {
 /// A point in the next space; nothing if that is not told.
 std::optional<SpaceAgain::Numbers> SpaceAgain::moved(const std::string& name, Space from,
                                                      const Numbers& at, Space to,
-                                                     Numbers& sizes) const {
+                                                     const Numbers& like, Numbers& sizes) const {
     Numbers point = at;
     const auto divide = [&] {
         if (point.size() != 4 || point[3] == 0)
@@ -269,7 +290,7 @@ std::optional<SpaceAgain::Numbers> SpaceAgain::moved(const std::string& name, Sp
     if (found == matrices_.end())
         found = matrices_.find(matrix);
     if (found != matrices_.end())
-        point = times(found->second, point, sizes);
+        point = times(nearest_to(like, found->second, point), point, sizes);
     else if (matrices_.empty())
         return std::nullopt;
     else
@@ -289,15 +310,19 @@ void SpaceAgain::redo(const VertexStep& step) {
     const auto last = at_.find(name);
     if (last == at_.end()) {
         // Without a model, a vertex begins in the world; one that clipping makes, where it is made.
-        const bool has_model = matrices_.contains("model " + object_of(name));
-        const bool begins = is_made(name) ? space == Space::clip
-                                          : space == first_space_ || matrices_.empty() ||
-                                                space == (has_model ? Space::object : Space::world);
+        const auto models = matrices_.find("model " + object_of(name));
+        const bool has_model = models != matrices_.end();
+        const bool may_have_model = has_model && models->second.size() > 1;
+        const bool begins = is_made(name)
+                                ? space == Space::clip
+                                : space == first_space_ || matrices_.empty() || may_have_model ||
+                                      space == (has_model ? Space::object : Space::world);
         expect(true, begins, "vertex: name", ", told in the space before");
     } else {
         expect(true, last->second < space, "vertex: space", " behind the one before");
         Numbers sizes;
-        if (const auto again = moved(name, last->second, places_[name][last->second], space, sizes))
+        if (const auto again =
+                moved(name, last->second, places_[name][last->second], space, at, sizes))
             for (std::size_t i = 0; i < again->size(); ++i)
                 expect_near((*again)[i], told_at(step.at.values(), i), abs(sizes[i]), "vertex: at");
     }

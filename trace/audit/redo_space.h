@@ -49,7 +49,7 @@ private:
     void redo_product(const TracedList<TracedNumber>& normal, const TracedList<TracedNumber>& other,
                       const TracedNumber& told, const char* what);
     std::optional<Numbers> moved(const std::string& name, Space from, const Numbers& at, Space to,
-                                 Numbers& sizes) const;
+                                 const Numbers& like, Numbers& sizes) const;
     std::vector<Vec<Rational, 3>> corners() const;
     std::optional<Rational> distance_of(const std::string& vertex) const;
     void expect_near(const Rational& redone, const TracedNumber& told, const Rational& size,
@@ -67,9 +67,9 @@ private:
     const RulesTold& rules_;
     Findings& findings_;
     std::optional<ProjectionType> projection_;
-    std::size_t n_ = 0;                                    ///< the step
-    Space first_space_ = Space::object;                    ///< in which most vertices begin
-    std::map<std::string, std::vector<Numbers>> matrices_; ///< by name and object
+    std::size_t n_ = 0;                 ///< the step
+    Space first_space_ = Space::object; ///< in which most vertices begin
+    std::map<std::string, std::vector<std::vector<Numbers>>> matrices_; ///< by name and object
     Numbers eye_{0, 0, 0};
     Numbers toward_camera_; ///< from what it looks at; none without one
     std::map<std::string, std::map<Space, Numbers>> places_; ///< of vertices
