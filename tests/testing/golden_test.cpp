@@ -134,6 +134,18 @@ TEST_F(MatchesTrace, RenewingMakesAFailedTestPass) {
     EXPECT_THAT(triangle(), Not(matcher));
 }
 
+// Its other name is a link.
+TEST_F(MatchesTrace, WhatTheTestHasReadIsNotRenewed) {
+    std::ofstream("mine.jsonl") << triangle().text;
+    fs::create_symlink("mine.jsonl", "golden.jsonl");
+    fs::create_hard_link("mine.jsonl", "hard.jsonl");
+    for (const std::string golden : {"mine.jsonl", "golden.jsonl", "hard.jsonl"})
+        EXPECT_THAT(
+            renew(trace_in("mine.jsonl"), matchers::MatchesTrace(golden, {.kinds = {"pixel"}})),
+            HasSubstr("expected another file than those that are read, found one of them"));
+    EXPECT_EQ(text_of("mine.jsonl"), triangle().text);
+}
+
 TEST_F(MatchesTrace, OtherKindsAndTheHeaderAreNotCompared) {
     const auto matcher = matchers::MatchesTrace("golden.json", {.kinds = {"scanline", "pixel"}});
     ASSERT_EQ(renew(triangle(), matcher), "");

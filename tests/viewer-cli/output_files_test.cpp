@@ -90,6 +90,42 @@ TEST_F(ProgramTest, NothingThatAFigureHasReadIsOverwritten) {
     }
 }
 
+// Every other option that writes, onto every file that its call reads: by its name, through links, and from another
+// command of a page.
+TEST_F(ProgramTest, NothingThatAnyCommandHasReadIsOverwritten) {
+    const std::string refused = "expected another file than those that are read, found one of them";
+    write("c.obj", "v 0 0 0\nv 3 0 0\nv 0 3 0\nf 1 2 3\n");
+    write("scene.json", R"({"canvas": {"width": 9, "height": 9}, "meshes": [{"obj": "c.obj"}]})");
+    write("mine.sh", "exit 7\n");
+    write("page.md", "```\n$ rastertrace show scene.json --bare\n```\n");
+    shell("ln -s scene.json link.json; ln c.obj hard.obj; mkdir found probes; "
+          "ln mine.sh found/seed-1.json; ln -s ../mine.sh found/seed-2.json");
+    const auto all = [&] { return shell("cat scene.json c.obj mine.sh page.md").out; };
+    const std::string before = all();
+    for (const std::string output : {"scene.json", "link.json", "c.obj", "hard.obj", "page.md"}) {
+        for (const std::string command :
+             {"trace scene.json --format json", "report --quick --format csv scene.json",
+              "figure scene.json --format svg", "figure scene.json --sheet 2x1 --format svg"}) {
+            if (output != "page.md") { // which these do not read
+                EXPECT_THAT(run(command + " -o " + output), Refused(HasSubstr(refused)));
+            }
+            write("run.md", "```\n$ rastertrace show scene.json --bare\n$ rastertrace " + command +
+                                " -o " + output + "\n```\n");
+            for (const std::string check : {"", "--check "})
+                EXPECT_THAT(run("renew " + check + "page.md run.md").err, HasSubstr(refused))
+                    << check << command << " -o " << output;
+        }
+        EXPECT_EQ(run("sheet scene.json -o " + output).status, 2) << output;
+        EXPECT_EQ(run("sheet scene.json --format csv -o " + output).status, 2) << output;
+    }
+    for (const std::string seed : {"1", "2"})
+        EXPECT_THAT(
+            run("fuzz --seed " + seed + " --runs 1 --shrink 0 -o found -- sh mine.sh {scene}"),
+            Refused(HasSubstr(refused)));
+    EXPECT_EQ(run("examples -o $examples").status, 0);
+    EXPECT_EQ(all(), before);
+}
+
 TEST_F(ProgramTest, SeveralFilesGetTheirNamesTogether) {
     shell("cp $examples/t0-fill/first-triangle.json scene.json");
     const std::string figures =

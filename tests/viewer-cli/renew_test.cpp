@@ -117,6 +117,37 @@ TEST_F(RenewTest, CheckChangesNoFileThatACommandWritesBeforeItFails) {
     EXPECT_EQ(content("figure.txt"), "old");
 }
 
+// What a command of the page has made, another one may read and a third one make again.
+TEST_F(RenewTest, AFileOfThePageIsMadeTwice) {
+    write("page.md", "```\n$ rastertrace trace scene.json -o made.json\n"
+                     "$ rastertrace show made.json --bare\n"
+                     "$ rastertrace trace scene.json --scalar exact -o made.json\n```\n");
+    EXPECT_THAT(run("renew page.md"), Prints("page.md: 3 commands, 1 renewed\n"));
+    EXPECT_THAT(run("renew page.md"), Prints("page.md: 3 commands, 0 renewed\n"));
+    EXPECT_EQ(run("renew --check page.md").status, 1) << "the first command writes another file";
+}
+
+TEST_F(RenewTest, ACommandMakesNoFolderOutsideAndNoneUnderCheck) {
+    write("mine.sh", "exit 7\n");
+    const auto page = [&](const std::string& folder) {
+        write("page.md", "```\n$ rastertrace fuzz --runs 1 --shrink 0 -o " + folder +
+                             " -- sh mine.sh '{scene}' # exit 1\n```\n");
+    };
+    page("found/deep");
+    EXPECT_THAT(run("renew --check page.md"),
+                Ends(1, HasSubstr("expected found/deep/seed-1.json")));
+    EXPECT_EQ(shell("ls -d found").status, 2);
+    EXPECT_EQ(run("renew page.md").status, 0);
+    EXPECT_EQ(shell("ls found/deep | wc -l").out, "3\n");
+    EXPECT_EQ(run("renew --check page.md").status, 0);
+    shell("mkdir here; mv mine.sh here");
+    page("../outside/deep");
+    EXPECT_THAT(shell("cd here; $rastertrace renew ../page.md").err,
+                HasSubstr("../outside/deep: expected a folder below the one that the commands of "
+                          "the page run in, found one outside"));
+    EXPECT_EQ(shell("ls -d outside").status, 2);
+}
+
 // Renew waits for what somebody writes into a pipe, and has read the page by then.
 class WaitingRenewTest : public RenewTest {
 protected:

@@ -5,17 +5,19 @@
 
 #include "descriptor.h"
 
+#include <optional>
 #include <string>
 
 namespace rastertrace {
 
-/// Adds a file to opened_files().
-void note_opened(const FileId& file);
+/// Which file a path leads to; nullopt if that is no regular file.
+std::optional<FileId> file_at(const std::string& path);
+
+/// For refuse_opened: a file was opened by a path, or written.
+void note_opened(const FileId& file, const std::string& path);
+void note_written(const FileId& file);
 
 /// The path by which a file that is open can be named once more.
 std::string path_of_open(const Descriptor& file);
-
-/// Where an open file or folder is, without symbolic links; "" if it has no name, or too long a one.
-std::string place_of_open(const Descriptor& file);
 
 } // namespace rastertrace

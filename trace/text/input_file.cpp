@@ -54,7 +54,7 @@ Result<InputFile> InputFile::open(const std::string& path, Kind kind) {
     if (S_ISREG(status.st_mode)) {
         file.id_ = FileId{.device = status.st_dev, .inode = status.st_ino};
         file.told_size_ = static_cast<std::size_t>(std::max<off_t>(status.st_size, 0));
-        note_opened(*file.id_);
+        note_opened(*file.id_, is_standard_input ? "/proc/self/fd/0" : path);
     }
     return file;
 }

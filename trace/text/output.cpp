@@ -13,7 +13,6 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <cstdio>
@@ -110,15 +109,6 @@ std::string make_under_temporary_name(const Descriptor& folder, Make&& make) {
     return "";
 }
 
-/// Removes what make_under_temporary_name made.
-void remove_unfinished(const Descriptor& folder, const std::string& name) {
-    if (name.empty())
-        return;
-    const SignalsHeldBack held;
-    ::unlinkat(folder.number(), name.c_str(), 0);
-    forget_unfinished(folder.number(), name);
-}
-
 /// A file without a name in a folder; closed where the system has no such thing, or no way to give it
 /// a name later.
 Descriptor open_unnamed(const Descriptor& folder, mode_t mode) {
@@ -128,15 +118,17 @@ Descriptor open_unnamed(const Descriptor& folder, mode_t mode) {
     return file;
 }
 
-/// A folder below another one, made with all that leads to it. `path` is the file that it is for.
-Descriptor folder_below(const std::string& folder, const std::string& place,
-                        const std::string& path) {
+/// Where a file is written that would be at a path: its folder is made if it is there, and links are followed.
+std::string place_below(const std::string& folder, const std::string& path) {
+    namespace fs = std::filesystem;
     std::error_code error;
-    std::filesystem::create_directories(folder + place, error);
-    Descriptor made(::open((folder + place).c_str(), O_PATH | O_DIRECTORY | O_CLOEXEC));
-    if (!made.is_open())
-        fail(path, not_created, error ? error.value() : errno);
-    return made;
+    std::error_code missing; // it may have been made below the other one
+    const fs::path place = fs::weakly_canonical(fs::absolute(path, error), error);
+    if (fs::is_directory(place.parent_path(), missing))
+        fs::create_directories(folder + place.parent_path().string(), error);
+    if (error)
+        fail(path, not_created, error.value());
+    return folder + place.string();
 }
 
 /// Gives an unnamed file a name that no other has; false, with errno set, if it cannot.
@@ -151,7 +143,7 @@ void DescriptorOutput::write(std::string_view bytes) {
     write_all(descriptor_, bytes, name_);
 }
 
-FileOutput::FileOutput(const std::string& path, std::span<const FileId> inputs) : path_(path) {
+FileOutput::FileOutput(const std::string& path) : path_(path) {
     struct stat status {};
     const bool exists = ::stat(path_.c_str(), &status) == 0;
     if (!exists && errno != ENOENT)
@@ -170,11 +162,9 @@ FileOutput::FileOutput(const std::string& path, std::span<const FileId> inputs) 
     if (exists) {
         older_ = id_of(status);
         mode = status.st_mode & 07777u;
-        if (std::find(inputs.begin(), inputs.end(), *older_) != inputs.end())
-            throw problem_of(path_, "expected another file than those that are read, found one of "
-                                    "them");
+        refuse_opened(*older_, path_);
     }
-    FilePlace place = place_of(path_);
+    FilePlace place = place_of(elsewhere.empty() ? path_ : place_below(elsewhere, path_));
     name_ = std::move(place.name);
     folder_ = std::move(place.folder);
     // An older file that may not be written is not replaced either.
@@ -183,8 +173,6 @@ FileOutput::FileOutput(const std::string& path, std::span<const FileId> inputs) 
     if (::fstat(folder_.number(), &status) != 0)
         fail(path_, not_created, errno);
     folder_id_ = id_of(status);
-    if (!elsewhere.empty())
-        folder_ = folder_below(elsewhere, place_of_open(folder_), path_);
     open_beside_target(mode);
 }
 
@@ -206,13 +194,13 @@ void FileOutput::open_beside_target(std::optional<unsigned> mode) {
         fail(path_, not_created, errno);
     if (mode && ::fchmod(file_.number(), *mode) != 0) {
         const int error = errno;
-        remove_unfinished(folder_, temporary_);
+        remove_unfinished(folder_.number(), temporary_);
         fail(path_, not_written, error);
     }
 }
 
 FileOutput::~FileOutput() {
-    remove_unfinished(folder_, temporary_);
+    remove_unfinished(folder_.number(), temporary_);
 }
 
 std::string FileOutput::identity() const {
@@ -241,6 +229,11 @@ void FileOutput::sync() {
 void FileOutput::take_name() {
     if (!folder_.is_open())
         return;
+    if (older_)
+        refuse_opened(*older_, path_);
+    struct stat status {};
+    ::fstat(file_.number(), &status);
+    note_written(older_ && !folder_of_outputs().empty() ? *older_ : id_of(status));
 
     // An unnamed file takes its name at once, or, where an older one has it, another one first. In
     // that moment only SIGKILL can leave a file behind.
@@ -257,21 +250,30 @@ void FileOutput::take_name() {
     temporary_.clear();
 }
 
-void write_file(const std::string& path, std::string_view bytes, std::span<const FileId> inputs) {
-    FileOutput file(path, inputs);
+void write_file(const std::string& path, std::string_view bytes) {
+    FileOutput file(path);
     file.write(bytes);
     file.commit();
 }
 
 void make_folder(const std::string& path) {
+    namespace fs = std::filesystem;
     std::error_code error;
-    std::filesystem::create_directories(path, error);
+    const fs::path place = fs::weakly_canonical(fs::absolute(path, error), error);
+    const std::string from_here =
+        (place.lexically_relative(fs::canonical(".", error)) / "").string();
+    if (shares_opened_files() && !fs::exists(place, error) && from_here.starts_with("../"))
+        throw problem_of(path,
+                         "expected a folder below the one that the commands of the page run in, "
+                         "found one outside");
+    fs::create_directories(
+        folder_of_outputs().empty() ? path : folder_of_outputs() + place.string(), error);
     if (error)
         fail(path, "the folder could not be made", error.value());
 }
 
-FileOutput& FileOutputs::open(const std::string& path, std::span<const FileId> inputs) {
-    FileOutput& file = files_.emplace_back(path, inputs);
+FileOutput& FileOutputs::open(const std::string& path) {
+    FileOutput& file = files_.emplace_back(path);
     const std::string identity = file.identity();
     const auto [first, is_new] = paths_.try_emplace(identity, path);
     if (!is_new && !identity.empty())

@@ -4,7 +4,7 @@
 // Where bytes go: a string, standard output, or a file that gets its name only when it is complete.
 //
 //     FileOutputs files;
-//     files.open("a.svg", opened_files()).write(svg);
+//     files.open("a.svg").write(svg);
 //     files.commit();
 
 #include "descriptor.h"
@@ -12,7 +12,6 @@
 
 #include <deque>
 #include <optional>
-#include <span>
 #include <string>
 #include <string_view>
 #include <unordered_map>
@@ -54,16 +53,17 @@ private:
 /// older file. A device or pipe is written directly.
 class FileOutput final : public Output {
 public:
-    /// Opens the file; throws a Problem if that cannot be done, or if it is one of the `inputs`,
+    /// Opens the file; throws a Problem if that cannot be done, or if it is one that has been read (process_files.h),
     /// which would be lost.
-    explicit FileOutput(const std::string& path, std::span<const FileId> inputs = {});
+    explicit FileOutput(const std::string& path);
     FileOutput(const FileOutput&) = delete;
     FileOutput& operator=(const FileOutput&) = delete;
     ~FileOutput() override;
 
     void write(std::string_view bytes) override;
 
-    /// Sees the bytes to the disk and gives the file its name; throws a Problem if that fails.
+    /// Sees the bytes to the disk and gives the file its name; throws a Problem if that fails, or if the file that is there
+    /// has been read by then.
     void commit();
 
 private:
@@ -86,17 +86,17 @@ private:
 };
 
 /// Writes a whole file, as FileOutput does.
-void write_file(const std::string& path, std::string_view bytes,
-                std::span<const FileId> inputs = {});
+void write_file(const std::string& path, std::string_view bytes);
 
-/// Makes a folder with all that leads to it, if it is not there. Throws a Problem.
+/// Makes a folder with all that leads to it, if it is not there; where outputs go elsewhere, there. Throws a Problem, also
+/// if a command of a page would make it outside of the current folder.
 void make_folder(const std::string& path);
 
 /// Files that get their names together.
 class FileOutputs {
 public:
     /// Opens one more, as FileOutput does. Throws a Problem also if it is one of those before it.
-    FileOutput& open(const std::string& path, std::span<const FileId> inputs = {});
+    FileOutput& open(const std::string& path);
 
     /// Gives all of them their names, in this order, once the bytes of all are on the disk. Signals wait until the last
     /// one has its name. Throws a Problem if something fails; it lists which files are new by then.

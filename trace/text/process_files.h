@@ -3,19 +3,30 @@
 
 // The files of this process: which it has opened to be read, and where it writes.
 //
-//     FileOutput output(path, opened_files());  // nothing that was read is lost
+//     refuse_opened(id, path);  // nothing that was read is lost
 
 #include "descriptor.h"
 
+#include <cstddef>
 #include <cstdint>
 #include <string>
-#include <vector>
 
 namespace rastertrace {
 
-/// The regular files that have been opened to be read since the process began, whoever named them. Not to be asked for
-/// while other threads open files.
-const std::vector<FileId>& opened_files();
+/// Throws a Problem if a file that is to be written has been opened to be read since the process began, whoever named it.
+void refuse_opened(const FileId& file, const std::string& name);
+
+/// While it lives, files are read to be replaced: that they were opened does not count.
+class ReadToReplace {
+public:
+    ReadToReplace();
+    ReadToReplace(const ReadToReplace&) = delete;
+    ReadToReplace& operator=(const ReadToReplace&) = delete;
+    ~ReadToReplace();
+
+private:
+    std::size_t before_ = 0;
+};
 
 /// How many bytes of traces the process has gone through, and how many bytes of files it has written; another thread may
 /// ask for it, to show the progress.
@@ -25,6 +36,11 @@ struct BytesDone {
 };
 BytesDone bytes_done();
 void add_bytes_done(const BytesDone& more);
+
+/// The runs for which this is called with one path are as one process: what one of them has opened, none of them writes,
+/// unless one of them has written it. A list in that file tells it.
+void share_opened_files(const std::string& path);
+bool shares_opened_files();
 
 /// From then on files are written below this folder instead, under the whole path that they would have; "": at their
 /// place.

@@ -3,9 +3,13 @@
 
 #include "unfinished_list.h"
 
+#include <dirent.h>
+#include <fcntl.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <atomic>
+#include <cstring>
 
 namespace rastertrace {
 
@@ -42,6 +46,25 @@ ListPlace& take_place() {
     return *place;
 }
 
+/// Removes a file, or a folder with all that is in it, whatever its mode. The library's own functions take memory.
+void remove_tree(int folder, const char* name) noexcept {
+    if (::unlinkat(folder, name, 0) == 0)
+        return;
+    ::fchmodat(folder, name, 0700, 0);
+    const int inner = ::openat(folder, name, O_RDONLY | O_DIRECTORY | O_NOFOLLOW | O_CLOEXEC);
+    alignas(dirent64) char entries[2048];
+    auto* const first = reinterpret_cast<dirent64*>(entries);
+    for (long size = 0; (size = ::getdents64(inner, first, sizeof entries)) > 0;)
+        for (long at = 0; at < size;) {
+            const auto* const entry = reinterpret_cast<const dirent64*>(entries + at);
+            at += entry->d_reclen;
+            if (std::strcmp(entry->d_name, ".") != 0 && std::strcmp(entry->d_name, "..") != 0)
+                remove_tree(inner, entry->d_name);
+        }
+    ::close(inner);
+    ::unlinkat(folder, name, AT_REMOVEDIR);
+}
+
 } // namespace
 
 void note_unfinished(int folder, const std::string& name) {
@@ -61,7 +84,15 @@ void forget_unfinished(int folder, const std::string& name) noexcept {
 void remove_unfinished_files() noexcept {
     for (ListPlace* place = first_place; place != nullptr; place = place->next)
         if (place->state == ListPlace::State::taken)
-            ::unlinkat(place->folder, place->name, 0);
+            remove_tree(place->folder, place->name);
+}
+
+void remove_unfinished(int folder, const std::string& name) {
+    if (name.empty())
+        return;
+    const SignalsHeldBack held;
+    remove_tree(folder, name.c_str());
+    forget_unfinished(folder, name);
 }
 
 SignalsHeldBack::SignalsHeldBack() noexcept {

@@ -10,8 +10,8 @@
 
 namespace rastertrace {
 
-/// Removes every file that a FileOutput keeps under a temporary name. May be called in a signal
-/// handler, and when no memory is left.
+/// Removes every file that a FileOutput keeps under a temporary name, and temporary folders with all that is in them. May
+/// be called in a signal handler, and when no memory is left.
 void remove_unfinished_files() noexcept;
 
 } // namespace rastertrace

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The files that exist under a temporary name, in a list that a signal handler may go through.
+// The files and folders that exist under a temporary name, in a list that a signal handler may go through.
 
 #include <csignal>
 #include <string>
@@ -14,6 +14,9 @@ void note_unfinished(int folder, const std::string& name);
 
 /// Takes a file off the list: it has its final name, or is not there.
 void forget_unfinished(int folder, const std::string& name) noexcept;
+
+/// Removes what is on the list and takes it off; "": nothing.
+void remove_unfinished(int folder, const std::string& name);
 
 /// Holds all signals of this thread back while it lives, so that what happens to a file and what the
 /// list says of it change together.

@@ -18,7 +18,6 @@
 #include <rastertrace/trace/tell/describe.h>
 #include <rastertrace/trace/tell/working.h>
 #include <rastertrace/trace/text/output.h>
-#include <rastertrace/trace/text/process_files.h>
 #include <rastertrace/trace/text/text.h>
 
 #include <fmt/core.h>
@@ -427,7 +426,7 @@ ExitStatus write_space_frames(const FigureCommand& command, FigureFormat format)
     if (command.output == "-")
         print(bytes);
     else
-        write_file(command.output, bytes, opened_files());
+        write_file(command.output, bytes);
     return status;
 }
 
@@ -478,7 +477,7 @@ int run(const FigureCommand& asked) {
         progress.reset();
         print(bytes);
     } else if (files.count() == 1) {
-        write_file(command.output, files.content(0), opened_files());
+        write_file(command.output, files.content(0));
     } else {
         FrameFiles outputs(command.output, files.count());
         for (std::size_t i = 0; i < files.count(); ++i)

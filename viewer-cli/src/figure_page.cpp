@@ -13,7 +13,6 @@
 #include <rastertrace/trace/scene/scene_file.h>
 #include <rastertrace/trace/text/canvas_json.h>
 #include <rastertrace/trace/text/output.h>
-#include <rastertrace/trace/text/process_files.h>
 #include <rastertrace/wasm/module.h>
 
 #include <fmt/core.h>
@@ -189,7 +188,7 @@ ExitStatus write_page(const FigureCommand& command) {
     if (command.output == "-")
         print(page);
     else
-        write_file(command.output, page, opened_files());
+        write_file(command.output, page);
     return status;
 }
 

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "frame_files.h"
 
-#include <rastertrace/trace/text/process_files.h>
-
 #include <fmt/core.h>
 
 #include <sys/resource.h>
@@ -52,7 +50,7 @@ FrameFiles::FrameFiles(std::string path, std::size_t count)
 }
 
 FileOutput& FrameFiles::open(std::size_t frame) {
-    return files_.open(path_of_frame(path_, frame, std::to_string(count_).size()), opened_files());
+    return files_.open(path_of_frame(path_, frame, std::to_string(count_).size()));
 }
 
 } // namespace rastertrace

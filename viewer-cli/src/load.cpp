@@ -125,6 +125,16 @@ Trace InputFrames::trace_by(std::size_t frame, const MethodOverrides& method) co
     return titled(drawn(scenes.frame(frame), source_.name, options_.limits), path_);
 }
 
+bool is_file(const std::filesystem::directory_entry& entry) {
+    std::error_code error;
+    const bool is_regular = entry.is_regular_file(error);
+    if (error)
+        print_error(problem_of(
+            entry.path().string(),
+            fmt::format("expected a file that can be read, found: {}", error.message())));
+    return is_regular;
+}
+
 void check_region(const Region& region, const Canvas& canvas) {
     if (canvas.contains(region.x0, region.y0) && canvas.contains(region.x1, region.y1))
         return;
@@ -264,6 +274,7 @@ Source load_scene_of_claims(const Claims& claims, const InputLimits& limits) {
 }
 
 Source load_page(const std::string& path) {
+    const ReadToReplace to_be_renewed;
     Source page = value_or_throw(read_named_file(path, {}));
     standard_output(); // before it is replaced
     return page;
@@ -279,12 +290,9 @@ ExitStatus report_damage(const Trace& trace) {
 
 DescriptorOutput standard_output() {
     constexpr const char* name = "standard output";
-    const auto& inputs = opened_files();
     struct stat status {};
-    if (::fstat(STDOUT_FILENO, &status) == 0 &&
-        std::find(inputs.begin(), inputs.end(),
-                  FileId{.device = status.st_dev, .inode = status.st_ino}) != inputs.end())
-        throw problem_of(name, "expected another file than those that are read, found one of them");
+    if (::fstat(STDOUT_FILENO, &status) == 0)
+        refuse_opened({.device = status.st_dev, .inode = status.st_ino}, name);
     return {STDOUT_FILENO, name};
 }
 

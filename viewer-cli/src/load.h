@@ -18,6 +18,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <filesystem>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -95,6 +96,9 @@ private:
     std::size_t first_ = 1;
     std::size_t last_ = 1;
 };
+
+/// True if an entry of a folder is a regular file. That a link leads to nothing is told on standard error.
+bool is_file(const std::filesystem::directory_entry& entry);
 
 /// Throws a Problem if a region does not lie on a canvas.
 void check_region(const Region& region, const Canvas& canvas);

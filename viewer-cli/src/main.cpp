@@ -96,12 +96,16 @@ void prepare_for_signals() {
     action.sa_handler = end_by_signal;
     // So that the signal raised again has its usual effect.
     action.sa_flags = static_cast<int>(SA_RESETHAND);
-    for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGQUIT, SIGXCPU, SIGPIPE, SIGABRT}) {
+    const auto handle = [&action](int signal) {
         struct sigaction before {};
-        // What is ignored from the start, as by nohup, stays so.
-        if (::sigaction(signal, nullptr, &before) == 0 && before.sa_handler != SIG_IGN)
+        // What is ignored from the start, as by nohup, stays so; and a sanitizer tells faults itself.
+        if (::sigaction(signal, nullptr, &before) == 0 && before.sa_handler == SIG_DFL)
             ::sigaction(signal, &action, nullptr);
-    }
+    };
+    for (const int signal : rastertrace::asked_endings)
+        handle(signal);
+    for (const int fault : {SIGSEGV, SIGILL, SIGFPE, SIGTRAP, SIGSYS})
+        handle(fault);
 }
 
 /// A file that is opened must not get the number of a standard descriptor that was closed: messages
@@ -118,6 +122,6 @@ int main(int count, char** arguments) {
     keep_freed_memory();
     prepare_for_signals();
     fill_closed_descriptors();
-    rastertrace::take_folder_of_run();
+    rastertrace::take_folder_of_caller();
     return rastertrace::run_command_line(count, arguments);
 }

@@ -66,8 +66,7 @@ Problem problem_of_exit(const Source& page, const PageCommand& command, const Fi
     return problem;
 }
 
-/// Runs a command, which writes its files below a folder, or, if that is "", where they belong; returns its output for
-/// the page.
+/// Runs a command, which shares a folder with the others (run_self.h); returns its output for the page.
 std::string output_of(const Source& page, const PageCommand& command, const std::string& folder) {
     if (!command.words.empty() && command.words.front() == "renew")
         throw problem_at(page, command.begin,
@@ -98,7 +97,7 @@ std::vector<std::string> stale_files(const std::filesystem::path& folder) {
     for (const auto& file : std::filesystem::recursive_directory_iterator(folder)) {
         const auto place = "/" / file.path().lexically_relative(folder);
         if (file.is_regular_file() &&
-            (!std::filesystem::exists(place) || bytes_of(place) != bytes_of(file.path())))
+            (!std::filesystem::is_regular_file(place) || bytes_of(place) != bytes_of(file.path())))
             stale.push_back(place.lexically_proximate(std::filesystem::canonical(".")));
     }
     std::ranges::sort(stale);
@@ -106,25 +105,20 @@ std::vector<std::string> stale_files(const std::filesystem::path& folder) {
 }
 
 /// Runs the commands of a page. One that is only checked leaves all files as they are.
-RenewedPage renew_page(const std::string& path, bool is_checked) {
+RenewedPage renew_page(const std::string& path, bool is_checked, const std::string& folder) {
     RenewedPage renewed{.page = load_page(path)};
     renewed.commands = commands_on(renewed.page);
+    const auto files = std::filesystem::path(folder) / folder_of_files;
     for (const PageCommand& command : renewed.commands) {
-        std::optional<EndingHeldBack> until_removed;
-        std::optional<TemporaryFolder> elsewhere;
-        if (is_checked) {
-            until_removed.emplace();
-            elsewhere.emplace("rastertrace-page");
-        }
-        renewed.outputs.push_back(
-            output_of(renewed.page, command, elsewhere ? elsewhere->path().string() : ""));
-        if (elsewhere)
-            for (const std::string& file : stale_files(elsewhere->path()))
-                renewed.stale_files.push_back(problem_at(
-                    renewed.page, command.begin,
-                    fmt::format(
-                        "expected {} as this command writes it, found another file, or none",
-                        printable(file))));
+        std::filesystem::remove_all(files);
+        if (is_checked)
+            std::filesystem::create_directory(files);
+        renewed.outputs.push_back(output_of(renewed.page, command, folder));
+        for (const std::string& file : is_checked ? stale_files(files) : std::vector<std::string>())
+            renewed.stale_files.push_back(problem_at(
+                renewed.page, command.begin,
+                fmt::format("expected {} as this command writes it, found another file, or none",
+                            printable(file))));
     }
     return renewed;
 }
@@ -195,8 +189,12 @@ void write(const std::vector<RenewedPage>& pages) {
 int run(const RenewCommand& command) {
     // A page with a mistake leaves all of them as they were.
     std::vector<RenewedPage> pages;
-    for (const std::string& path : command.pages)
-        pages.push_back(renew_page(path, command.check));
+    {
+        const TemporaryFolder folder("rastertrace-page");
+        take_folder_of_runs(folder.path().string());
+        for (const std::string& path : command.pages)
+            pages.push_back(renew_page(path, command.check, folder.path().string()));
+    }
     if (command.check)
         return check(pages);
     write(pages);

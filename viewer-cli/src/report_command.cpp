@@ -11,7 +11,6 @@
 #include "shared_options.h"
 
 #include <rastertrace/trace/text/output.h>
-#include <rastertrace/trace/text/process_files.h>
 #include <rastertrace/trace/text/text.h>
 
 #include <fmt/core.h>
@@ -78,7 +77,7 @@ int run_report(const ReportCommand& command) {
     FileOutputs outputs;
     std::vector<FileOutput*> files;
     for (const std::string& path : command.outputs)
-        files.push_back(&outputs.open(path, opened_files()));
+        files.push_back(&outputs.open(path));
 
     MeasuredReport report{.machine = this_machine(), .timing = {}, .scenes = {}};
     if (command.quick)

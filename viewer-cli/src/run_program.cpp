@@ -11,6 +11,7 @@
 #include <signal.h>
 #include <spawn.h>
 #include <sys/signalfd.h>
+#include <sys/syscall.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -94,20 +95,34 @@ public:
         signal(SIGCONT);
         constexpr std::chrono::milliseconds moment{10};
         constexpr int moments = 200;
-        for (int i = 0; i < moments; ++i) {
-            if (::waitpid(process_, nullptr, WNOHANG) == process_)
-                return;
+        for (int i = 0; i < moments && !has_ended(); ++i)
             std::this_thread::sleep_for(moment);
-        }
         signal(SIGKILL);
         wait();
     }
 
+    bool has_ended() const {
+        siginfo_t ended{};
+        ::waitid(P_PID, static_cast<::id_t>(process_), &ended, WEXITED | WNOHANG | WNOWAIT);
+        return ended.si_pid != 0;
+    }
+
+    /// Can be read once it has ended; closed where the system has no such thing.
+    Descriptor ending() const {
+        return Descriptor(static_cast<int>(::syscall(SYS_pidfd_open, process_, 0)));
+    }
+
     /// The exit status, as a shell tells it.
     int wait() {
-        int status = 0;
-        while (::waitpid(process_, &status, 0) < 0 && errno == EINTR) {
+        siginfo_t ended{};
+        while (::waitid(P_PID, static_cast<::id_t>(process_), &ended, WEXITED | WNOWAIT) < 0 &&
+               errno == EINTR) {
         }
+        // Its number is its own until then: so is that of its group, in which others may live on.
+        if (leads_group_)
+            signal(SIGKILL);
+        int status = 0;
+        ::waitpid(process_, &status, 0);
         process_ = 0;
         return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
     }
@@ -131,14 +146,12 @@ void read_some(Descriptor& reader, std::string& text) {
         fail(errno);
 }
 
-constexpr std::array ending_signals{SIGINT, SIGTERM, SIGHUP, SIGQUIT, SIGXCPU};
-
 } // namespace
 
 EndingHeldBack::EndingHeldBack() {
     sigset_t signals;
     ::sigemptyset(&signals);
-    for (const int signal : ending_signals) {
+    for (const int signal : asked_endings) {
         struct sigaction action {};
         // What is ignored, as by nohup, ends nothing.
         if (::sigaction(signal, nullptr, &action) == 0 && action.sa_handler != SIG_IGN)
@@ -172,25 +185,30 @@ FinishedRun run_program(ProgramRun program) {
     err.writer.close();
 
     FinishedRun run;
-    while (out.reader.is_open() || err.reader.is_open()) {
-        // A reader that is closed has a negative number, which poll passes over.
-        std::array<pollfd, 3> waiting{
-            {{.fd = out.reader.number(), .events = POLLIN, .revents = 0},
-             {.fd = err.reader.number(), .events = POLLIN, .revents = 0},
-             {.fd = ending.descriptor(), .events = POLLIN, .revents = 0}}};
+    Descriptor ended = child.ending();
+    const bool tells_its_end = ended.is_open();
+    while (out.reader.is_open() || err.reader.is_open() || !child.has_ended()) {
+        // What is closed has a negative number, which poll passes over.
+        std::array<pollfd, 4> waiting{{{.fd = out.reader.number(), .events = POLLIN, .revents = 0},
+                                       {.fd = err.reader.number(), .events = POLLIN, .revents = 0},
+                                       {.fd = ending.descriptor(), .events = POLLIN, .revents = 0},
+                                       {.fd = ended.number(), .events = POLLIN, .revents = 0}}};
         const auto left =
             std::chrono::ceil<std::chrono::milliseconds>(end - std::chrono::steady_clock::now());
-        const int time = static_cast<int>(std::max<std::int64_t>(left.count(), 0));
-        const int ready = ::poll(waiting.data(), waiting.size(), time);
-        if (ready < 0 && errno != EINTR)
-            fail(errno);
-        if (ready == 0) {
+        if (left.count() <= 0) {
             run.is_too_long = true;
             return run;
         }
+        constexpr std::int64_t moment = 10; // to ask again
+        const int time =
+            static_cast<int>(tells_its_end ? left.count() : std::min(left.count(), moment));
+        if (::poll(waiting.data(), waiting.size(), time) < 0 && errno != EINTR)
+            fail(errno);
         // A key that ends this program ends the run as well, which is no mistake of its own.
         if (waiting[2].revents != 0)
             throw problem_of_system("", "what runs was ended by a signal", EINTR);
+        if (waiting[3].revents != 0)
+            ended.close();
         if (waiting[0].revents != 0)
             read_some(out.reader, run.out);
         if (waiting[1].revents != 0)

@@ -7,6 +7,7 @@
 
 #include <rastertrace/trace/text/descriptor.h>
 
+#include <array>
 #include <chrono>
 #include <csignal>
 #include <cstddef>
@@ -23,6 +24,11 @@ struct FinishedRun {
     bool is_too_large = false; ///< it was ended because it printed more than it may
     bool is_too_long = false;  ///< it was ended because it took more than its time
 };
+
+/// The signals by which somebody ends a program, but for SIGKILL.
+inline constexpr std::array asked_endings{SIGINT,    SIGTERM, SIGHUP,  SIGQUIT, SIGXCPU,
+                                          SIGPIPE,   SIGABRT, SIGALRM, SIGUSR1, SIGUSR2,
+                                          SIGVTALRM, SIGPROF, SIGPOLL, SIGPWR};
 
 /// Holds back the signals that somebody ends this program by, while this lives: a run of its own is ended first, and
 /// what was made for it is removed. Then they do what they would have done.

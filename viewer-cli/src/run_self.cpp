@@ -12,14 +12,16 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <filesystem>
+#include <system_error>
 #include <utility>
 
 namespace rastertrace {
 
 namespace {
 
-/// Tells a run where to write its files, and that it is one.
-constexpr const char* files_to = "RASTERTRACE_FILES_TO";
+/// Tells a run the folder that it shares with others, and that it is one.
+constexpr const char* folder_variable = "RASTERTRACE_RUN";
 
 /// This program's environment, but for what its output depends on.
 std::vector<std::string> environment(const std::string& folder) {
@@ -29,9 +31,9 @@ std::vector<std::string> environment(const std::string& folder) {
                                          "TERM=",
                                          "COLORTERM=",
                                          "RASTERTRACE_LANGUAGE=",
-                                         fmt::format("{}=", files_to)};
+                                         fmt::format("{}=", folder_variable)};
     std::vector<std::string> variables{"COLUMNS=80", "NO_COLOR=1", "TERM=dumb",
-                                       fmt::format("{}={}", files_to, folder)};
+                                       fmt::format("{}={}", folder_variable, folder)};
     for (std::string& variable : own_environment())
         if (std::none_of(fixed.begin(), fixed.end(), [&variable](const std::string& name) {
                 return variable.starts_with(name);
@@ -52,11 +54,20 @@ FinishedRun run_self(const std::vector<std::string>& arguments, const std::strin
     return run_program(std::move(program));
 }
 
-void take_folder_of_run() {
-    if (std::getenv(files_to) == nullptr)
+void take_folder_of_runs(const std::string& folder) {
+    share_opened_files(folder + "/opened");
+}
+
+void take_folder_of_caller() {
+    if (std::getenv(folder_variable) == nullptr)
         return;
     ::prctl(PR_SET_PDEATHSIG, SIGTERM);
-    write_files_below(std::string(environment_variable(files_to)));
+    const std::string folder(environment_variable(folder_variable));
+    take_folder_of_runs(folder);
+    const std::string files = fmt::format("{}/{}", folder, folder_of_files);
+    std::error_code error;
+    if (std::filesystem::is_directory(files, error))
+        write_files_below(files);
 }
 
 } // namespace rastertrace

@@ -59,6 +59,7 @@ std::string given_lines(const Source& scene, const Trace& trace) {
 
 /// Throws a Problem if another file than this empty sheet is there: what was filled in would be lost.
 void refuse_filled_sheet(const std::string& path, std::string_view empty) {
+    const ReadToReplace to_be_replaced;
     std::error_code error;
     if (std::filesystem::is_regular_file(path, error) &&
         value_or_throw(read_named_file(path, {})).view() != empty)
@@ -121,9 +122,8 @@ public:
         if (output_.empty() || output_ == "-") {
             print(sheet);
         } else {
-            const std::vector<FileId> read = opened_files();
             refuse_filled_sheet(output_, sheet);
-            write_file(output_, sheet, read);
+            write_file(output_, sheet);
         }
         return report_damage(trace);
     }

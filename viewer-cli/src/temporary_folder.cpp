@@ -2,6 +2,9 @@
 #include "temporary_folder.h"
 
 #include <rastertrace/trace/text/problem.h>
+#include <rastertrace/trace/text/unfinished_list.h>
+
+#include <fcntl.h>
 
 #include <cerrno>
 #include <cstdlib>
@@ -13,19 +16,17 @@ TemporaryFolder::TemporaryFolder(const std::string& name) {
     std::error_code error;
     const std::filesystem::path temporary = std::filesystem::temp_directory_path(error);
     std::string pattern = (temporary / (name + "-XXXXXX")).string();
-    if (error || ::mkdtemp(pattern.data()) == nullptr) {
-        Problem problem =
-            problem_of(error ? "TMPDIR" : pattern,
-                       error ? error.message() : std::generic_category().message(errno));
-        problem.cause = Problem::Cause::system;
-        throw problem;
-    }
+    if (error)
+        throw problem_of_system("TMPDIR", "no folder for temporary files", error.value());
+    parent_ = Descriptor(::open(temporary.c_str(), O_PATH | O_DIRECTORY | O_CLOEXEC));
+    if (!parent_.is_open() || ::mkdtemp(pattern.data()) == nullptr)
+        throw problem_of_system(pattern, "the folder could not be made", errno);
     path_ = pattern;
+    note_unfinished(parent_.number(), path_.filename().string());
 }
 
 TemporaryFolder::~TemporaryFolder() {
-    std::error_code ignored;
-    std::filesystem::remove_all(path_, ignored);
+    remove_unfinished(parent_.number(), path_.filename().string());
 }
 
 } // namespace rastertrace

@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// A folder of its own, which is removed with all that is in it.
+// A folder of its own, which is removed with all that is in it, whatever ends the program but SIGKILL.
 //
 //     const TemporaryFolder folder("rastertrace-fuzz");
 //     write(folder.path() / "scene.json");
+
+#include "run_program.h"
+
+#include <rastertrace/trace/text/descriptor.h>
 
 #include <filesystem>
 #include <string>
@@ -22,6 +26,8 @@ public:
     const std::filesystem::path& path() const { return path_; }
 
 private:
+    EndingHeldBack until_removed_;
+    Descriptor parent_;
     std::filesystem::path path_;
 };
 

@@ -62,7 +62,7 @@ template <typename Write> void write_whole(const std::string& path, const Write&
         write(output);
         return;
     }
-    FileOutput output(path, opened_files());
+    FileOutput output(path);
     write(output);
     output.commit();
 }

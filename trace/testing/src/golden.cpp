@@ -10,6 +10,7 @@
 #include <rastertrace/trace/record/trace_text.h>
 #include <rastertrace/trace/text/input.h>
 #include <rastertrace/trace/text/output.h>
+#include <rastertrace/trace/text/process_files.h>
 #include <rastertrace/trace/text/text.h>
 #include <rastertrace/trace/text/trace_layout.h>
 
@@ -83,6 +84,7 @@ std::string golden_text(const TestedTrace& tested, const std::vector<std::string
 void renew(const std::string& path, const std::string& text) {
     std::error_code error;
     if (std::filesystem::exists(path, error)) {
+        const ReadToReplace to_be_renewed;
         const Result<Source> older = read_source(path, InputLimits{});
         if (!older)
             throw older.problem();
@@ -96,6 +98,7 @@ void renew(const std::string& path, const std::string& text) {
 }
 
 TraceText golden_in(const std::string& path) {
+    const ReadToReplace to_be_renewed;
     std::error_code error;
     if (!std::filesystem::exists(path, error))
         throw problem_of(path, "expected a golden, found no such file",
