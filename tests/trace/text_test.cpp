@@ -69,6 +69,9 @@ TEST(JsonQuoted, EscapesQuotesControlsAndBadBytes) {
     EXPECT_EQ(json_quoted("\xC2\x9B\x7F\xE2\x80\xA8"), R"("\u009b\u007f\u2028")");
     EXPECT_EQ(json_quoted("\xFF"), R"("\ufffd")");
     EXPECT_EQ(json_quoted("é"), "\"é\"");
+    // Outside of the first 2^16 characters, JSON has two escapes for one (RFC 8259, section 7).
+    EXPECT_EQ(json_quoted("\u200B\U000E0041\u202E"), R"("\u200b\udb40\udc41\u202e")");
+    EXPECT_EQ(json_quoted("\U0001F600"), "\"\U0001F600\"");
 }
 
 TEST(Shortened, CutsAtCharacters) {

@@ -37,6 +37,16 @@ TEST_F(DiagnoseTest, ATraceOfAMistakeIsThatMistake) {
     EXPECT_EQ(diagnose("scene.json right.json").status, 0);
 }
 
+TEST_F(DiagnoseTest, ALinkInAFolderThatLeadsToNothingIsTold) {
+    run("trace scene.json --mistake height-plus-one -o scene.jsonl");
+    shell("mkdir pairs; mv scene.json scene.jsonl pairs; ln -s loop.json pairs/loop.json");
+    EXPECT_THAT(
+        diagnose("pairs"),
+        Ends(1, StartsWith("makes the mistake height-plus-one: "),
+             "rastertrace: pairs/loop.json: expected a file that can be read, found: Too many "
+             "levels of symbolic links\n"));
+}
+
 TEST_F(DiagnoseTest, ClaimsOfSomebodyWhoRoundsOtherwiseAreThatRounding) {
     // dx/dy of AC is 23/10, and of AD 1/3: ends 23/10 and 1/3 on y = 1, 23/5 and 2/3 on y = 2, by hand.
     write("acd.json", R"({"canvas": {"width": 24, "height": 12, "origin": "top-left"},

@@ -108,6 +108,16 @@ TEST_F(DiffFoldersTest, OtherFilesAreComparedAlthoughOneCannotBeRead) {
                    HasSubstr("rastertrace: b/tie.json:"), HasSubstr("truncated"))));
 }
 
+TEST_F(DiffFoldersTest, ALinkThatLeadsToNothingIsToldAndTheOthersAreCompared) {
+    shell("for f in a b; do ln -s loop.json $f/loop.json; ln -s gone.json $f/gone.json; done");
+    EXPECT_THAT(diff("a b"),
+                Ends(2,
+                     AllOf(HasSubstr("loop.json: cannot be read\n"),
+                           HasSubstr("\n5 compared, 0 differ, 2 cannot be read\n")),
+                     AllOf(HasSubstr("Too many levels of symbolic links"),
+                           HasSubstr("a/gone.json: expected a file that can be read"))));
+}
+
 TEST_F(DiffFoldersTest, JsonHasTheSame) {
     change("first.jsonl");
     shell("rm b/deep/first.jsonl; echo nothing > b/tie.json");

@@ -5,9 +5,12 @@
 #include "program.h"
 #include "told_problem.h"
 
+#include <fmt/core.h>
+
 #include <cstddef>
 #include <filesystem>
 #include <fstream>
+#include <regex>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -345,6 +348,40 @@ TEST_F(ProgramTest, NamesThatDifferLookDifferent) {
               "{\"vertices\":{\"A\":[1,1]},\"points\":[[\"A<U+200B>\"]]}\n"
               "                                   ^\n"
               "hint: the scene has the vertices A\n");
+}
+
+// Zero width, a tag, C1, the other direction: in the name of a file, a title, and the names in a scene.
+TEST_F(ProgramTest, WhatNobodySeesIsInNoLineThatAPersonReads) {
+    const std::vector<std::string> unseen{"\u200B", "\U000E0041", "\u0085", "\u202E"};
+    std::string name = "n";
+    for (const std::string& one : unseen)
+        name += one;
+    const auto scene = [&](const std::string& x) {
+        return fmt::format(R"({{"title": "{0}", "canvas": {{"width": 8, "height": 8}},
+            "vertices": {{"A{0}": [0, 0], "B{0}": [{1}, 0], "C{0}": [0, 3]}},
+            "triangles": [{{"vertices": ["A{0}", "B{0}", "C{0}"], "name": "T{0}"}}],
+            "lines": [{{"vertices": ["A{0}", "B{0}"], "name": "L{0}"}}]}})",
+                           name, x);
+    };
+    write(name + ".json", scene("3"));
+    write("other.json", scene("2"));
+    for (const std::string& command : std::vector<std::string>{
+             "show FILE", "show FILE --all", "show FILE --every edge --json",
+             "explain FILE --pixel 1,1", "explain FILE --pixel 1,1 --json", "plan FILE",
+             "plan FILE --json", "stats FILE", "stats FILE --json", "sheet FILE",
+             "sheet FILE --format csv", "stress FILE --json", "trace FILE", "trace FILE --flat",
+             "trace FILE --only pixel", "diff FILE other.json", "diff FILE other.json --json",
+             "figure FILE --format svg -o -", "diff FILE none" + name}) {
+        const Outcome told = run(std::regex_replace(command, std::regex("FILE"), name + ".json"));
+        for (const std::string& one : unseen)
+            EXPECT_THAT(told.out + told.err, Not(HasSubstr(one))) << command;
+    }
+    // What is escaped is read again.
+    for (const std::string sheet : {"sheet.csv", "sheet.txt"})
+        EXPECT_THAT(
+            run("sheet other.json -o " + sheet + "; $rastertrace check other.json " + sheet),
+            Ends(0, HasSubstr("open")))
+            << content(sheet);
 }
 
 // Not under the sanitizers, which need memory and loading of their own.

@@ -125,7 +125,8 @@ void add_coordinates(Claim& claim, std::vector<std::string> coordinates) {
 
 } // namespace
 
-/// Separators in brackets and in quotes part nothing. Blanks and quotes around a cell do not belong to it.
+/// Separators in brackets and in quotes part nothing. Blanks and quotes around a cell do not belong to it, but for those
+/// of a name with escapes.
 std::vector<ClaimColumns::Cell> ClaimColumns::cells_of(std::string_view text, std::size_t begin,
                                                        std::size_t end) const {
     if (is_latex_)
@@ -144,7 +145,8 @@ std::vector<ClaimColumns::Cell> ClaimColumns::cells_of(std::string_view text, st
     }
     for (Cell& cell : cells) {
         std::string_view typed = without_blanks(text.substr(cell.begin, cell.end - cell.begin));
-        if (typed.size() > 1 && typed.front() == '"' && typed.back() == '"')
+        const bool has_escapes = typed.find("\\u") != std::string_view::npos;
+        if (typed.size() > 1 && typed.front() == '"' && typed.back() == '"' && !has_escapes)
             typed = typed.substr(1, typed.size() - 2);
         cell.begin =
             typed.empty() ? cell.begin : static_cast<std::size_t>(typed.data() - text.data());

@@ -8,6 +8,7 @@
 #include "claims_columns.h"
 
 #include <rastertrace/trace/text/byte_order_mark.h>
+#include <rastertrace/trace/text/json_scanner.h>
 #include <rastertrace/trace/text/text.h>
 
 #include <algorithm>
@@ -126,14 +127,14 @@ private:
             name = name.substr(caption.size(), name.size() - caption.size() - 1);
         if (name.ends_with(':'))
             name.remove_suffix(1);
-        if (!is_one_word(name))
+        const std::string title = plain_text(name);
+        if (!is_one_word(title))
             return "";
         for (std::size_t next = end + 1; next < text.size();) {
             const std::size_t behind = std::min(text.find('\n', next), text.size());
             const std::string_view line = without_blanks(text.substr(next, behind - next));
             if (!line.empty() && !is_layout(line))
-                return ClaimColumns::headed(claims_.source, next, behind, "") ? std::string(name)
-                                                                              : "";
+                return ClaimColumns::headed(claims_.source, next, behind, "") ? title : "";
             next = behind + 1;
         }
         return "";

@@ -192,8 +192,10 @@ private:
     StepKind last_group_ = StepKind::triangulate;
 };
 
-/// A cell of a table: in quotes where a comma or a quote is in it.
+/// A cell of a table: in quotes where a comma or a quote is in it, as in JSON what nobody sees.
 std::string cell(const std::string& text) {
+    if (printable(text) != text)
+        return json_quoted(text);
     if (text.find_first_of(",\"") == std::string::npos)
         return text;
     std::string quoted = "\"";

@@ -32,28 +32,6 @@ Json by_kind(const StepCounts& counts) {
     return count;
 }
 
-/// JSON with escapes for the characters that a terminal would obey. But for blanks and the ends of lines, they can only
-/// stand in strings.
-std::string without_unsafe(std::string_view json) {
-    const auto is_plain = [](char byte) { return static_cast<unsigned char>(byte) < 0x7F; };
-    std::string text;
-    while (!json.empty()) {
-        const auto plain = static_cast<std::size_t>(
-            std::find_if_not(json.begin(), json.end(), is_plain) - json.begin());
-        text += json.substr(0, plain);
-        json.remove_prefix(plain);
-        if (json.empty())
-            break;
-        const CodePoint character = first_code_point(json);
-        if (character.value != not_a_character && is_unsafe(character.value))
-            text += fmt::format("\\u{:04x}", static_cast<unsigned>(character.value));
-        else
-            text += json.substr(0, character.length);
-        json.remove_prefix(character.length);
-    }
-    return text;
-}
-
 /// A step in one line.
 std::string line_of(const StepView& step) {
     const std::string_view json = step.json();
@@ -75,7 +53,7 @@ public:
         std::string text = head.dump();
         if (is_document_)
             text.replace(text.size() - 1, 1, R"(,"steps":[)");
-        text_ = without_unsafe(text);
+        text_ = json_printable(text);
     }
 
     void add(const StepView& step, std::optional<StepKind> kind) {
@@ -83,7 +61,7 @@ public:
             std::find(kinds_.begin(), kinds_.end(), step.kind_name()) == kinds_.end())
             return;
         text_ += is_document_ && steps_ > 0 ? ",\n" : "\n";
-        text_ += without_unsafe(line_of(step));
+        text_ += json_printable(line_of(step));
         counts_.add(step, kind);
         ++steps_;
         if (text_.size() > enough_to_write)
@@ -97,7 +75,7 @@ public:
             end["pixels"] = *whole->pixels;
         if (whole && !whole->frame.empty())
             end["frame"] = whole->frame;
-        const std::string record = without_unsafe(R"("end":)" + end.dump());
+        const std::string record = json_printable(R"("end":)" + end.dump());
         text_ += is_document_ ? "\n],\n" + record + "}\n" : "\n{" + record + "}\n";
         flush();
     }

@@ -45,14 +45,9 @@ CodePoint first_code_point(std::string_view text) {
 
 bool is_unsafe(char32_t c) {
     const auto between = [c](char32_t first, char32_t last) { return first <= c && c <= last; };
-    return between(0x00, 0x1F) || between(0x7F, 0x9F) || c == 0x061C || between(0x200E, 0x200F) ||
-           between(0x2028, 0x202E) || between(0x2066, 0x2069) || c == 0xFEFF;
-}
-
-bool is_invisible(char32_t c) {
-    const bool is_annotation = 0xFFF9 <= c && c <= 0xFFFB;
-    return uc_is_property_default_ignorable_code_point(c) || uc_is_property_not_a_character(c) ||
-           is_annotation;
+    return between(0x00, 0x1F) || between(0x7F, 0x9F) || between(0x2028, 0x2029) ||
+           between(0xFFF9, 0xFFFB) || uc_is_property_default_ignorable_code_point(c) ||
+           uc_is_property_not_a_character(c);
 }
 
 std::string printable(std::string_view text) {
@@ -70,7 +65,7 @@ std::string printable(std::string_view text) {
         const CodePoint character = first_code_point(text);
         if (character.value == not_a_character)
             out += fmt::format("<0x{:02X}>", static_cast<unsigned char>(text.front()));
-        else if (is_unsafe(character.value) || is_invisible(character.value))
+        else if (is_unsafe(character.value))
             out += fmt::format("<U+{:04X}>", static_cast<unsigned>(character.value));
         else
             out += text.substr(0, character.length);
@@ -255,6 +250,38 @@ std::string did_you_mean(std::string_view word, const std::vector<std::string_vi
     return meant.empty() ? std::string() : fmt::format("did you mean {}?", joined(meant, " or "));
 }
 
+namespace {
+
+/// A character in a JSON string: two escapes outside of the first 2^16.
+std::string json_escape(char32_t c) {
+    const auto escaped = [](char32_t unit) {
+        return fmt::format("\\u{:04x}", static_cast<unsigned>(unit));
+    };
+    if (c == not_a_character)
+        return "\\ufffd";
+    return c < 0x10000 ? escaped(c) : escaped(0xD7C0 + (c >> 10)) + escaped(0xDC00 + (c & 0x3FF));
+}
+
+} // namespace
+
+std::string json_printable(std::string_view json) {
+    const auto is_plain = [](char byte) { return static_cast<unsigned char>(byte) < 0x7F; };
+    std::string text;
+    for (;;) {
+        const auto plain = static_cast<std::size_t>(
+            std::find_if_not(json.begin(), json.end(), is_plain) - json.begin());
+        text += json.substr(0, plain);
+        json.remove_prefix(plain);
+        if (json.empty())
+            return text;
+        const CodePoint character = first_code_point(json);
+        const bool is_shown = character.value != not_a_character && !is_unsafe(character.value);
+        text +=
+            is_shown ? std::string(json.substr(0, character.length)) : json_escape(character.value);
+        json.remove_prefix(character.length);
+    }
+}
+
 std::string json_quoted(std::string_view text) {
     std::string out(room_for_quoted(text), '\0');
     out.resize(static_cast<std::size_t>(write_quoted(out.data(), text) - out.data()));
@@ -289,10 +316,8 @@ char* write_quoted(char* out, std::string_view text) {
             write("\\n");
         else if (bytes == "\t")
             write("\\t");
-        else if (character.value == not_a_character)
-            write("\\ufffd");
-        else if (is_unsafe(character.value))
-            write(fmt::format("\\u{:04x}", static_cast<unsigned>(character.value)));
+        else if (character.value == not_a_character || is_unsafe(character.value))
+            write(json_escape(character.value));
         else
             write(bytes);
         text.remove_prefix(character.length);

@@ -25,16 +25,13 @@ inline constexpr char32_t not_a_character = 0xFFFFFFFF;
 /// The character at the front of `text`, which must not be empty.
 CodePoint first_code_point(std::string_view text);
 
-/// True for characters that move the cursor, start a terminal command, or reorder what is around
-/// them: control characters (C0, DEL, C1), line and paragraph separators, direction marks.
+/// True for characters that move the cursor or start a terminal command (C0, DEL, C1, separators of lines), that reorder
+/// what is around them (direction marks), or that nobody sees: of no width (joiners, tags, selectors of variants),
+/// fillers, soft hyphens, marks of annotations; and for those that no text should hold, like U+FFFE.
 bool is_unsafe(char32_t character);
 
-/// True for characters that nobody sees: of no width (joiners, tags, selectors of variants), fillers,
-/// soft hyphens, marks of annotations; and those that no text should hold, like U+FFFE.
-bool is_invisible(char32_t character);
-
-/// `text` with every unsafe or invisible character written as <U+001B>, and every byte that is not
-/// UTF-8 as <0xFF>: no two texts look alike because of what cannot be seen.
+/// `text` with every unsafe character written as <U+001B>, and every byte that is not UTF-8 as <0xFF>: no two texts look
+/// alike because of what cannot be seen.
 std::string printable(std::string_view text);
 
 /// How many characters `text` has.
@@ -76,8 +73,11 @@ std::string_view nearest_word(std::string_view word, const std::vector<std::stri
 std::string did_you_mean(std::string_view word, const std::vector<std::string_view>& known,
                          std::string_view quote = "");
 
-/// `text` as a JSON string, quotes included. Characters that could harm a terminal are escaped.
+/// `text` as a JSON string, quotes included. Unsafe characters are escaped.
 std::string json_quoted(std::string_view text);
+
+/// JSON with its unsafe characters escaped, but for blanks and the ends of lines, which stand between its values.
+std::string json_printable(std::string_view json);
 
 /// Writes the same to memory with so much room, and returns its end.
 char* write_quoted(char* out, std::string_view text);

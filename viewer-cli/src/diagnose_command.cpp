@@ -49,7 +49,7 @@ struct PairOfFiles {
 std::vector<PairOfFiles> pairs_in(const std::string& folder) {
     std::vector<std::filesystem::path> files;
     for (const auto& entry : std::filesystem::directory_iterator(folder))
-        if (entry.is_regular_file())
+        if (is_file(entry))
             files.push_back(entry.path());
     std::ranges::sort(files);
     std::vector<PairOfFiles> pairs;

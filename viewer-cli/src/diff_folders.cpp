@@ -26,7 +26,7 @@ constexpr std::array<std::string_view, 7> endings{".json", ".jsonl", ".png", ".p
                                                   ".pgm",  ".pbm",   ".tga"};
 
 /// The files in a folder and its folders, as paths from it, by name; none whose name, or whose folder's, begins with a
-/// dot. Throws a Problem.
+/// dot. Links that lead to nothing are among them: who opens them says so. Throws a Problem.
 std::vector<std::string> files_below(const std::string& folder) {
     std::vector<std::string> names;
     std::error_code error;
@@ -34,7 +34,7 @@ std::vector<std::string> files_below(const std::string& folder) {
          !error && entry != end; entry.increment(error)) {
         if (entry->path().filename().string().starts_with('.'))
             entry.disable_recursion_pending();
-        else if (entry->is_regular_file())
+        else if (std::error_code of_link; entry->is_regular_file(of_link) || of_link)
             names.push_back(entry->path().lexically_relative(folder).generic_string());
     }
     if (error) {

@@ -15,23 +15,9 @@ namespace rastertrace {
 
 namespace {
 
-/// JSON of a trace, with what a terminal obeys, or nobody sees, escaped; it stands in strings only. null where there
-/// is none.
+/// JSON of a trace; null where there is none.
 std::string value_json(const std::string& value) {
-    std::string text;
-    for (std::string_view rest = value; !rest.empty();) {
-        const CodePoint character = first_code_point(rest);
-        const bool is_shown = character.value != not_a_character && !is_unsafe(character.value) &&
-                              !is_invisible(character.value);
-        if (is_shown) {
-            text += rest.substr(0, character.length);
-        } else {
-            const std::string quoted = json_quoted(rest.substr(0, character.length));
-            text += quoted.substr(1, quoted.size() - 2);
-        }
-        rest.remove_prefix(character.length);
-    }
-    return text.empty() ? "null" : text;
+    return value.empty() ? "null" : json_printable(value);
 }
 
 std::string field_json(const FieldDifference& field) {

@@ -27,7 +27,7 @@ namespace {
 std::vector<std::string> names_of_examples(const std::filesystem::path& folder) {
     std::vector<std::string> names;
     for (const auto& entry : std::filesystem::recursive_directory_iterator(folder))
-        if (entry.is_regular_file())
+        if (is_file(entry))
             names.push_back(entry.path().lexically_relative(folder).generic_string());
     std::ranges::sort(names);
     return names;
