@@ -33,6 +33,7 @@ public:
                static_cast<std::int64_t>(engine_() % static_cast<std::uint64_t>(high - low + 1));
     }
     bool chance(int of) { return whole(1, of) == 1; }
+    std::int64_t sign() { return 2 * whole(0, 1) - 1; }
 
 private:
     std::mt19937_64 engine_;
@@ -40,7 +41,8 @@ private:
 
 class RandomFuzzScene {
 public:
-    RandomFuzzScene(std::uint64_t seed, const FuzzChoice& choice) : random_(seed) {
+    RandomFuzzScene(std::uint64_t seed, const FuzzChoice& choice)
+        : random_(seed), has_near_tie_(choice.has_near_ties && seed % 8 == 0) {
         scene_.kind = choice.kinds[index_below(choice.kinds.size())];
         scene_.method = choice.method;
         scene_.width = side(choice.largest_canvas);
@@ -53,6 +55,9 @@ public:
             add(scene_.kind == FuzzKind::lines ? line() : triangle());
         if (scene_.kind != FuzzKind::lines && random_.chance(3))
             add_neighbor();
+        const bool is_long = scene_.kind == FuzzKind::lines; // and so is its trace
+        if (has_near_tie_ && scene_.kind != FuzzKind::clip && (!is_long || random_.chance(4)))
+            add(is_long ? long_line() : near_tie());
         return std::move(scene_);
     }
 
@@ -159,7 +164,46 @@ private:
         add({corners[1], corners[0], vertex()});
     }
 
+    /// A line from a pixel of the canvas, so long that Bresenham's d leaves 16 bits at the first diagonal step.
+    std::vector<FuzzVertex> long_line() {
+        const std::size_t major = index_below(2);
+        FuzzVertex begin{0, 0, 0, fuzz_unit};
+        for (std::size_t axis = 0; axis < 2; ++axis)
+            begin[axis] = random_.whole(0, std::min(scene_.width, scene_.height) - 1) * fuzz_unit;
+        const std::int64_t minor = random_.whole(500, 3000);
+        FuzzVertex end = begin;
+        end[major] += random_.sign() * (minor + random_.whole(20'000, 20'500)) * fuzz_unit;
+        end[1 - major] += random_.sign() * minor * fuzz_unit;
+        return {begin, end};
+    }
+
+    /// A triangle whose edge, longer than the canvas or than 2,000 pixels, passes a sample as near as the grid of 1/256
+    /// pixel allows: there its edge function is 1/65536 or -1/65536.
+    std::vector<FuzzVertex> near_tie() {
+        const std::int64_t longest = random_.chance(2) ? 2000 : scene_.width;
+        // Euclid's algorithm backwards: along x to_sample stays 1 or -1.
+        std::array<std::int64_t, 2> along{1, 0};
+        std::array<std::int64_t, 2> to_sample{0, 1};
+        while (std::max(along[0], along[1]) < 256 * longest) {
+            const std::int64_t times = random_.whole(1, 4);
+            for (std::size_t axis = 0; axis < 2; ++axis)
+                to_sample[axis] += times * along[axis];
+            std::swap(along, to_sample);
+        }
+        std::vector<FuzzVertex> corners(3, {0, 0, random_.whole(1, 9) * fuzz_unit, fuzz_unit});
+        const std::array sides{scene_.width, scene_.height};
+        for (std::size_t axis = 0; axis < 2; ++axis) {
+            const std::int64_t sample = random_.whole(0, sides[axis] - 1) * fuzz_unit + half;
+            const std::int64_t grid = random_.sign() * fuzz_unit / 256;
+            corners[0][axis] = sample - grid * to_sample[axis];
+            corners[1][axis] = corners[0][axis] + grid * along[axis];
+            corners[2][axis] = sample + random_.whole(-longest, longest) * fuzz_unit;
+        }
+        return corners;
+    }
+
     Choices random_;
+    bool has_near_tie_;
     FuzzScene scene_;
 };
 
@@ -255,7 +299,7 @@ std::string triangles_text(const FuzzScene& scene) {
         text += fmt::format("{} {}", word, primitive.name);
         for (const FuzzVertex& vertex : primitive.vertices)
             text += " " + coordinates(vertex, is_clip ? 4 : 3, " ");
-        text += "\n";
+        text += fmt::format(" {}\n", to_text(primitive.color));
     }
     return text;
 }

@@ -154,16 +154,18 @@ private:
         bool is_simpler = false;
         for (const FuzzVertex& vertex : vertices()) {
             FuzzVertex at = vertex;
-            for (std::size_t axis = 0; axis < at.size(); ++axis)
-                for (const std::int64_t number : simpler_numbers(at[axis])) {
+            for (std::size_t axis = 0; axis < at.size(); ++axis) {
+                const std::int64_t simplest = axis == 3 ? fuzz_unit : 0; // a w is simple at 1
+                for (const std::int64_t number : simpler_numbers(at[axis] - simplest)) {
                     FuzzVertex other = at;
-                    other[axis] = number;
+                    other[axis] = number + simplest;
                     if (!takes(with(at, other)))
                         continue;
                     at = other;
                     is_simpler = true;
                     break;
                 }
+            }
         }
         return is_simpler;
     }
