@@ -62,6 +62,7 @@ int main(int count, char** arguments) {
     while (fscanf(scene, "%7s %31s", word, name) == 2) {
         struct point v[3];
         double at[6];
+        unsigned color;
         for (int i = 0; i < 3; ++i) {
             if (fscanf(scene, "%lf %lf %lf", &v[i].x, &v[i].y, &v[i].z) != 3)
                 return 2;
@@ -70,6 +71,8 @@ int main(int count, char** arguments) {
         }
         rt_primitive(&trace, "triangle", name);
         rt_rows(&trace, "at", at, 3, 2);
+        if (fscanf(scene, " #%6x", &color) == 1)
+            rt_color(&trace, (int)(color >> 16), (int)(color >> 8 & 255), (int)(color & 255), 255);
         fill(&trace, v, width, height);
     }
     fclose(scene);

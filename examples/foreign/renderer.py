@@ -38,7 +38,7 @@ def main():
     width, height = int(lines[0][1]), int(lines[0][2])
     trace = Trace(sys.argv[2], width, height, "top-left", {"method": {"fill": "top-left", "sample": "center"}})
     for _, name, *numbers in lines[1:]:
-        at = [float(number) for number in numbers]
+        at = [float(number) for number in numbers[:9]]  # behind them is a color
         corners = [at[0:2], at[3:5], at[6:8]]
         trace.step("primitive", {"kind": "triangle", "name": name, "at": corners})
         fill(trace, corners, width, height)

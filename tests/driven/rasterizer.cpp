@@ -2,9 +2,10 @@
 // A rasterizer that `rastertrace fuzz` drives: triangles by edge functions with the top-left rule, samples in pixel
 // centers, depths linear on the screen; lines by Bresenham's algorithm; all in whole numbers. It reads the text that
 // {triangles} stands for, and prints its trace. With a number, it has the mistake of that number; with `depth`, it has
-// a depth buffer.
+// a depth buffer; with `rgb`, it prints a picture instead, with `bgr` one whose channels are exchanged, with `white` one
+// without the colors of the scene.
 //
-//     rasterizer scene.txt 16 depth
+//     rasterizer scene.txt 16 depth rgb
 
 #include <algorithm>
 #include <array>
@@ -29,6 +30,11 @@ int width = 0;
 int height = 0;
 int steps = 0;
 
+/// The picture, if it is asked for: its kind, and the colors of its pixels.
+std::string picture_kind;
+std::vector<unsigned> picture;
+unsigned color = 0;
+
 using Vertex = std::array<std::int64_t, 3>;
 
 /// The depth of a pixel, a fraction: `above` / `below`.
@@ -45,18 +51,33 @@ std::int64_t floor_of(std::int64_t value) {
 void plot(std::int64_t x, std::int64_t y) {
     if (x < 0 || y < 0 || x >= width || y >= height)
         return;
+    if (!picture_kind.empty()) {
+        picture[static_cast<std::size_t>(y * width + x)] = color;
+        return;
+    }
     std::printf("{\"step\":\"pixel\",\"x\":%d,\"y\":%d}\n", static_cast<int>(x),
                 static_cast<int>(y));
     ++steps;
 }
 
 void begin(const char* kind, const std::string& name) {
+    if (!picture_kind.empty())
+        return;
     std::printf("{\"step\":\"primitive\",\"kind\":\"%s\",\"name\":\"%s\"}\n", kind, name.c_str());
     ++steps;
 }
 
+/// The same in floats.
+float float_area(const Vertex& a, const Vertex& b, const Vertex& c) {
+    const auto in = [](std::int64_t value) { return static_cast<float>(value) / one; };
+    return (in(b[0]) - in(a[0])) * (in(c[1]) - in(a[1])) -
+           (in(b[1]) - in(a[1])) * (in(c[0]) - in(a[0]));
+}
+
 /// Twice the area of a triangle, positive if it runs clockwise where y points down.
 std::int64_t area(const Vertex& a, const Vertex& b, const Vertex& c) {
+    if (mistake == 21)
+        return static_cast<std::int64_t>(float_area(a, b, c) * one * one);
     return (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
 }
 
@@ -158,14 +179,18 @@ void draw_line(const Vertex& a, const Vertex& b) {
     const bool is_x_major = dx >= dy;
     const std::int64_t major = std::max(dx, dy);
     const std::int64_t minor = std::min(dx, dy);
-    std::int64_t d = 2 * minor - major;
+    // What does not fit into 16 bits is cut.
+    const auto kept = [](std::int64_t value) {
+        return mistake == 22 ? static_cast<std::int16_t>(value) : value;
+    };
+    std::int64_t d = kept(2 * minor - major);
     for (std::int64_t i = 0; i <= major; ++i) {
         plot(x, y);
         const bool is_diagonal = mistake == 20 ? d >= 0 : d > 0; // a tie goes diagonally
         (is_x_major ? x : y) += is_x_major ? step_x : step_y;
         if (is_diagonal)
             (is_x_major ? y : x) += is_x_major ? step_y : step_x;
-        d += 2 * minor - (is_diagonal ? 2 * major : 0);
+        d = kept(d + kept(2 * minor) - (is_diagonal ? kept(2 * major) : 0));
     }
 }
 
@@ -175,7 +200,8 @@ int main(int count, char** arguments) {
     if (count < 2)
         return 2;
     mistake = count > 2 ? std::atoi(arguments[2]) : 0;
-    const bool has_depth = count > 3;
+    const bool has_depth = count > 3 && std::string(arguments[3]) == "depth";
+    picture_kind = count > 4 ? arguments[4] : "";
     std::ifstream file(arguments[1]);
     std::string line;
     while (std::getline(file, line)) {
@@ -186,6 +212,9 @@ int main(int count, char** arguments) {
         if (word == "canvas") {
             words >> width >> height;
             depths.resize(static_cast<std::size_t>(width * height));
+            picture.resize(depths.size());
+            if (!picture_kind.empty())
+                continue;
             std::printf("{\"rastertrace\":1,\"canvas\":{\"width\":%d,\"height\":%d,\"origin\":"
                         "\"top-left\"}}\n",
                         width, height);
@@ -199,11 +228,23 @@ int main(int count, char** arguments) {
                 vertices.emplace_back();
             vertices.back()[i % 3] = std::llround(number * one);
         }
+        color = static_cast<unsigned>(
+            std::strtoul(line.substr(line.rfind('#') + 1).c_str(), nullptr, 16));
+        if (picture_kind == "white")
+            color = 0xFFFFFF;
+        if (picture_kind == "bgr")
+            color = (color & 255) << 16 | (color & 0xFF00) | color >> 16;
         begin(word == "tri" ? "triangle" : "line", name);
         if (word == "tri")
             fill({vertices[0], vertices[1], vertices[2]}, has_depth);
         else
             draw_line(vertices[0], vertices[1]);
+    }
+    if (!picture_kind.empty()) {
+        std::printf("P3 %d %d 255\n", width, height);
+        for (const unsigned pixel : picture)
+            std::printf("%u %u %u\n", pixel >> 16, pixel >> 8 & 255, pixel & 255);
+        return 0;
     }
     std::printf("{\"end\":{\"steps\":%d}}\n", steps);
 }

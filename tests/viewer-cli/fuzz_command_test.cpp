@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// `rastertrace fuzz` drives tests/driven/rasterizer.cpp, which is right, or has one of twenty mistakes.
+// `rastertrace fuzz` drives tests/driven/rasterizer.cpp, which is right, or has one of 22 mistakes.
 
 #include "effort.h"
 #include "program.h"
@@ -9,6 +9,7 @@
 #include <array>
 #include <regex>
 #include <string>
+#include <tuple>
 #include <utility>
 
 namespace rastertrace {
@@ -76,7 +77,9 @@ TEST_F(FuzzTest, ARasterizerWithoutMistakesPasses) {
             fuzz(fmt::format("--runs {} --kinds {}{}", random_cases(700), kind,
                              kind == "depth" ? " --depth linear-z" : ""),
                  kind == "depth" ? "{triangles} 0 depth" : "{triangles}"),
-            Prints(fmt::format("{0} runs, seeds 1 to {0}: no difference\n", random_cases(700))));
+            Prints(fmt::format("{0} runs, seeds 1 to {0}: no difference\ncompared: only the fields "
+                               "that both traces have, of pixel, primitive\n",
+                               random_cases(700))));
     EXPECT_EQ(visible_files(), 0U);
 }
 
@@ -117,6 +120,80 @@ TEST_F(FuzzTest, PicturesWithColorsAndTheOptionsOfTheTest) {
     EXPECT_THAT(fuzz("--only pixel --tolerance 2ulp -o found", "{triangles} 3"), Ends(1));
     EXPECT_THAT(shell("cat found/*.sh").out, HasSubstr("--only pixel"));
     EXPECT_THAT(shell("cat found/*.sh").out, HasSubstr("--tolerance 2ulp"));
+}
+
+// What a child leaves is opened without waiting; its time counts wherever it is waited for.
+TEST_F(FuzzTest, AChildCannotLetItWaitForEver) {
+    const auto told = [&](const std::string& script) {
+        return run("fuzz --runs 1 --shrink 0 --time 1 -- sh -c '" + script + "' {triangles} {out}")
+            .out;
+    };
+    EXPECT_THAT(told("mkfifo $1"),
+                HasSubstr("its {out}: expected a file, found a pipe or a device"));
+    EXPECT_THAT(told("ln -s /dev/zero $1"),
+                HasSubstr("its {out}: expected a file, found a pipe or"));
+    EXPECT_THAT(told("mkdir -p $1/a; chmod 0 $1"),
+                HasSubstr("its {out}: expected a file, found a folder"));
+    EXPECT_THAT(told("true"), HasSubstr("it has not written its {out}"));
+    EXPECT_THAT(told("exec >&- 2>&-; sleep 1000"), HasSubstr("hangs\nnot done after 1 s"));
+    EXPECT_THAT(told("trap \"\" TERM; sleep 1000 & sleep 1000"), HasSubstr("hangs"));
+    EXPECT_THAT(told("sleep 987 >/dev/null 2>&1 & true"), HasSubstr("it has not written"));
+    EXPECT_EQ(shell("pgrep -fx 'sleep 987'").out, "") << "it was in the child's group";
+}
+
+TEST_F(FuzzTest, ASignalEndsTheWholeGroupAndLeavesNothing) {
+    shell("mkdir temporary");
+    for (const std::string signal :
+         {"INT", "TERM", "HUP", "QUIT", "ABRT", "ALRM", "USR1", "PIPE", "XCPU"}) {
+        const Outcome told = shell(
+            "export TMPDIR=$PWD/temporary; ulimit -c 0; mkfifo begun; "
+            "env --default-signal=" +
+            signal +
+            " $rastertrace fuzz --jobs 3 -- sh -c "
+            "'sleep 976 & mkfifo $1; echo >begun; sleep 976' {triangles} {out} & "
+            "read line <begun; kill -" +
+            signal +
+            " $!; wait $!; echo $?; rm begun; ls temporary; sleep 0.2; pgrep -fx 'sleep 976'");
+        EXPECT_EQ(told.out, shell("sh -c 'ulimit -c 0; kill -" + signal + " $$'; echo $?").out)
+            << signal;
+        shell("rm -rf temporary/* fuzz");
+    }
+}
+
+// Of pictures, too, colors are compared, and with them which triangle is in front; what is not compared is said.
+TEST_F(FuzzTest, PicturesOfTrianglesAreComparedWithTheirColors) {
+    const auto with = [&](const std::string& how, const std::string& options = "--depth linear-z") {
+        return fuzz("--runs 300 --kinds depth --shrink 100 " + options, "{triangles} " + how);
+    };
+    EXPECT_THAT(with("0 depth rgb"), Prints("300 runs, seeds 1 to 300: no difference\n"));
+    const Outcome exchanged = with("0 depth bgr");
+    EXPECT_THAT(exchanged, Ends(1, HasSubstr("drawn in another color")));
+    const Outcome without_test = with("0 none rgb");
+    EXPECT_THAT(without_test, Ends(1, HasSubstr("drawn in another color")));
+    EXPECT_THAT(
+        with("0 none white"),
+        Prints("300 runs, seeds 1 to 300: no difference\n"
+               "compared: what is drawn, without colors\n"
+               "its pictures have one color for all primitives: which of them is in front was "
+               "not compared\n"));
+}
+
+// Numbers that are too short fail: floats beside long edges, 16 bits along long lines.
+TEST_F(FuzzTest, ReachesWhatNumbersThatAreTooShortGetWrong) {
+    for (const auto& [kind, number, type] :
+         {std::tuple("2d", 21, "floats"), {"lines", 22, "16 bits"}}) {
+        const Outcome told = fuzz(fmt::format("--runs 1000 --shrink 0 --kinds {}", kind),
+                                  fmt::format("{{triangles}} {}", number));
+        EXPECT_THAT(told, Ends(1, HasSubstr("decides otherwise"))) << type;
+    }
+}
+
+// A tie of depths is no mistake of a renderer whose numbers round: 16 lets the later of two equal depths win.
+TEST_F(FuzzTest, ATieOfDepthsIsToldAsOne) {
+    const Outcome told = fuzz("--runs 1000 --kinds depth --depth linear-z", "{triangles} 16 depth");
+    EXPECT_THAT(told, Ends(1, HasSubstr("decides otherwise, where two depths are equal: a tie")));
+    EXPECT_THAT(fuzz("--runs 1000 --kinds depth --depth linear-z", "{triangles} 15 depth").out,
+                Not(HasSubstr("a tie")));
 }
 
 // Scenes in every text, of every kind: ours is a program that agrees with us.

@@ -4,6 +4,7 @@
 #include <rastertrace/core/draw/plan/stages.h>
 #include <rastertrace/core/numbers/number.h>
 #include <rastertrace/trace/text/byte_order_mark.h>
+#include <rastertrace/trace/text/color_text.h>
 #include <rastertrace/trace/text/text.h>
 
 #include <fmt/core.h>
@@ -36,11 +37,16 @@ using WordsOfLine = std::vector<Word>;
 void take_line(std::string_view text, std::size_t& offset, WordsOfLine& words) {
     const std::size_t end = std::min(text.find('\n', offset), text.size());
     std::string_view line = text.substr(offset, end - offset);
-    line = line.substr(0, line.find('#'));
     words.clear();
     for (std::size_t at = line.find_first_not_of(blanks); at != std::string_view::npos;) {
         const std::size_t behind = std::min(line.find_first_of(blanks, at), line.size());
-        words.push_back({line.substr(at, behind - at), offset + at});
+        const std::string_view word = line.substr(at, behind - at);
+        const bool is_color = word.starts_with('#') && word.size() == 7 && parse_color(word);
+        const std::size_t comment = is_color ? word.size() : std::min(word.find('#'), word.size());
+        if (comment > 0)
+            words.push_back({word.substr(0, comment), offset + at});
+        if (comment < word.size())
+            break;
         at = line.find_first_not_of(blanks, behind);
     }
     offset = end + 1;
@@ -85,20 +91,24 @@ private:
         if (row == rows.end())
             refuse_statement(words.front());
         const std::size_t numbers = row->vertices * row->coordinates;
-        if (words.size() != 2 + numbers)
+        const bool has_color = words.back().text.starts_with('#');
+        if (words.size() - (has_color ? 1 : 0) != 2 + numbers)
             fail(words.front().offset,
                  fmt::format("expected a name and {} numbers behind {}, found {}", numbers, name,
                              counted(words.size() - 1, "word")));
         std::vector<std::string> names;
-        for (std::size_t i = 2; i < words.size(); i += row->coordinates) {
+        for (std::size_t i = 2; i < 2 + numbers; i += row->coordinates) {
             std::vector<std::string> at;
             for (std::size_t axis = 0; axis < row->coordinates; ++axis)
                 at.push_back(typed_number(words[i + axis]));
             names.push_back(json_quoted(fmt::format("P{}", vertices_.size() + 1)));
             vertices_.push_back(fmt::format("{}: [{}]", names.back(), joined(at, ", ")));
         }
-        lists_[row->list].push_back(fmt::format(R"({{"vertices": [{}], "name": {}}})",
-                                                joined(names, ", "), json_quoted(words[1].text)));
+        const std::string color =
+            has_color ? fmt::format(R"(, "color": "{}")", words.back().text) : "";
+        lists_[row->list].push_back(fmt::format(R"({{"vertices": [{}], "name": {}{}}})",
+                                                joined(names, ", "), json_quoted(words[1].text),
+                                                color));
     }
 
     void set_canvas(const WordsOfLine& words) {

@@ -117,7 +117,7 @@ Result<Source> read_source_or_claims(const std::string& path, const InputLimits&
 }
 
 Result<Source> read_bytes(const std::string& path, const InputLimits& limits) {
-    return read_path(path, InputFile::Kind::any, {InputCheck::Kind::bytes, limits});
+    return read_path(path, InputFile::Kind::regular_file, {InputCheck::Kind::bytes, limits});
 }
 
 Result<Source> read_named_file(const std::string& path, const InputLimits& limits) {

@@ -29,7 +29,7 @@ Result<Source> read_source(const std::string& path, const InputLimits& limits);
 /// The same for a command that takes claims too, which need not be JSON.
 Result<Source> read_source_or_claims(const std::string& path, const InputLimits& limits);
 
-/// Reads a file of any bytes, such as a picture; "-" is standard input.
+/// Reads a file of any bytes, such as a picture, without waiting: no standard input, no pipe and no device.
 Result<Source> read_bytes(const std::string& path, const InputLimits& limits);
 
 /// Reads a file of any text, such as one that another file names: no standard input, no pipe and no

@@ -10,6 +10,7 @@
 #include <rastertrace/trace/record/write_trace.h>
 #include <rastertrace/trace/scene/scene_file.h>
 #include <rastertrace/trace/text/input.h>
+#include <rastertrace/trace/text/input_file.h>
 #include <rastertrace/trace/text/text.h>
 #include <rastertrace/trace/text/trace_layout.h>
 
@@ -17,6 +18,8 @@
 
 #include <algorithm>
 #include <array>
+#include <cerrno>
+#include <fstream>
 #include <utility>
 
 namespace rastertrace {
@@ -76,16 +79,39 @@ std::string first_line_of(const TraceDiff& found) {
 
 } // namespace
 
+namespace {
+
+/// True if the pictures differ only where the reference has held two equal depths against each other.
+bool are_ties(const TraceDiff& found, const Trace& reference) {
+    if (!found.picture || found.picture->pixels.empty())
+        return false;
+    const auto is_tie = [&reference](const PixelDifference& one) {
+        for (std::size_t n = 1; n <= reference.size(); ++n)
+            if (const auto step = reference.step(n); step.kind() == StepKind::depth)
+                if (const auto test = step.as<DepthStep>(); test.x == one.pixel.x &&
+                                                            test.y == one.pixel.y &&
+                                                            test.depth.text() == test.stored.text())
+                    return true;
+        return false;
+    };
+    return std::ranges::all_of(found.picture->pixels, is_tie);
+}
+
+} // namespace
+
 std::string_view words_of(DrivenFinding::Kind kind) {
-    constexpr std::array<std::string_view, 4> words{"decides otherwise", "does not end well",
-                                                    "hangs", "gives no answer"};
+    constexpr std::array<std::string_view, 5> words{
+        "decides otherwise",
+        "decides otherwise, where two depths are equal: a tie, which a right renderer may decide "
+        "either way if its numbers round",
+        "does not end well", "hangs", "gives no answer"};
     return words[static_cast<std::size_t>(kind)];
 }
 
 DrivenProgram::DrivenProgram(std::vector<std::string> words, const ComparisonOptions& comparison,
                              std::chrono::seconds time)
-    : words_(std::move(words)), options_(comparison.options()),
-      asked_background_(comparison.background()), time_(time) {
+    : words_(std::move(words)), options_(comparison.options()), time_(time),
+      background_(comparison.background()) {
     const auto has = [this](std::string_view placeholder) {
         return std::ranges::any_of(words_, [placeholder](const std::string& word) {
             return word.find(placeholder) != std::string::npos;
@@ -104,6 +130,8 @@ DrivenProgram::DrivenProgram(std::vector<std::string> words, const ComparisonOpt
             "fuzz: expected a program behind --, with {scene} or {triangles} among its arguments",
             "like: rastertrace fuzz -- ./mine {scene}");
     has_out_ = has(out_placeholder);
+    for (const std::string& word : words_) // what runs is not overwritten
+        (void)InputFile::open(word, InputFile::Kind::regular_file);
     // A foreign rasterizer tells what it likes to, in the order in which it draws.
     options_.compares_common = true;
     options_.compares_order = false;
@@ -140,54 +168,59 @@ std::vector<std::string> DrivenProgram::words_for(const std::string& scene,
     return words;
 }
 
-/// Runs the program on a scene; `answer` gets what it answers, "" if it has not written its {out}.
-FinishedRun DrivenProgram::run(const FuzzScene& scene, std::string& answer) const {
+DrivenProgram::Answer DrivenProgram::run(const FuzzScene& scene) const {
     const TemporaryFolder folder("rastertrace-fuzz");
     const std::filesystem::path file = folder.path() / fmt::format("scene{}", ending());
     const std::string out = (folder.path() / "out").string();
-    write_file(file.string(), scene_text(scene));
+    // Not where outputs of a page that is checked go: the program reads it.
+    if (!(std::ofstream(file, std::ios::binary) << scene_text(scene) << std::flush))
+        throw problem_of_system(file.string(), "could not be written", errno);
     std::vector<std::string> words = words_for(file.string(), out);
-    FinishedRun finished = run_program({.path = words.front(),
-                                        .words = words,
-                                        .environment = own_environment(),
-                                        .most_output = InputLimits{}.bytes,
-                                        .time = time_,
-                                        .has_own_group = true});
-    answer = finished.out;
-    if (has_out_) {
-        const auto source = read_bytes(out, {});
-        answer = source ? std::string(source.value().view()) : "";
-    }
-    return finished;
+    Answer answer{.run = run_program({.path = words.front(),
+                                      .words = words,
+                                      .environment = own_environment(),
+                                      .most_output = InputLimits{}.bytes,
+                                      .time = time_,
+                                      .has_own_group = true})};
+    std::error_code error;
+    if (!has_out_)
+        answer.bytes = Source{"its answer", std::move(answer.run.out), {}};
+    else if (std::filesystem::exists(out, error))
+        answer.bytes = read_bytes(out, {});
+    return answer;
 }
 
-std::optional<Color> DrivenProgram::background() const {
-    if (asked_background_)
-        return asked_background_;
-    std::call_once(has_run_probe_, [this] {
-        constexpr std::int64_t near = fuzz_unit;
-        constexpr std::int64_t far = 3 * fuzz_unit;
-        const FuzzScene probe{.width = 8,
-                              .height = 8,
-                              .primitives = {{.name = "T1",
-                                              .vertices = {{near, near, near, fuzz_unit},
-                                                           {far, near, near, fuzz_unit},
-                                                           {near, far, near, fuzz_unit}},
-                                              .color = Color(230, 25, 75)}}};
-        std::string answer;
-        run(probe, answer);
-        const auto picture = read_picture({"its answer", std::move(answer), {}});
-        if (picture && picture.value().has_colors)
-            found_background_ =
-                most_frequent({picture.value().pixels.begin(), picture.value().pixels.end()});
-    });
-    return found_background_;
+void DrivenProgram::learn_colors(FuzzKind kind) const {
+    FuzzScene probe{.kind = kind, .width = 16, .height = 16};
+    const std::int64_t w = kind == FuzzKind::clip ? 8 : 1; // in the view
+    for (const std::int64_t at : {1, 5}) {
+        const auto vertex = [w](std::int64_t x, std::int64_t y) {
+            return FuzzVertex{x * fuzz_unit, y * fuzz_unit, fuzz_unit, w * fuzz_unit};
+        };
+        probe.primitives.push_back(
+            {.name = fmt::format("T{}", at),
+             .vertices = {vertex(at, at), vertex(at + 2, at), vertex(at, at + 2)},
+             .color = at == 1 ? Color(230, 25, 75) : Color(60, 180, 75)});
+        if (kind == FuzzKind::lines)
+            probe.primitives.back().vertices.pop_back();
+    }
+    const auto bytes = run(probe).bytes;
+    const auto picture = bytes ? read_picture(bytes.value()) : bytes.problem();
+    if (!picture || !picture.value().has_colors)
+        return;
+    std::vector<Color> pixels(picture.value().pixels.begin(), picture.value().pixels.end());
+    const Color most = most_frequent(pixels);
+    if (!background_)
+        background_ = most;
+    std::erase(pixels, most);
+    takes_colors_ =
+        pixels.empty() || std::ranges::count(pixels, pixels.front()) != std::ssize(pixels);
 }
 
 std::optional<DrivenFinding> DrivenProgram::difference(const FuzzScene& scene,
                                                        const std::string& reference) const {
-    std::string answer;
-    const FinishedRun finished = run(scene, answer);
+    Answer answer = run(scene);
+    const FinishedRun& finished = answer.run;
     using Kind = DrivenFinding::Kind;
     if (finished.is_too_long)
         return DrivenFinding{Kind::hangs, "", fmt::format("not done after {} s", time_.count())};
@@ -195,45 +228,66 @@ std::optional<DrivenFinding> DrivenProgram::difference(const FuzzScene& scene,
         return DrivenFinding{Kind::no_answer, "", "it prints without end"};
     if (finished.exit_status != 0)
         return DrivenFinding{Kind::crashes, printable(finished.err), ending_of(finished)};
-    if (has_out_ && answer.empty())
+    if (!answer.bytes)
+        return DrivenFinding{Kind::no_answer, "", "its {out}: " + answer.bytes.problem().message};
+    Source& theirs = answer.bytes.value();
+    if (has_out_ && theirs.view().empty())
         return DrivenFinding{Kind::no_answer, "", "it has not written its {out}"};
-    return compared(reference, std::move(answer));
+    theirs.name = "its answer";
+    return compared(reference, std::move(theirs), scene.kind);
 }
 
 std::string DrivenProgram::ignored() const {
-    const std::string ignored = "header,end,primitive.name,primitive.vertices";
-    return text_for(placeholder_).write != triangles_text
-               ? ignored
-               : ignored + ",primitive.color,pixel.color,vertex,edge,scanline.left_edge,"
-                           "scanline.right_edge,depth.side_of,depth.beside,depth.behind";
+    std::string ignored = "header,end,primitive.name,primitive.vertices";
+    if (text_for(placeholder_).write == triangles_text)
+        ignored += ",vertex,edge,scanline.left_edge,scanline.right_edge,depth.side_of,depth.beside,"
+                   "depth.behind";
+    return takes_colors_ ? ignored : ignored + ",primitive.color,pixel.color";
 }
 
-std::optional<DrivenFinding> DrivenProgram::compared(const std::string& reference,
-                                                     std::string answer) const {
+std::string DrivenProgram::remarks() const {
+    std::string text = remark_.empty() ? "" : remark_ + "\n";
+    if (!takes_colors_)
+        text += "its pictures have one color for all primitives: which of them is in front was not "
+                "compared\n";
+    return text;
+}
+
+std::optional<DrivenFinding> DrivenProgram::compared(const std::string& reference, Source theirs,
+                                                     FuzzKind kind) const {
     using Kind = DrivenFinding::Kind;
     try {
         const TraceText expected(Source{"reference", reference, {}});
-        Source theirs{"its answer", std::move(answer), {}};
         TraceDiff found;
-        if (is_trace(theirs)) {
+        const bool is_trace_answer = is_trace(theirs);
+        if (is_trace_answer) {
             found = diff(expected, TraceText(std::move(theirs)), options_);
         } else if (picture_format(theirs)) {
             PictureDiffOptions how = picture_options(options_);
             how.name = theirs.name;
-            how.background = background();
+            std::call_once(has_learnt_colors_, [&] { learn_colors(kind); });
+            how.background = background_;
+            how.compares_colors = how.compares_colors && takes_colors_;
             found = diff_with_picture(expected, value_or_throw(read_picture(theirs)), how);
-            if (!found.is_same) // why our drawing has that pixel, or has not
-                found.explanation = explanation_of_first_pixel(
-                    found, value_or_throw(read_trace({"reference", reference, {}})));
         } else {
             return DrivenFinding{Kind::no_answer, "",
                                  "expected a trace or a picture, found neither"};
         }
         if (!found.damage.empty())
             return DrivenFinding{Kind::no_answer, "", to_text(found.damage.front())};
-        if (found.is_same)
+        if (found.is_same) {
+            const std::scoped_lock lock(mutex_);
+            for (const std::string& one : found.remarks)
+                if (one.starts_with("compared:") &&
+                    std::pair(one.size(), one) > std::pair(remark_.size(), remark_))
+                    remark_ = one;
             return std::nullopt;
-        return DrivenFinding{Kind::differs, diff_text(found), first_line_of(found)};
+        }
+        const Trace drawn = value_or_throw(read_trace({"reference", reference, {}}));
+        if (!is_trace_answer) // why our drawing has that pixel, or has not
+            found.explanation = explanation_of_first_pixel(found, drawn);
+        return DrivenFinding{are_ties(found, drawn) ? Kind::ties : Kind::differs, diff_text(found),
+                             first_line_of(found)};
     } catch (const Problem& problem) {
         return DrivenFinding{Kind::no_answer, "", to_text(problem)};
     }

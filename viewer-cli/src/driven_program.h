@@ -26,7 +26,8 @@ namespace rastertrace {
 /// How a program has failed.
 struct DrivenFinding {
     enum class Kind : std::uint8_t {
-        differs,  ///< it decides otherwise
+        differs, ///< it decides otherwise
+        ties, ///< only where two depths are equal, which numbers that round may decide either way
         crashes,  ///< it ends with a signal, or a status that is not 0
         hangs,    ///< it takes more than its time
         no_answer ///< what it answers is no trace and no picture
@@ -62,26 +63,39 @@ public:
     /// The words, with a file in the place of the scene.
     std::vector<std::string> words_for(const std::string& scene, const std::string& out) const;
 
-    /// What is never compared: what a program calls its primitives; of a text without colors and without names of
-    /// vertices, these, and what is named by vertices.
+    /// What is never compared: what a program calls its primitives; of a text without names of vertices, these, and what
+    /// is named by vertices; colors, if its pictures have one for all primitives.
     std::string ignored() const;
+
+    /// What was compared of the answers that agreed, line by line: of that which told the most.
+    std::string remarks() const;
     bool answers_in_file() const { return has_out_; }
 
 private:
-    std::optional<DrivenFinding> compared(const std::string& reference, std::string answer) const;
+    /// What it has written on standard output or in its {out}, or why that cannot be read.
+    struct Answer {
+        FinishedRun run{};
+        Result<Source> bytes = Source{};
+    };
+    Answer run(const FuzzScene& scene) const;
+    std::optional<DrivenFinding> compared(const std::string& reference, Source answer,
+                                          FuzzKind kind) const;
+
+    /// Learns from its picture of two small primitives which color is not drawn, that of most pixels, and if it takes
+    /// colors from the scene.
+    void learn_colors(FuzzKind kind) const;
 
     std::vector<std::string> words_;
-    /// The color that its pictures have where nothing is drawn: that of most pixels of a scene with one small triangle.
-    std::optional<Color> background() const;
-    FinishedRun run(const FuzzScene& scene, std::string& answer) const;
-
     DiffOptions options_;
-    std::optional<Color> asked_background_;
-    mutable std::once_flag has_run_probe_;
-    mutable std::optional<Color> found_background_;
     std::chrono::seconds time_;
     std::string placeholder_; ///< of the scene
     bool has_out_ = false;
+
+    mutable std::once_flag has_learnt_colors_;
+    mutable std::optional<Color> background_;
+    mutable bool takes_colors_ = true;
+    mutable std::mutex mutex_;
+    mutable std::string remark_;
 };
 
 } // namespace rastertrace

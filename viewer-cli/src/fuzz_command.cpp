@@ -16,6 +16,7 @@
 #include <rastertrace/trace/fuzz/shrink.h>
 #include <rastertrace/trace/text/in_threads.h>
 #include <rastertrace/trace/text/output.h>
+#include <rastertrace/trace/text/process_files.h>
 #include <rastertrace/trace/text/text.h>
 
 #include <fmt/core.h>
@@ -42,7 +43,7 @@ struct FuzzCommand {
     std::size_t jobs = 1;
     std::size_t most_tries = 2000; ///< to shrink what was found
     std::string folder = "fuzz";
-    FuzzChoice choice;
+    FuzzChoice choice{.has_near_ties = true};
     ComparisonOptions comparison;
     std::size_t seconds = 10; ///< that a run may take
 };
@@ -159,8 +160,9 @@ std::vector<std::string> write_findings(const FuzzCommand& command, const Driven
     write(".golden.jsonl", value_or_throw(program.reference(found.scene)));
     write(".sh", test_script(command, program, found, name));
     std::error_code ignored;
-    std::filesystem::permissions(written.back(), std::filesystem::perms::owner_exec,
-                                 std::filesystem::perm_options::add, ignored);
+    if (folder_of_outputs().empty())
+        std::filesystem::permissions(written.back(), std::filesystem::perms::owner_exec,
+                                     std::filesystem::perm_options::add, ignored);
     return written;
 }
 
@@ -196,7 +198,7 @@ ExitStatus drive(const FuzzCommand& command) {
         if (runs.undrawn() > 0)
             text +=
                 fmt::format("{} of them not compared: we do not draw the scene\n", runs.undrawn());
-        print(text);
+        print(text + program.remarks());
         return exit_fine;
     }
     std::size_t tries = 0;
