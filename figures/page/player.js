@@ -23,6 +23,7 @@ function readTrace(data) {
     scanline: ints(),    // the last one of the primitive
     touches: [],         // of each pixel the steps about it
     primitives: [], rejects: [], answers: null,
+    areas: [],           // of a step, if it is about more than a pixel
   };
   for (let i = 0; i < data.primitives.length; i += 7) {
     const [step, name, kind, color, group, corners, names] = data.primitives.slice(i, i + 7);
@@ -51,11 +52,14 @@ function readTrace(data) {
       if (name === "pixel") { trace.over[n] = drawn[at]; drawn[at] = n; }
       if (name === "depth" && data.depths[3 * own] & STORED) { trace.over[n] = stored[at]; stored[at] = n; }
     }
-    if (name === "reject") {
-      const [left, right, top, bottom] = data.rejects.slice(4 * own, 4 * own + 4);
-      if (at < 0 && left <= right && top <= bottom) trace.rejects.push({step: n, left, right, top, bottom});
-    }
   }
+  for (let i = 0; i < data.areas.length; i += 5) {
+    const [n, left, right, top, bottom] = data.areas.slice(i, i + 5);
+    trace.areas[n] = {step: n, left, right, top, bottom};
+    if (kindNames[trace.kind[n]] === "reject") trace.rejects.push(trace.areas[n]);
+  }
+  for (let i = 0; i < data.about.length; i += 2)
+    trace.primitive[data.about[i]] = trace.primitives.findIndex(one => one.step === data.about[i + 1]);
   trace.placeOf = placeOf;
   if (data.answers) trace.answers = findAnswers(data.answers, pixels);
   return trace;
@@ -398,6 +402,10 @@ function drawMarks() {
       marks.push(shape("path", {class: "rejected", d: `M${x - arm} ${y - arm}l${2 * arm} ${2 * arm}m0 ${-2 * arm}l${-2 * arm} ${2 * arm}`}));
     }
     marks.push(shape("rect", {class: "current", ...squareOf(at, layout.cell < 8 ? 2 : 0)}));
+  }
+  if (trace.areas[step]) {
+    const {left, right, top, bottom} = trace.areas[step], {x, y} = squareOf(top * trace.width + left, 0);
+    marks.push(shape("rect", {class: "current", x, y, width: (right - left + 1) * layout.cell, height: (bottom - top + 1) * layout.cell}));
   }
   for (const [pointed, name] of [[hovered, "hovered"], [cursor, "cursor"]]) {
     if (pointed < 0) continue;

@@ -110,8 +110,9 @@ std::optional<Depths> depths_of(const Panel& panel) {
     // What was drawn, as z.
     const auto z_of = [is_inverse](double depth) { return is_inverse ? 1 / depth : depth; };
     Depths depths;
-    const std::size_t scanline = replay.scanline();
-    const bool is_row = panel.is_step() && scanline != 0 && scanline <= panel.frame.steps.first;
+    const std::size_t scanline = panel.subject.row;
+    const bool is_row =
+        panel.is_step() && scanline != 0 && trace.kind_of(scanline) == StepKind::scanline;
     const SampleOffset<Rational> offset = told_samples(trace).triangles;
     const double offset_x = nearest_double(offset.x());
     const double offset_y = nearest_double(offset.y());

@@ -176,7 +176,7 @@ std::vector<std::size_t> primitives_with_edges(const Panel& panel) {
     if (auto sorted = in_painters_order(panel); !sorted.empty())
         return sorted;
     const auto all = panel.replay.primitives();
-    const std::size_t current = panel.replay.primitive();
+    const std::size_t current = panel.primitive();
     if (panel.has_all_edges || current == 0)
         return {all.begin(), all.end()};
     return {current};
@@ -186,11 +186,20 @@ void add_edges(const Panel& panel, std::vector<Shape>& shapes) {
     Lines others{.role = Role::other_edge};
     Lines current{.role = Role::true_edge};
     for_each_part(panel, true, [&](std::size_t primitive, Path&& part) {
-        const bool is_current = primitive == panel.replay.primitive() || !panel.is_step();
+        const bool is_current = primitive == panel.primitive() || !panel.is_step();
         (is_current ? current : others).paths.push_back(std::move(part));
     });
     shapes.push_back(std::move(others));
     shapes.push_back(std::move(current));
+    if (const auto& edge = panel.subject.edge; edge && panel.is_step()) {
+        const Path corners = places_of(panel, panel.primitive());
+        const auto side = corners.empty() ? std::nullopt
+                                          : clipped(corners[(*edge)[0]], corners[(*edge)[1]],
+                                                    panel.lattice.frame());
+        if (side)
+            shapes.push_back(
+                Lines{.role = Role::current_border, .paths = {{side->first, side->second}}});
+    }
     add_painters_order(panel, shapes);
 }
 
@@ -240,7 +249,7 @@ void add_samples(const Panel& panel, std::vector<Shape>& shapes) {
 }
 
 bool has_half_planes(const Panel& panel) {
-    const std::size_t primitive = panel.replay.primitive();
+    const std::size_t primitive = panel.primitive();
     return primitive != 0 &&
            corners_of(panel.trace().step(primitive).as<PrimitiveStep>()).size() == 3;
 }
@@ -248,7 +257,7 @@ bool has_half_planes(const Panel& panel) {
 void add_half_planes(const Panel& panel, std::vector<Shape>& shapes) {
     if (!has_half_planes(panel))
         return;
-    const std::size_t primitive = panel.replay.primitive();
+    const std::size_t primitive = panel.primitive();
     const Path corners = places_of(panel, primitive);
     const auto names = panel.trace().step(primitive).as<PrimitiveStep>().vertices.texts();
     std::vector<Shape> lines; // and their names: no half-plane covers them

@@ -358,6 +358,7 @@ Drawing FigureMaker::figure(std::size_t n) {
         working = working_of(replay_);
     }
     replay_.go_to(panel.frame.is_question ? steps.first - 1 : steps.last);
+    panel.subject = subject_of(replay_, steps.first);
     set_parts(options_, panel);
 
     const FigureParts& parts = panel.parts;

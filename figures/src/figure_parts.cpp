@@ -27,12 +27,14 @@ constexpr std::array parts{
     FigurePartRow{FigurePart::samples, "samples", "the place where each pixel is tested",
                   "for fills that test samples"},
     FigurePartRow{FigurePart::row, "row",
-                  "the row of a scanline, its exact ends, and arrows to the pixels that they are "
-                  "rounded to",
-                  "for a scanline"},
+                  "the rows that the step is about, where the edges meet them, and arrows to the "
+                  "pixels that ends are rounded to",
+                  "for a step of a row"},
     FigurePartRow{FigurePart::pixels, "pixels", "the pixels drawn so far, colored by --view",
                   "always"},
-    FigurePartRow{FigurePart::current, "current", "which of them this step has drawn",
+    FigurePartRow{FigurePart::current, "current",
+                  "which of them this step has drawn, or "
+                  "is about",
                   "for a step"},
     FigurePartRow{FigurePart::rejected, "rejected",
                   "a cross where the step has tested a pixel and not drawn it", "for a step"},

@@ -12,6 +12,10 @@
 //     primitives        step, name, kind, color, group (-1: none), corners, their names and coordinates
 //     step_kinds        of each step its place in kinds; fills: of each step a word for each placeholder
 //     at                of each step the pixel that it is about, counted from the upper left one; -1: none
+//     areas             of each step that is about more than a pixel, or about none of its own: its number, columns and
+//                       rows: from, to, from, to
+//     about             of each step that is not about the primitive that began last: its number, and the step of its own
+//                       primitive; 0: none
 //     marks             of each step that tells something else than its numbers give: its number, and a word that says
 //                       what they give; the key is left out if there is no such step
 //     working           of each step a list of words; null: there are too many steps
@@ -20,7 +24,6 @@
 //     samples           of each sample step 1 if it is inside
 //     rows              of each scanline step: row, x of both ends, columns of both pixels; the ends as words
 //     edges             of each edge step the places of its two corners in its primitive; -1: not known
-//     rejects           of each reject step the columns and rows that it drops: from, to, from, to
 //     space             the picture in space: its width and height, the elements of all steps, and of each step a word for
 //                       what it adds; the key is left out if the scene is not one in space
 //     write_grays       how light a pixel is that was written once, twice, ...
@@ -176,7 +179,8 @@ public:
         put("samples", samples_.text());
         put("rows", rows_.text());
         put("edges", edges_.text());
-        put("rejects", rejects_.text());
+        put("areas", areas_.text());
+        put("about", about_.text());
         put("answers", answers);
         if (in_space_ != nullptr)
             put("space", fmt::format("{{\"width\":{},\"height\":{},\"all\":{},\"steps\":{}}}",
@@ -300,16 +304,21 @@ private:
                 lines.add(word(line));
             working_.add(lines);
         }
-        const StepView step = trace_.step(n);
-        const auto pixel = place_of(step, n);
-        if (pixel)
+        const StepSubject subject = subject_of(replay_, n);
+        if (const auto pixel = pixel_of(trace_, n))
             at_.add(trace_.canvas.offset_of(*pixel));
         else
             at_.add(-1);
+        if (!pixel_of(trace_, n) && subject.pixels && kind != StepKind::scanline)
+            add_area(n, *subject.pixels);
+        if (subject.primitive != replay_.primitive()) {
+            about_.add(n);
+            about_.add(subject.primitive);
+        }
         if (in_space_ != nullptr)
             add_space(kind);
         if (kind)
-            add_what_is_drawn(step, *kind);
+            add_what_is_drawn(trace_.step(n), *kind, subject);
     }
 
     /// In a long trace, pixels have what their primitive has: that is written once.
@@ -337,19 +346,17 @@ private:
         return *replay_of_primitive_;
     }
 
-    /// The pixel that a step is about. That of an `along` is the one that its value is rounded to.
-    std::optional<Pixel> place_of(const StepView& step, std::size_t n) const {
-        if (trace_.kind_of(n) != StepKind::along)
-            return pixel_of(trace_, n);
-        const auto along = step.as<AlongStep>();
-        const Index x = along.x.value_or(along.pixel);
-        const Index y = along.y.value_or(along.pixel);
-        if (!trace_.canvas.contains(x, y))
-            return std::nullopt;
-        return Pixel{static_cast<int>(x), static_cast<int>(y)};
+    void add_area(std::size_t n, const Region& area) {
+        const Canvas& canvas = trace_.canvas;
+        const auto [top, bottom] = std::minmax({canvas.row_of(area.y0), canvas.row_of(area.y1)});
+        areas_.add(n);
+        areas_.add(area.x0 - canvas.left());
+        areas_.add(area.x1 - canvas.left());
+        areas_.add(top);
+        areas_.add(bottom);
     }
 
-    void add_what_is_drawn(const StepView& step, StepKind kind) {
+    void add_what_is_drawn(const StepView& step, StepKind kind, const StepSubject& subject) {
         switch (kind) {
         case StepKind::primitive:
             return add_primitive(step.as<PrimitiveStep>());
@@ -370,16 +377,19 @@ private:
         case StepKind::scanline:
             return add_row(step.as<ScanlineStep>());
         case StepKind::edge:
-            return add_edge(step.as<EdgeStep>().edge.text());
-        case StepKind::reject:
-            return add_reject(step.as<RejectStep>());
+            for (const std::size_t i : {0U, 1U})
+                if (subject.edge)
+                    edges_.add((*subject.edge)[i]);
+                else
+                    edges_.add(-1);
+            return;
         default:
             return;
         }
     }
 
     void add_primitive(const PrimitiveStep& step) {
-        names_ = step.vertices.texts();
+        const auto vertices = step.vertices.texts();
         const auto places = corners_of(step);
         const auto group = group_of_.find(replay_.step());
         primitives_.add(replay_.step());
@@ -398,8 +408,8 @@ private:
         primitives_.add(corners);
         JsonList names;
         const auto at = text_rows(step.at);
-        for (std::size_t i = 0; i < names_.size(); ++i) {
-            names.add(printable_word(names_[i]));
+        for (std::size_t i = 0; i < vertices.size(); ++i) {
+            names.add(printable_word(vertices[i]));
             names.add(i < at.size() && at[i].size() > 1
                           ? printable_word(fmt::format("({}, {})", short_number(at[i][0]),
                                                        short_number(at[i][1])))
@@ -425,40 +435,6 @@ private:
 
     /// A number that JSON readers have.
     static double held(double number) { return std::clamp(number, -farthest, farthest); }
-
-    void add_edge(const std::string& edge) {
-        for (std::size_t i = 0; i < names_.size(); ++i)
-            for (std::size_t j = 0; j < names_.size(); ++j)
-                if (i != j &&
-                    (names_[i] + names_[j] == edge || names_[i] + "-" + names_[j] == edge)) {
-                    edges_.add(i);
-                    edges_.add(j);
-                    return;
-                }
-        edges_.add(-1);
-        edges_.add(-1);
-    }
-
-    /// Pixels, a run of a row, or whole rows. What leads off the canvas along a line is none of them.
-    void add_reject(const RejectStep& reject) {
-        const Canvas& canvas = trace_.canvas;
-        const bool is_of_line = reject.to_x && reject.to_y;
-        if (is_of_line || !reject.y) {
-            for (const int none : {0, -1, 0, -1})
-                rejects_.add(none);
-            return;
-        }
-        const Index y = *reject.y;
-        const Index x = reject.x.value_or(canvas.left());
-        const Index to_x = reject.to_x.value_or(reject.x.value_or(canvas.right()));
-        const auto [left, right] = std::minmax({x - canvas.left(), to_x - canvas.left()});
-        const auto [top, bottom] =
-            std::minmax({canvas.row_of(y), canvas.row_of(reject.to_y.value_or(y))});
-        rejects_.add(std::max<Index>(left, 0));
-        rejects_.add(std::min<Index>(right, canvas.width - 1));
-        rejects_.add(std::max<Index>(top, 0));
-        rejects_.add(std::min<Index>(bottom, canvas.height - 1));
-    }
 
     // --- pixel by pixel
 
@@ -521,10 +497,9 @@ private:
     std::size_t group_count_ = 0;
     std::string heading_;
     std::unordered_map<std::size_t, std::size_t> group_of_;
-    std::vector<std::string> names_; ///< of the current primitive's vertices
     std::unordered_map<std::string, std::size_t> pattern_places_;
     JsonList groups_, primitives_, step_kinds_, fills_, at_, marks_, working_, pixels_, depths_,
-        samples_, rows_, edges_, rejects_, patterns_;
+        samples_, rows_, edges_, areas_, about_, patterns_;
 };
 
 } // namespace

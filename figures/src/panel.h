@@ -10,6 +10,7 @@
 #include <rastertrace/figures/drawing.h>
 #include <rastertrace/figures/face_groups.h>
 #include <rastertrace/figures/figure.h>
+#include <rastertrace/figures/shown_steps.h>
 #include <rastertrace/trace/record/frame.h>
 
 #include <functional>
@@ -32,11 +33,15 @@ struct Panel {
     const Frame* against;       ///< a picture to compare with; nullptr for none
     bool has_all_edges = false; ///< not only those of the current primitive
     bool has_colors = true;     ///< some pixel, or the background, has another color than black
+    StepSubject subject = {};   ///< of the first step of the frame
 
     const Trace& trace() const { return replay.trace(); }
 
     /// True if the frame is about a step: it is not the whole picture, nor a question.
     bool is_step() const { return frame.steps.first != 0 && !frame.is_question; }
+
+    /// The primitive that the frame is about, by its step; 0: none.
+    std::size_t primitive() const { return is_step() ? subject.primitive : replay.primitive(); }
 
     /// True if a step of the frame has drawn the pixel.
     bool is_current(std::size_t offset) const {

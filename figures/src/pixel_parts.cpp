@@ -193,17 +193,23 @@ void add_pixels(const Panel& panel, std::vector<Shape>& shapes) {
 }
 
 void add_current(const Panel& panel, std::vector<Shape>& shapes) {
-    // In `plotted` they have a color of their own.
-    if (panel.view == View::plotted && panel.against == nullptr)
+    // In `plotted`, those that it has drawn have a color of their own.
+    const bool have_color = panel.view == View::plotted && panel.against == nullptr;
+    const StepSubject& subject = panel.subject;
+    const bool has_subject = panel.is_step() && subject.pixels && !subject.is_row;
+    if (have_color && !has_subject)
         return;
+    const auto has_border = [&](Pixel pixel) {
+        const bool is_drawn = panel.is_current(panel.lattice.canvas.offset_of(pixel));
+        return (is_drawn && !have_color) || (!is_drawn && has_subject && subject.has(pixel));
+    };
     Lines border{.role = Role::current_border};
-    panel.for_each_pixel([&](Pixel pixel, std::size_t offset) {
-        if (!panel.is_current(offset))
+    panel.for_each_pixel([&](Pixel pixel, std::size_t) {
+        if (!has_border(pixel))
             return;
         const auto is_current = [&](int dx, int dy) {
             const Pixel other{pixel.x + dx, pixel.y + dy * panel.lattice.canvas.down()};
-            return panel.lattice.has(other) &&
-                   panel.is_current(panel.lattice.canvas.offset_of(other));
+            return panel.lattice.has(other) && has_border(other);
         };
         const Place at = panel.lattice.corner_of(pixel);
         const double cell = panel.lattice.cell;

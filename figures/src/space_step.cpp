@@ -295,16 +295,16 @@ void add_sight(Pixel pixel, const Replay& replay, SpaceSheet& sheet) {
 }
 
 /// A row on the view plane, and the lines of sight of its ends, up to the face.
-void add_row(const Replay& replay, SpaceSheet& sheet) {
+void add_row(const Replay& replay, Index y, const TracedNumber& left_end,
+             const TracedNumber& right_end, SpaceSheet& sheet) {
     const SpatialScene& space = sheet.space();
-    const auto row = sheet.trace().step(replay.step()).as<ScanlineStep>();
-    const auto left = row.left.nearest_double();
-    const auto right = row.right.nearest_double();
+    const auto left = left_end.nearest_double();
+    const auto right = right_end.nearest_double();
     const SpatialPrimitive* const own = primitive_at(replay.primitive(), space);
     if (!space.camera || !left || !right || own == nullptr || own->corners.size() < 3)
         return;
     const double sample =
-        static_cast<double>(row.y) + told_samples(sheet.trace()).triangles.y().get_d();
+        static_cast<double>(y) + told_samples(sheet.trace()).triangles.y().get_d();
     const auto corners = space.places_of(own->corners);
     const Position normal = glm::cross(corners[1] - corners[0], corners[2] - corners[0]);
     std::vector<Position> on_face;
@@ -324,10 +324,13 @@ void add_row(const Replay& replay, SpaceSheet& sheet) {
 
 void add_step_in_space(const Replay& replay, SpaceSheet& sheet) {
     const auto kind = sheet.trace().kind_of(replay.step());
+    const StepSubject subject = subject_of(replay, replay.step());
+    const SpatialPrimitive* const own = primitive_at(subject.primitive, sheet.space());
     const auto add_own = [&] {
-        if (const SpatialPrimitive* own = primitive_at(replay.primitive(), sheet.space()))
+        if (own != nullptr)
             add_primitive(*own, sheet);
     };
+    const StepView step = sheet.trace().step(replay.step());
     if (!kind)
         return; // of a foreign rasterizer
     switch (*kind) {
@@ -342,9 +345,29 @@ void add_step_in_space(const Replay& replay, SpaceSheet& sheet) {
         return add_face(replay, sheet);
     case StepKind::order:
         return add_order(replay, sheet);
-    case StepKind::scanline:
+    case StepKind::triangulate:
+        for (const SpatialPrimitive& primitive : sheet.space().primitives)
+            if (primitive.face == step.as<TriangulateStep>().name.text())
+                add_primitive(primitive, sheet);
+        return;
+    case StepKind::edge:
         add_own();
-        return add_row(replay, sheet);
+        if (own != nullptr && subject.edge) {
+            const auto corners = sheet.space().places_of(own->corners);
+            sheet.line(corners[(*subject.edge)[0]], corners[(*subject.edge)[1]],
+                       Role::current_border);
+        }
+        return;
+    case StepKind::crossings:
+        add_own();
+        if (const auto row = step.as<CrossingsStep>(); row.x.values().size() > 1)
+            add_row(replay, row.y, row.x.values().front(), row.x.values().back(), sheet);
+        return;
+    case StepKind::scanline: {
+        const auto row = step.as<ScanlineStep>();
+        add_own();
+        return add_row(replay, row.y, row.left, row.right, sheet);
+    }
     default:
         add_own();
         if (const auto pixel = pixel_of(sheet.trace(), replay.step()))

@@ -118,8 +118,7 @@ std::vector<Entry> entries_of_half_planes(const Panel& panel) {
         one.layers.insert(one.layers.end(), negative, Role::outside);
         return one;
     };
-    const auto names =
-        panel.trace().step(panel.replay.primitive()).as<PrimitiveStep>().vertices.texts();
+    const auto names = panel.trace().step(panel.primitive()).as<PrimitiveStep>().vertices.texts();
     const std::string all =
         names.size() == 3
             ? printable(fmt::format("{0}{1}, {1}{2}, {2}{0}", names[0], names[1], names[2]))

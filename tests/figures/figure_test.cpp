@@ -148,6 +148,122 @@ TEST(Figures, AQuestionTellsNothingOfItsStep) {
     EXPECT_EQ(shapes_of<Lines>(figure, Role::row).size(), 1U) << "the row that is asked about";
 }
 
+std::string first_triangle_by(const std::string& fill) {
+    std::string scene = first_triangle;
+    return scene.insert(scene.rfind("}}"), R"(,"fill":")" + fill + '"');
+}
+
+constexpr const char* rectangle_by_rows =
+    R"({"canvas":{"width":9,"height":6,"origin":"bottom-left"},
+        "vertices":{"A":[1,1],"B":[7,1],"C":[7,4],"D":[1,4]},"polygons":["ABCD"],
+        "method":{"scalar":"exact"}})";
+
+/// What a step is about: pixels or rows, who tells the ends of its row, its primitive, an edge of that.
+std::string subject_text(const Trace& trace, std::size_t n) {
+    Replay replay(trace);
+    replay.go_to(n);
+    const StepSubject subject = subject_of(replay, n);
+    std::string text;
+    if (subject.pixels)
+        text = fmt::format("{} {}..{} {}..{} ", subject.is_row ? "row" : "at", subject.pixels->x0,
+                           subject.pixels->x1, subject.pixels->y0, subject.pixels->y1);
+    if (subject.row != 0)
+        text += "by " + trace.step(subject.row).kind_name() + " ";
+    if (subject.primitive != 0)
+        text += "of " + name_in(trace.step(subject.primitive)).text();
+    if (subject.edge)
+        text += fmt::format(" {}-{}", (*subject.edge)[0], (*subject.edge)[1]);
+    return text;
+}
+
+TEST(Figures, EachKindOfStepIsAboutWhatItsSentenceSays) {
+    struct Case {
+        std::string scene, step, about;
+    };
+    const std::string line = R"({"canvas":{"width":8,"height":4,"origin":"bottom-left"},
+        "vertices":{"A":[0,0],"B":[5,2]},"lines":["AB"],"method":{"line":")";
+    const std::vector<Case> cases{
+        {rectangle_by_rows, "primitive", "of ABCD"},
+        {rectangle_by_rows, "edge CB", "of ABCD 2-1"},
+        {rectangle_by_rows, "crossings y=2", "row 0..8 2..2 by crossings of ABCD"},
+        {rectangle_by_rows, "scanline y=2", "row 1..7 2..2 by scanline of ABCD"},
+        {rectangle_by_rows, "pixel 3,2", "at 3..3 2..2 by scanline of ABCD"},
+        {first_triangle_by("two-halves"), "half upper", "row -8..8 -3..5 of ABC"},
+        {first_triangle_by("fan"), "ray 2,5", "at 2..2 5..5 of ABC"},
+        {first_triangle_by("barycentric"), "sample -4,5", "at -4..-4 5..5 of ABC"},
+        {line + "bresenham\"}}", "decide x=1", "at 1..1 0..0 of AB"},
+        {line + "dda\"}}", "along x=3", "at 3..3 1..1 of AB"}};
+    for (const auto& [scene, step, about] : cases) {
+        const Trace trace = trace_of_scene(scene);
+        EXPECT_EQ(subject_text(trace, step_of(trace, step)), about) << step;
+    }
+    const Trace trace = readable_trace(R"({"rastertrace":1,
+"canvas":{"width":8,"height":4,"origin":"top-left"},"steps":[
+{"step":"primitive","kind":"triangle","name":"ABC","vertices":["A","B","C"]},
+{"step":"scanline","y":1,"left":0,"right":2,"from":0,"to":2},
+{"step":"reject","x":-3,"to_x":1,"y":1,"why":"off-canvas"},
+{"step":"reject","y":2,"to_y":9,"why":"off-canvas"},
+{"step":"reject","x":5,"y":2,"to_x":9,"to_y":9,"why":"off-canvas"},
+{"step":"face","name":"ABC","normal":[0,0,1],"dot":1,"culled":false},
+{"step":"matrix","name":"view","rows":[]},
+{"step":"clip","name":"DEF","plane":"near","inside":[true,false,true],"out":4},
+{"step":"vertex","name":"V","space":"camera","at":[2,3]},
+{"step":"vertex","name":"V","space":"screen","at":[2,3]},
+{"step":"primitive","kind":"triangle","name":"DEF/1","part":true,"vertices":["D","E","V"]},
+{"step":"skip","name":"GHI","why":"culled"}
+],"end":{"steps":12}})");
+    const std::vector<std::string> about{"of ABC",
+                                         "row 0..2 1..1 by scanline of ABC",
+                                         "at 0..1 1..1 by scanline of ABC",
+                                         "row 0..7 2..3 of ABC",
+                                         "of ABC",
+                                         "of ABC",
+                                         "",
+                                         "of DEF/1",
+                                         "",
+                                         "at 2..2 3..3 ",
+                                         "of DEF/1",
+                                         ""};
+    for (std::size_t n = 1; n <= trace.size(); ++n)
+        EXPECT_EQ(subject_text(trace, n), about[n - 1]) << n;
+}
+
+TEST(Figures, AStepMarksItsRowsItsEdgeOrItsPixel) {
+    const Trace rectangle = trace_of_scene(rectangle_by_rows);
+    const Drawing crossings = figure_at(rectangle, "crossings y=2");
+    const auto rows = shapes_of<Lines>(crossings, Role::row);
+    ASSERT_EQ(rows.size(), 1U);
+    EXPECT_NEAR(rows[0].paths[0][0].y, Axes(crossings).of(0, 2).y, 1e-9);
+    EXPECT_THAT(texts_of(crossings, Role::row_end), testing::ElementsAre("1", "7"));
+
+    const Drawing edge = figure_at(rectangle, "edge CB");
+    const auto marked = shapes_of<Lines>(edge, Role::current_border);
+    ASSERT_EQ(marked.size(), 1U);
+    const Place from = Axes(edge).of(7, 4);
+    const Place to = Axes(edge).of(7, 1);
+    EXPECT_NEAR(marked[0].paths[0][0].x, from.x, 1e-9);
+    EXPECT_NEAR(marked[0].paths[0][0].y, from.y, 1e-9);
+    EXPECT_NEAR(marked[0].paths[0][1].y, to.y, 1e-9);
+
+    // The second half begins, and nothing of the row before it is marked.
+    const Drawing half = figure_at(trace_of_scene(first_triangle_by("two-halves")), "half upper");
+    const auto ends = shapes_of<Lines>(half, Role::row);
+    ASSERT_EQ(ends.size(), 2U);
+    EXPECT_NEAR(ends[0].paths[0][0].y, Axes(half).of(0, -3).y, 1e-9);
+    EXPECT_NEAR(ends[1].paths[0][0].y, Axes(half).of(0, 5).y, 1e-9);
+
+    const Trace line = trace_of_scene(R"({"canvas":{"width":8,"height":4,"origin":"bottom-left"},
+        "vertices":{"A":[0,0],"B":[5,2]},"lines":["AB"]})");
+    const std::size_t n = step_of(line, "decide x=1");
+    const Drawing decision = figure_of(line, {.steps = {n, n}});
+    const auto border = shapes_of<Lines>(decision, Role::current_border);
+    ASSERT_EQ(border.size(), 1U);
+    ASSERT_EQ(border[0].paths.size(), 4U);
+    const Place middle = Axes(decision).of(1, 0);
+    EXPECT_LT(border[0].paths[0][0].x, middle.x);
+    EXPECT_GT(border[0].paths[0][1].x, middle.x);
+}
+
 TEST(Figures, EdgesRunThroughTheVertices) {
     const Drawing figure = whole_figure(trace_of_scene(first_triangle));
     const Axes axes(figure);

@@ -321,6 +321,23 @@ TEST(Page, ATraceThatIsDamagedOrFromALaterProgramHasAPage) {
     EXPECT_THAT(cut.answers()[0].lacks, testing::SizeIs(1));
 }
 
+TEST(Page, TellsWhatAStepIsAboutIfItIsNoPixel) {
+    const Trace trace = readable_trace(R"({"rastertrace":1,
+"canvas":{"width":8,"height":4,"origin":"top-left"},"steps":[
+{"step":"primitive","kind":"polygon","name":"ABC","vertices":["A","B","C"],"at":[[0,0],[4,3],[0,3]]},
+{"step":"edge","edge":"BA"},
+{"step":"crossings","y":2,"edges":[],"x":[],"winding":[]},
+{"step":"reject","x":-3,"to_x":1,"y":1,"why":"off-canvas"},
+{"step":"clip","name":"DEF","plane":"near"},
+{"step":"primitive","kind":"triangle","name":"DEF/1","part":true,"vertices":[]}
+],"end":{"steps":6}})");
+    const std::string data = page_data(trace, {}, nullptr);
+    // Step, columns, rows: of the row y = 2, and of what is left of the run.
+    EXPECT_THAT(data, testing::HasSubstr("\"areas\":[3,0,7,2,2,4,0,1,1,1]"));
+    EXPECT_THAT(data, testing::HasSubstr("\"about\":[5,6]"));
+    EXPECT_THAT(data, testing::HasSubstr("\"edges\":[1,0]"));
+}
+
 TEST(Page, FarPlacesAreNumbersThatJsonHas) {
     const Trace trace = readable_trace(
         R"({"rastertrace":1,"canvas":{"width":3,"height":3,"origin":"center"},"method":{"fill":"scanline"},"steps":[

@@ -21,6 +21,12 @@ std::string frame(const Trace& trace, std::size_t first, std::size_t last, TextS
     return frame_text(replay, about, size);
 }
 
+/// Its rows of pixels.
+std::string grid_of(const std::string& frame) {
+    const std::size_t labels = frame.find("\n\n") + 2;
+    return frame.substr(frame.find('\n', labels) + 1);
+}
+
 TEST(FrameText, OfARowOfTheFirstTriangle) {
     Scene scene = first_triangle();
     scene.title = "First triangle";
@@ -45,6 +51,31 @@ TEST(FrameText, OfARowOfTheFirstTriangle) {
               " -4   . . . . . . . . . . . . . . . . .\n"
               " -5   . . . . . . . . . . . . . . . . .\n"
               " -6   . . . . . . . . . . . . . . . . .\n");
+}
+
+TEST(FrameText, MarksWhatItsStepIsAbout) {
+    const Trace polygon = trace_of(scene_in(
+        R"({"canvas":{"width":9,"height":4,"origin":"bottom-left"},"polygons":["ABCD"],
+            "vertices":{"A":[1,0],"B":[7,0],"C":[7,3],"D":[1,3]},"method":{"scalar":"exact"}})"));
+    // The ends of its edge.
+    EXPECT_EQ(grid_of(frame(polygon, 3, 3)), "  3   . d . . . . .[c].\n"
+                                             "  2   . . . . . . . . .\n"
+                                             "  1   . . . . . . . . .\n"
+                                             "  0   . a . . . . .[b].\n");
+    // The rows of a half, and the pixel that a decision is made at.
+    const Trace halves = trace_of(scene_in(
+        R"({"canvas":{"width":9,"height":4,"origin":"bottom-left"},"triangles":["ABC"],
+            "vertices":{"A":[1,0],"B":[7,1],"C":[1,3]},"method":{"fill":"two-halves"}})"));
+    EXPECT_EQ(grid_of(frame(halves, 5, 5)), "  3   . c . . . . . . .\n"
+                                            "  2   . . . . . . . . .\n"
+                                            "> 1   . . . . . . . b .\n"
+                                            "> 0   . a . . . . . . .\n");
+    const Trace line = trace_of(scene_in(
+        R"({"canvas":{"width":9,"height":3,"origin":"bottom-left"},"lines":["AB"],
+            "vertices":{"A":[0,0],"B":[5,2]}})"));
+    EXPECT_EQ(grid_of(frame(line, 5, 5)), "  2   . . . . . b . . .\n"
+                                          "  1   . . . . . . . . .\n"
+                                          "> 0   A[#]. . . . . . .\n");
 }
 
 TEST(FrameText, WideCanvasDropsTheGapsAndThinsTheLabels) {

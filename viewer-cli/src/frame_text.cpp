@@ -138,32 +138,24 @@ std::string column_labels(const Canvas& canvas, const Window& window, std::size_
     return line.substr(0, line.find_last_not_of(' ') + 1);
 }
 
-/// The pixel of the canvas that is nearest to a point; none if there is none.
-std::optional<Pixel> pixel_at(const Trace& trace, const TracedList<TracedNumber>& at) {
-    const auto position = at.values();
-    const auto x = position.size() < 2 ? std::nullopt : position[0].nearest_double();
-    const auto y = position.size() < 2 ? std::nullopt : position[1].nearest_double();
-    if (!x || !y || !(std::abs(*x) < largest_canvas_side) || !(std::abs(*y) < largest_canvas_side))
-        return std::nullopt;
-    // Where pixels are sampled at their centers, a pixel reaches from its point to the next one.
-    const double half = pixels_begin_at_integers(trace) ? 0 : 0.5;
-    const Pixel pixel{static_cast<int>(std::floor(*x + half)),
-                      static_cast<int>(std::floor(*y + half))};
-    return trace.canvas.contains(pixel.x, pixel.y) ? std::optional(pixel) : std::nullopt;
-}
-
-/// A vertex of the current primitive, at the nearest pixel of the canvas.
+/// A vertex of the primitive, at the nearest pixel of the canvas.
 struct VertexMark {
     Pixel pixel;
     std::string name;
 };
 
-std::vector<VertexMark> vertex_marks(const Replay& replay) {
+/// Those of the primitive of a step, or the one vertex that the step is about.
+std::vector<VertexMark> vertex_marks(const Replay& replay, std::size_t step,
+                                     const StepSubject& subject) {
     std::vector<VertexMark> marks;
-    if (replay.primitive() == 0)
-        return marks;
     const Trace& trace = replay.trace();
-    const auto current = trace.step(replay.primitive()).as<PrimitiveStep>();
+    const std::size_t primitive = subject.primitive;
+    if (step != 0 && trace.kind_of(step) == StepKind::vertex && subject.pixels)
+        marks.push_back({{subject.pixels->x0, subject.pixels->y0},
+                         printable(name_in(trace.step(step)).text())});
+    if (primitive == 0)
+        return marks;
+    const auto current = trace.step(primitive).as<PrimitiveStep>();
     const auto names = current.vertices.texts();
     const auto positions = current.at.values();
     for (std::size_t i = 0; i < names.size() && i < positions.size(); ++i) {
@@ -172,14 +164,13 @@ std::vector<VertexMark> vertex_marks(const Replay& replay) {
             continue;
         // One that another primitive hides does not shine through; at a corner of both, it is that one's too.
         const std::size_t drawn_by = replay.frame().drawn_by[trace.canvas.offset_of(*pixel)];
-        const auto has_it_too = [&](std::size_t primitive) {
-            if (primitive == 0)
+        const auto has_it_too = [&](std::size_t other) {
+            if (other == 0)
                 return false;
-            const auto corners = trace.step(primitive).as<PrimitiveStep>().vertices.texts();
+            const auto corners = trace.step(other).as<PrimitiveStep>().vertices.texts();
             return std::find(corners.begin(), corners.end(), names[i]) != corners.end();
         };
-        if (drawn_by == 0 || drawn_by >= replay.primitive() ||
-            has_it_too(replay.primitive_of(drawn_by)))
+        if (drawn_by == 0 || drawn_by >= primitive || has_it_too(replay.primitive_of(drawn_by)))
             marks.push_back({*pixel, printable(names[i])});
     }
     return marks;
@@ -203,11 +194,6 @@ std::optional<Pixel> newest_pixel(const Frame& frame) {
         return std::nullopt;
     const auto offset = static_cast<int>(newest - frame.drawn_by.begin());
     return Pixel{canvas.left() + offset % canvas.width, canvas.y_of(offset / canvas.width)};
-}
-
-/// The row that a step is about, if it is about one.
-std::optional<Index> row_of_step(const Trace& trace, std::size_t n) {
-    return n == 0 ? std::nullopt : y_in(trace.step(n));
 }
 
 /// Words in lines of at most so many columns.
@@ -283,9 +269,19 @@ class MarkedCells {
 public:
     MarkedCells(const Replay& replay, const FrameText& about, std::size_t room)
         : replay_(replay), about_(about), cells_(about.view, replay, room, about.faces),
-          not_drawn_(pixels_not_drawn(replay.trace(), {about.first_step, about.last_step})) {
+          not_drawn_(pixels_not_drawn(replay.trace(), {about.first_step, about.last_step})),
+          subject_(subject_of(replay, about.first_step)) {
+        const Trace& trace = replay.trace();
+        if (about.first_step == 0)
+            subject_.primitive = replay.primitive(); // of the whole picture
+        if (subject_.edge) {
+            const auto at = trace.step(subject_.primitive).as<PrimitiveStep>().at.values();
+            for (const std::size_t end : *subject_.edge)
+                if (const auto pixel = pixel_at(trace, at[end]))
+                    ends_of_edge_.insert(trace.canvas.offset_of(*pixel));
+        }
         if (about.view == View::plotted)
-            for (const VertexMark& mark : vertex_marks(replay)) {
+            for (const VertexMark& mark : vertex_marks(replay, about.first_step, subject_)) {
                 const std::size_t offset = replay.trace().canvas.offset_of(mark.pixel);
                 const bool is_marked = vertices_.emplace(offset, mark.name).second;
                 const bool is_shown =
@@ -296,6 +292,7 @@ public:
     }
 
     std::size_t width() const { return cells_.width(); }
+    const StepSubject& subject() const { return subject_; }
 
     std::vector<std::string> legend() const {
         auto legend = cells_.legend();
@@ -361,22 +358,28 @@ private:
         const std::size_t offset = replay_.trace().canvas.offset_of(pixel);
         const std::size_t drawn_by = replay_.frame().drawn_by[offset];
         const bool is_new = about_.first_step != 0 && drawn_by >= about_.first_step;
+        const bool is_marked =
+            is_new || (!subject_.is_row && subject_.has(pixel)) || ends_of_edge_.count(offset) != 0;
         if (not_drawn_.count(offset) != 0)
             return {"x"};
         if (is_new && about_.view == View::plotted)
             return {"@", {.is_reversed = true}};
         if (const auto vertex = vertices_.find(offset); vertex != vertices_.end())
-            return {letter_of(vertex->second, drawn_by != 0)};
+            return {
+                letter_of(vertex->second, drawn_by != 0), {.is_reversed = is_marked}, is_marked};
         if (about_.coming && drawn_by == 0 && has(*about_.coming, pixel))
             return {"+"};
         Cell cell = cells_.at(pixel);
-        return {std::move(cell.text), {.background = cell.color, .is_reversed = is_new}, is_new};
+        return {
+            std::move(cell.text), {.background = cell.color, .is_reversed = is_marked}, is_marked};
     }
 
     const Replay& replay_;
     const FrameText& about_;
     FrameCells cells_;
     std::set<std::size_t> not_drawn_;             ///< offsets of pixels
+    StepSubject subject_;                         ///< of the first step
+    std::set<std::size_t> ends_of_edge_;          ///< that it is about, the same
     std::map<std::size_t, std::string> vertices_; ///< names by offset, in `plotted`
     std::vector<VertexMark> long_names_;          ///< those that do not fit a cell
 };
@@ -451,23 +454,8 @@ std::string line_of_cells(const std::vector<MarkedCell>& cells, std::size_t widt
 } // namespace
 
 std::optional<Pixel> pixel_looked_at(const Replay& replay, std::size_t n) {
-    const Trace& trace = replay.trace();
-    if (const auto own = pixel_of(trace, n))
-        return own;
-    const Canvas& canvas = trace.canvas;
-    const auto kind = n != 0 ? trace.kind_of(n) : std::nullopt;
-    if (kind == StepKind::vertex) {
-        const auto vertex = trace.step(n).as<VertexStep>();
-        if (vertex.space == Space::screen)
-            return pixel_at(trace, vertex.at);
-    } else if (kind == StepKind::scanline) {
-        const auto row = trace.step(n).as<ScanlineStep>();
-        if (canvas.contains(canvas.left(), row.y)) {
-            const Index left = std::clamp<Index>(row.from, canvas.left(), canvas.right());
-            const Index right = std::clamp<Index>(row.to, canvas.left(), canvas.right());
-            return Pixel{static_cast<int>((left + right) / 2), static_cast<int>(row.y)};
-        }
-    }
+    if (const auto pixels = subject_of(replay, n).pixels)
+        return Pixel{(pixels->x0 + pixels->x1) / 2, (pixels->y0 + pixels->y1) / 2};
     return newest_pixel(replay.frame());
 }
 
@@ -519,8 +507,15 @@ LaidOutFrame laid_out_frame(const Replay& replay, const FrameText& about, TextSi
         for (const std::string& line : about.working)
             text += fmt::format("    {}\n", line);
     }
-    // Which row is meant, and which part of the canvas is looked at.
-    const std::optional<Index> current_row = row_of_step(replay.trace(), about.first_step);
+    // Which rows are meant, and which part of the canvas is looked at.
+    const StepSubject& subject = cells.subject();
+    const Index own_row =
+        about.first_step == 0
+            ? canvas.y_of(canvas.height)
+            : y_in(replay.trace().step(about.first_step)).value_or(canvas.y_of(canvas.height));
+    const auto is_meant = [&](Index y) {
+        return subject.pixels ? subject.pixels->has_row(y) : y == own_row;
+    };
     const bool is_around_step = !about.is_overview && !about.region;
     const auto center = about.center     ? about.center
                         : is_around_step ? pixel_looked_at(replay, about.first_step)
@@ -560,7 +555,7 @@ LaidOutFrame laid_out_frame(const Replay& replay, const FrameText& about, TextSi
     // Where cells cannot show vertices, their names stand behind their rows.
     std::map<Index, std::string> names_in_row;
     if (about.view != View::plotted)
-        for (const VertexMark& mark : vertex_marks(replay)) {
+        for (const VertexMark& mark : vertex_marks(replay, about.first_step, subject)) {
             const int column = mark.pixel.x - canvas.left() - window.first_column;
             if (0 <= column && column < window.columns * window.block_width)
                 names_in_row[canvas.row_of(mark.pixel.y)] +=
@@ -573,8 +568,9 @@ LaidOutFrame laid_out_frame(const Replay& replay, const FrameText& about, TextSi
         const auto has = [&](Index other) {
             return first <= other && other < first + window.block_height;
         };
-        if (current_row && has(canvas.row_of(*current_row)))
-            line[0] = '>';
+        for (int y = first; y < std::min(first + window.block_height, canvas.height); ++y)
+            if (is_meant(canvas.y_of(y)))
+                line[0] = '>';
         std::vector<MarkedCell> in_row;
         for (int column = 0; column < window.columns; ++column)
             if (has_half_blocks)

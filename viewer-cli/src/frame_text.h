@@ -78,8 +78,8 @@ struct LaidOutFrame {
 /// The frame that a replay has reached, with title, caption, coordinates along the borders, and a legend.
 ///
 /// A cell shows what its view says (view.h). New pixels are `@` in `plotted`, and elsewhere `[a b]` where there
-/// are gaps, or reversed in colors; `x` is a pixel that one of these steps has tested and not drawn. `>` is the
-/// row that the first of them is about. In `plotted`, a vertex of the current primitive is its letter, small
+/// are gaps, or reversed in colors, as a pixel that the first step is about, or the ends of its edge; `x` is a pixel that
+/// one of these steps has tested and not drawn. `>` are the rows that the first of them is about. In `plotted`, a vertex of the current primitive is its letter, small
 /// where its pixel is not drawn, and `*` if its name is longer, which the legend tells; elsewhere names stand
 /// behind their row, with their x. A vertex that a primitive hides which has no such corner is not shown.
 ///

@@ -5,8 +5,12 @@
 //
 //     const ShownSteps row{n, end_of(trace, n)};  // a scanline with its pixels
 
+#include <rastertrace/trace/record/frame.h>
 #include <rastertrace/trace/record/trace.h>
+#include <rastertrace/trace/record/trace_options.h>
+#include <rastertrace/trace/record/traced_steps.h>
 
+#include <array>
 #include <cstddef>
 #include <optional>
 #include <set>
@@ -34,8 +38,27 @@ std::size_t end_of(const Trace& trace, std::size_t n);
 /// with its pixels; each pixel of a line, an outline or a point. At most one more than `most`.
 std::vector<ShownSteps> film_of(const Trace& trace, std::size_t most);
 
-/// The pixel of a step, if it has one that the canvas has.
+/// The pixel of a step, if it is about one that the canvas has. That of an `along` is the one that its value is rounded to.
 std::optional<Pixel> pixel_of(const Trace& trace, std::size_t n);
+
+/// The pixel of the canvas that is nearest to a point; none if there is none.
+std::optional<Pixel> pixel_at(const Trace& trace, const TracedList<TracedNumber>& at);
+
+/// What on the canvas the sentence of a step is about: what figures, pages and terminals mark.
+struct StepSubject {
+    std::optional<Region> pixels = {}; ///< as far as the canvas has them
+    bool is_row = false;               ///< they stand for whole rows
+    std::size_t row = 0; ///< the `scanline` or `crossings` that tells the ends of its row; 0: none
+    std::size_t primitive = 0; ///< the step of its primitive, which may come after it; 0: none
+    std::optional<std::array<std::size_t, 2>> edge = {}; ///< places of two vertices of it
+
+    bool has(Pixel pixel) const {
+        return pixels && pixels->has_row(pixel.y) && pixels->meets(pixel.x, pixel.x);
+    }
+};
+
+/// That of step n, where a replay is or that it has passed since its primitive began; nothing, of step 0.
+StepSubject subject_of(const Replay& replay, std::size_t n);
 
 /// True if the fill of triangles tests samples.
 bool tests_samples(const Trace& trace);
