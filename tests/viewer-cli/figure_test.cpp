@@ -483,6 +483,15 @@ TEST_F(FigureTest, OfATraceThatIsCutShortWhatIsThere) {
         "cut.jsonl; head -n 20 whole.jsonl | tail -n 1 | head -c 18 >> cut.jsonl");
     for (const std::string_view ending : endings) {
         const std::string file = "x" + std::string(ending);
+TEST_F(FigureTest, FramesWithoutRoomOnAPageAreRefusedBeforeAnyIsWrittenDown) {
+    // The answers about the pixels of each frame would take half a minute.
+    write("scene.json", scene_of_size(102));
+    EXPECT_THAT(
+        shell("ulimit -t 4; $rastertrace figure scene.json --vary /vertices/A/0=0:1:90 "
+              "-o x.html"),
+        Refused(HasSubstr("expected at most 200000 steps for a page, found more in the first")));
+}
+
         EXPECT_THAT(run("figure cut.jsonl -o " + file),
                     Refused("rastertrace: cut.jsonl:20:1: expected the rest of the trace, found "
                             "the end of the file: the trace is truncated after 18 whole steps\n"

@@ -140,16 +140,23 @@ void set_options(const FigureCommand& command, const InputFrames& input, const T
         options.scene = scene_of_page(*scene, command.method, trace.canvas);
 }
 
-/// Refuses a frame that has no room on the page, beside those before it.
-void check_frame(const Trace& trace, std::size_t frames_before, std::size_t steps_before) {
-    if (const auto problem = too_large_for_page(trace))
-        throw *problem;
-    if (steps_before + trace.size() > most_page_steps)
-        throw problem_of("",
-                         fmt::format("expected at most {} steps for a page, found more in the "
-                                     "first {} frames",
-                                     most_page_steps, frames_before + 1),
-                         "--frame N makes a page of one frame");
+/// The traces of all frames. Those that have no room on the page are refused before any is written down.
+std::vector<Trace> traces_of_page(InputFrames& input) {
+    std::vector<Trace> traces;
+    std::size_t steps = 0;
+    for (std::size_t frame = input.first(); frame <= input.last(); ++frame) {
+        const Trace& trace = traces.emplace_back(input.trace(frame));
+        if (const auto problem = too_large_for_page(trace))
+            throw *problem;
+        steps += trace.size();
+        if (steps > most_page_steps)
+            throw problem_of("",
+                             fmt::format("expected at most {} steps for a page, found more in the "
+                                         "first {} frames",
+                                         most_page_steps, traces.size()),
+                             "--frame N makes a page of one frame");
+    }
+    return traces;
 }
 
 } // namespace
@@ -163,13 +170,11 @@ ExitStatus write_page(const FigureCommand& command) {
     PageOptions options{.theme = command.style.theme, .view = command.options.view};
     options.module = module_for_pages();
     std::vector<PageFrame> frames;
-    std::size_t steps = 0;
     bool is_needed = false; // the scene, to be drawn by the page
+    const std::vector<Trace> traces = traces_of_page(input);
     for (std::size_t frame = input.first(); frame <= input.last(); ++frame) {
-        const Trace trace = input.trace(frame);
+        const Trace& trace = traces[frame - input.first()];
         status = std::max(status, report_damage(trace));
-        check_frame(trace, frames.size(), steps);
-        steps += trace.size();
         if (frames.empty())
             set_options(command, input, trace, options);
         is_needed = is_needed || options.scene.is_movable || options.scene.can_be_turned;
