@@ -75,6 +75,13 @@ TEST(Selector, MeansStepsOfTheFirstTriangle) {
         {"edge edge=\"BC\"", {3}},
         {"edge dx_dy=null", {3}},
         {"pixel x=2 y=2", {18}},
+        {"pixel 2,2", {18}},
+        {"pixel -1,1 in=ABC", steps_of("pixel x=-1 y=1", trace)},
+        {"scanline 2", {14}},
+        {"edge BC", {3}},
+        {"edge CB", {3}}, // by either name
+        {"edge edge=CB", {3}},
+        {"scanline left_edge=BA y=2", {14}},
         {"pixel in=ABC x=2 y=2", {18}},
         {"primitive vertices=[A,B,C]", {1}},
         {"primitive at=[[2,5],[-4,-3],[5,-3]]", {1}},
@@ -163,7 +170,9 @@ TEST(Selector, SaysWhatIsWrongWithAText) {
         {"primitive part=1", 11, "--step: expected true or false for part, found 1"},
         {"primitive at=2", 11, "--step: expected a list, like [1,2], for at, found 2"},
         {"scanline y=", 10, "--step: expected y=VALUE, found no value"},
-        {"scanline 2", 10, "--step: expected field=value, found 2", "like y=2"},
+        {"scanline two", 10, "--step: expected a whole number for y, found two"},
+        {"pixel 2", 7, "--step: expected field=value or X,Y, found 2"},
+        {"pixel 2,b", 7, "--step: expected a whole number for y, found b"},
         {"edge edge=\"BC", 11, "--step: expected a closing quote, found none"},
         {"scanline y=9", 10, "--step: expected a step of the trace, found none with y=9",
          "scanline has y: 5, 4, 3, 2, 1, ..."},
@@ -171,7 +180,7 @@ TEST(Selector, SaysWhatIsWrongWithAText) {
          "pixel x=3 has y: 2, 1, 0, -1, -2, ..."},
         {"scanline left=0", 10, "--step: expected a step of the trace, found none with left=0",
          "scanline has left: -1/4, 1/2, -1, 5/4, -7/4, ..."},
-        {"edge edge=CB", 6, "--step: expected a step of the trace, found none with edge=CB",
+        {"edge CD", 6, "--step: expected a step of the trace, found none with edge=CD",
          "edge has edge: AB, BC, AC"},
         {"pixel color=red", 7, "--step: expected a step of the trace, found none with color=red",
          "no pixel has color"},
@@ -180,7 +189,7 @@ TEST(Selector, SaysWhatIsWrongWithAText) {
         EXPECT_EQ(complaint(text, trace), message + quoted_at(column, text, hint));
 
     EXPECT_EQ(complaint("depth y=0 failed", hidden_square()),
-              "--step: expected field=value or pass or fail, found failed\n"
+              "--step: expected field=value or X,Y or pass or fail, found failed\n"
               "depth y=0 failed\n"
               "          ^\n"
               "hint: did you mean fail?");

@@ -54,6 +54,13 @@ TEST_F(FigureTest, AnUnknownEndingIsToldWithThoseThatAreKnown) {
               "hint: --format says what to write\n");
 }
 
+TEST_F(FigureTest, APdfIsMadeOfAnSvg) {
+    EXPECT_EQ(refusal("-o 'my figures/x.pdf'"),
+              "rastertrace: my figures/x.pdf: expected a name that ends in .svg, .png, .tex, .txt, "
+              ".gif or .html, found .pdf\n"
+              "hint: of an .svg: rsvg-convert -f pdf 'my figures/x.svg' -o 'my figures/x.pdf'\n");
+}
+
 TEST_F(FigureTest, OtherCommandsTellWhoWritesAFigure) {
     const std::string scene = " $examples/t0-fill/first-triangle.json -o ";
     EXPECT_EQ(run("trace" + scene + "x.svg").err,
@@ -476,13 +483,6 @@ TEST_F(FigureTest, APageHasLimits) {
     EXPECT_EQ(visible_files(), 1U);
 }
 
-// --- damaged traces -----------------------------------------------------------------------------
-
-TEST_F(FigureTest, OfATraceThatIsCutShortWhatIsThere) {
-    run("trace $examples/t0-fill/first-triangle.json -o whole.jsonl;head -n 19 whole.jsonl > "
-        "cut.jsonl; head -n 20 whole.jsonl | tail -n 1 | head -c 18 >> cut.jsonl");
-    for (const std::string_view ending : endings) {
-        const std::string file = "x" + std::string(ending);
 TEST_F(FigureTest, FramesWithoutRoomOnAPageAreRefusedBeforeAnyIsWrittenDown) {
     // The answers about the pixels of each frame would take half a minute.
     write("scene.json", scene_of_size(102));
@@ -492,6 +492,13 @@ TEST_F(FigureTest, FramesWithoutRoomOnAPageAreRefusedBeforeAnyIsWrittenDown) {
         Refused(HasSubstr("expected at most 200000 steps for a page, found more in the first")));
 }
 
+// --- damaged traces -----------------------------------------------------------------------------
+
+TEST_F(FigureTest, OfATraceThatIsCutShortWhatIsThere) {
+    run("trace $examples/t0-fill/first-triangle.json -o whole.jsonl;head -n 19 whole.jsonl > "
+        "cut.jsonl; head -n 20 whole.jsonl | tail -n 1 | head -c 18 >> cut.jsonl");
+    for (const std::string_view ending : endings) {
+        const std::string file = "x" + std::string(ending);
         EXPECT_THAT(run("figure cut.jsonl -o " + file),
                     Refused("rastertrace: cut.jsonl:20:1: expected the rest of the trace, found "
                             "the end of the file: the trace is truncated after 18 whole steps\n"

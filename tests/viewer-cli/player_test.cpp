@@ -14,6 +14,7 @@
 #include <rastertrace/trace/record/step_kind.h>
 #include <rastertrace/trace/record/traced_steps.h>
 #include <rastertrace/trace/tell/describe.h>
+#include <rastertrace/trace/tell/working.h>
 #include <rastertrace/trace/text/text.h>
 
 #include <fmt/core.h>
@@ -460,6 +461,30 @@ TEST(Player, ScrollsTheWorkingWhereItHasNoRoom) {
     press(player, {"9", "9", "Ctrl+u"});
     EXPECT_THAT(screen_text(player, small), HasSubstr("lines of working: Ctrl+d"));
     EXPECT_THAT(screen_text(player, {80, 24}), HasSubstr("left AB: x = (x2"));
+}
+
+TEST(Player, AnEmptyPictureHidesNoWorking) {
+    Player player = player_of(scene_in(
+        R"({"canvas":{"width":41,"height":21},"vertices":{"A":[0,1,-3],"B":[-1,-1,-3],"C":[1,-1,-3]},
+            "triangles":["ABC"],"projection":{"type":"frustum","fov_y":90,"near":1,"far":9},
+            "light":{"direction":[0,0,-1]},"method":{"shade":"lambert"},"keep":["model"]})"));
+    const Trace& trace = player.playback().trace();
+    std::size_t seen = 0;
+    for (std::size_t n = 1; n <= trace.size() && trace.kind_of(n) != StepKind::edge; ++n) {
+        press(player, {"l"});
+        ASSERT_EQ(player.playback().step(), n);
+        const auto working = working_of(player.playback().replay());
+        if (working.empty() || trace.kind_of(n) == StepKind::primitive)
+            continue;
+        ++seen;
+        constexpr std::size_t least_shown = 20; // characters of a line
+        EXPECT_THAT(screen_text(player, {40, 12}),
+                    HasSubstr(working.front().substr(0, least_shown)))
+            << n;
+        for (const std::string& line : working)
+            EXPECT_THAT(screen_text(player, {80, 30}), HasSubstr(line.substr(0, least_shown))) << n;
+    }
+    EXPECT_GT(seen, 10U);
 }
 
 TEST(Player, GoesToAStepOfTheListThatIsClicked) {

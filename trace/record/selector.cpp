@@ -155,11 +155,11 @@ private:
             fields_ = fields_of(*kind);
     }
 
-    /// field=value, or a word for the value of a boolean.
+    /// field=value, a word for the value of a boolean, or a value alone.
     void read_condition(std::string_view word) {
         const std::size_t equals = word.find('=');
         if (equals == std::string_view::npos)
-            return add(verdict_of(word));
+            return read_word(word);
         const std::string_view field = word.substr(0, equals);
         const std::string_view value = word.substr(equals + 1);
         const std::optional<FieldType> type = type_of(field);
@@ -168,7 +168,52 @@ private:
         add(field, value, type);
     }
 
-    void add(const VerdictWord& verdict) { add(verdict.field, verdict.value, FieldType::boolean); }
+    /// What was decided; a pixel, as X,Y; or a value of the field that steps of the kind are told apart by.
+    void read_word(std::string_view word) {
+        std::vector<std::string_view> known;
+        for (const VerdictWord& verdict : verdict_words)
+            for (const StepField& field : fields_)
+                if (field.name == verdict.field && field.type == FieldType::boolean) {
+                    if (verdict.word == word)
+                        return add(verdict.field, verdict.value, FieldType::boolean);
+                    known.push_back(verdict.word);
+                }
+        const auto is_key = [](const StepField& field) { return field.role == FieldRole::key; };
+        const auto key = std::find_if(fields_.begin(), fields_.end(), is_key);
+        const bool has_pixel = key != fields_.end() && key->name == "x";
+        const std::size_t comma = word.find(',');
+        if (has_pixel && comma != std::string_view::npos) {
+            add("x", word.substr(0, comma), FieldType::whole);
+            return add("y", word.substr(comma + 1), FieldType::whole);
+        }
+        const std::string hint = did_you_mean(word, known);
+        if (!has_pixel && key != fields_.end() && hint.empty())
+            return add(key->name, word, key->type);
+        std::string expected = has_pixel ? "field=value or X,Y" : "field=value";
+        for (const std::string_view other : known)
+            expected += fmt::format(" or {}", other);
+        fail(fmt::format("expected {}, found {}", expected, word), hint);
+    }
+
+    /// An edge is called by either name: BA, if the trace has no AB but that.
+    void take_known_name(FieldCondition& edge) const {
+        const std::string& name = edge.value;
+        const std::size_t hyphen = name.find('-');
+        const std::size_t first = std::min(hyphen, first_code_point(name).length);
+        const std::string back = hyphen != std::string::npos
+                                     ? name.substr(hyphen + 1) + "-" + name.substr(0, hyphen)
+                                     : name.substr(first) + name.substr(0, first);
+        const auto has = [&](const std::string& value) {
+            return first_step(trace_, [&](std::size_t n) {
+                       const auto json = is_of_kind(trace_, n, selector_.kind)
+                                             ? trace_.step(n).field(edge.field)
+                                             : std::nullopt;
+                       return json && compared_text(*json) == value;
+                   }) != 0;
+        };
+        if (!has(name) && has(back))
+            edge.value = back;
+    }
 
     /// Adds a condition. Fields that a foreign rasterizer has put in may be of any type.
     void add(std::string_view field, std::string_view value, std::optional<FieldType> type) {
@@ -176,6 +221,8 @@ private:
                                  .value = compared_text(value),
                                  .number = {},
                                  .offset = begin_};
+        if (field.ends_with("edge"))
+            take_known_name(condition);
         if (!type || type == FieldType::whole || type == FieldType::quantity)
             condition.number = number_in(condition.value);
         if (type && !can_be(condition, *type))
@@ -236,27 +283,6 @@ private:
         fail(fmt::format("expected a field of {} ({}), found {}", selector_.kind,
                          joined(known, ", "), name),
              did_you_mean(name, known));
-    }
-
-    VerdictWord verdict_of(std::string_view word) const {
-        std::vector<std::string_view> known;
-        for (const VerdictWord& verdict : verdict_words)
-            for (const StepField& field : fields_)
-                if (field.name == verdict.field && field.type == FieldType::boolean) {
-                    if (verdict.word == word)
-                        return verdict;
-                    known.push_back(verdict.word);
-                }
-        std::string expected = "field=value";
-        for (const std::string_view other : known)
-            expected += fmt::format(" or {}", other);
-        std::string hint = did_you_mean(word, known);
-        const auto key = std::find_if(fields_.begin(), fields_.end(), [](const StepField& field) {
-            return field.role == FieldRole::key;
-        });
-        if (hint.empty() && key != fields_.end())
-            hint = fmt::format("like {}={}", key->name, word);
-        fail(fmt::format("expected {}, found {}", expected, word), hint);
     }
 
     const Trace& trace_;

@@ -6,6 +6,7 @@
 //     14, first, last               a step by its number; 0 is before the first
 //     scanline y=2                  steps of a kind in which every field named has that value
 //     depth x=3 y=2 fail            a word for a boolean: pass, fail, culled, drawn, inside, outside
+//     pixel 3,2; edge AB            a value alone: x and y, or what the kind is told apart by; AB is BA, if there is no AB
 //     pixel in=ABC                  those that belong to a primitive, or to a part of it
 //
 //     const auto rows = parse_selector({"--every", "scanline y=2"}, trace);

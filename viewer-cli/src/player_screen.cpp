@@ -105,18 +105,23 @@ TextLines compared_depths(const Replay& replay) {
     return lines;
 }
 
-/// How the numbers of the step come of one another, a part of it where there is no room for all.
-/// `last` becomes the farthest that it can be scrolled to.
-TextLines working_panel(const Player& player, std::size_t columns, std::size_t count,
-                        std::size_t& last) {
-    last = 0;
-    if (!player.has_working() || count == 0)
-        return {};
+/// How the numbers of the step come of one another.
+TextLines lines_of_working(const Player& player, std::size_t columns) {
     TextLines lines;
     for (const std::string& line : compared_depths(player.playback().replay()))
         lines.push_back(shortened(line, columns));
     for (const std::string& line : working_of(player.playback().replay()))
         append(lines, wrapped(line, columns));
+    return lines;
+}
+
+/// The same, a part of it where there is no room for all. `last` becomes the farthest that it can be scrolled to.
+TextLines working_panel(const Player& player, std::size_t columns, std::size_t count,
+                        std::size_t& last) {
+    last = 0;
+    if (!player.has_working() || count == 0)
+        return {};
+    TextLines lines = lines_of_working(player, columns);
     if (lines.size() <= count)
         return lines;
     last = lines.size() - std::min(lines.size(), count - 1) + 1;
@@ -453,6 +458,16 @@ TextLines panels_of(const Player& player, std::size_t columns, std::size_t lines
     return panels;
 }
 
+/// True if nothing has been drawn, and the step draws nothing: the picture gives way to the working.
+bool shows_nothing(const Player& player) {
+    const Replay& replay = player.playback().replay();
+    constexpr StepKindSet outside{StepKind::triangulate, StepKind::matrix, StepKind::vertex,
+                                  StepKind::order,       StepKind::face,   StepKind::light,
+                                  StepKind::clip,        StepKind::skip,   StepKind::undecided};
+    const auto kind = replay.step() == 0 ? std::nullopt : replay.trace().kind_of(replay.step());
+    return player.has_working() && kind && outside.has(*kind) && replay.frame().image.drawn() == 0;
+}
+
 /// Panels below the picture have so many lines at least, of all that are there.
 std::size_t least_below(std::size_t lines) {
     constexpr std::size_t few_lines = 5;
@@ -496,10 +511,18 @@ PlayerScreen player_screen(const Player& player, TextSize size, const ScreenAbil
     const std::size_t frame_columns =
         side > 0 ? std::min(size.columns - side - 2, columns_of_picture(trace.canvas, about))
                  : size.columns;
-    const std::size_t most_lines = side > 0 ? body : body - least_below(body);
+    std::size_t most_lines = side > 0 ? body : body - least_below(body);
+    if (side == 0 && shows_nothing(player)) {
+        constexpr std::size_t for_steps = 5; // and blank lines
+        constexpr std::size_t least_picture = around_grid + 3;
+        const std::size_t below = lines_of_working(player, size.columns).size() + for_steps;
+        const std::size_t room = body - std::min(body, below);
+        most_lines = room >= least_picture ? std::min(most_lines, room) : 0;
+    }
     // A frame leaves a line for the prompt of a shell, which is not there.
-    LaidOutFrame frame =
-        laid_out_frame(player.playback().replay(), about, {frame_columns, most_lines + 1});
+    LaidOutFrame frame;
+    if (most_lines > 0)
+        frame = laid_out_frame(player.playback().replay(), about, {frame_columns, most_lines + 1});
     TextLines grid = lines_in(frame.text);
     ScreenPlaces places{.scale = about.scale};
     const TextLines panels = panels_of(
