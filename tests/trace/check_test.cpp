@@ -24,10 +24,12 @@
 namespace rastertrace {
 namespace {
 
+using testing::AllOf;
 using testing::Contains;
 using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
+using testing::Not;
 
 /// T0's triangle, drawn by a method.
 std::string triangle_by(const std::string& method) {
@@ -569,6 +571,21 @@ TEST(Check, TheFiguresNumbersAndTheirSlips) {
     EXPECT_THAT(slips_of(triangle, "edge AB: 4/3\n"), ElementsAre("dx-dy-inverted"));
     EXPECT_THAT(slips_of(triangle, "y=4: 2, ?\n"), Contains("neighbor-row"));
     EXPECT_THAT(slips_of(triangle, "y=0: -> -1..3\n"), Contains("truncate-for-floor"));
+}
+
+TEST(Check, TheLineItselfRefutesASlip) {
+    // 29/3 to the nearest is 10, and 19/8 would be 2 by each rule: round(5/4) is 1.
+    const std::string ends = R"({"canvas":{"width":14,"height":14,"origin":"bottom-left"},
+        "vertices":{"A":[5,10],"B":[3,4],"C":[12,4]},"triangles":["ABC"]})";
+    EXPECT_THAT(slips_of(ends, "y=6: 11/3, 29/3 -> 4..9\n"),
+                ElementsAre("inside-for-floor", "half-open-for-floor"));
+    EXPECT_THAT(slips_of(triangle, "y=4: 5/4, 19/8 -> 2..2\n"),
+                ElementsAre("inside-for-floor", "half-open-for-floor"));
+    // Both ends by one rule.
+    EXPECT_THAT(slips_of(ends, "y=6: 11/3, 29/3 -> 4..10\n"),
+                AllOf(Contains("nearest-for-floor"), Not(Contains("inside-for-floor"))));
+    // The other end says nothing.
+    EXPECT_THAT(slips_of(ends, "y=6: 11/3, 29/3 -> 4..?\n"), Contains("nearest-for-floor"));
 }
 
 TEST(Check, ThePixelsCornerForItsCenter) {

@@ -9,6 +9,7 @@
 #include <rastertrace/trace/tell/step_text.h>
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace rastertrace {
@@ -75,30 +76,66 @@ void WrongExplainer::explain(const Subject& subject, std::size_t order, CheckedC
             checked.slips = slips_that_give(*formula, name_of_number(subject, field), field);
         }
     }
-    if (subject.kind == StepKind::scanline)
-        explain_exchanged_ends(subject, claim);
+    if (subject.kind != StepKind::scanline)
+        return;
+    explain_exchanged_ends(subject, claim);
+    const auto from = end_of(subject, claim, "from");
+    const auto to = end_of(subject, claim, "to");
+    if (from && to) {
+        hold_against_other_end(subject, *from, *to);
+        hold_against_other_end(subject, *to, *from);
+    }
 }
 
-std::optional<WrongExplainer::WrongEnd>
-WrongExplainer::wrong_end(const Subject& subject, CheckedClaim& claim, std::string_view name) {
+std::optional<WrongExplainer::ClaimedEnd>
+WrongExplainer::end_of(const Subject& subject, CheckedClaim& claim, std::string_view name) {
     for (std::size_t k = 0; k < claim.fields.size() && k < subject.fields.size(); ++k)
-        if (claim.fields[k].name == name && claim.fields[k].verdict == ClaimVerdict::wrong)
+        if (claim.fields[k].name == name)
             if (auto formula = formula_of(subject, *subject.fields[k]))
-                return WrongEnd{&claim.fields[k], subject.fields[k], std::move(*formula)};
+                return ClaimedEnd{&claim.fields[k], subject.fields[k], std::move(*formula)};
     return std::nullopt;
+}
+
+/// Both pixels of a row are rounded by one rule. What gives the wrong one, but not the other as it is claimed, is not
+/// behind it; what also leaves the other right is so much likelier, as chance would have hit either.
+void WrongExplainer::hold_against_other_end(const Subject& subject, const ClaimedEnd& wrong,
+                                            const ClaimedEnd& other) {
+    const bool other_is_right = other.checked->verdict == ClaimVerdict::right;
+    if (wrong.checked->verdict != ClaimVerdict::wrong ||
+        (!other_is_right && other.checked->verdict != ClaimVerdict::wrong))
+        return;
+    const auto results_of = [&](const ClaimedEnd& end, std::size_t slip) {
+        return redone(name_of_number(subject, *end.field), end.formula)[slip];
+    };
+    for (std::size_t i = 0; i < slips().size(); ++i) {
+        const auto of_other = results_of(other, i);
+        if (results_of(wrong, i).size() != 1 || of_other.size() > 1)
+            continue; // more than one thing may have been done
+        const bool gives_other =
+            of_other.empty() ? other_is_right : gives(of_other.front().values, *other.field);
+        const double either_end = std::log(2.0);
+        std::erase_if(wrong.checked->slips, [&](LikelySlip& slip) {
+            const bool is_it = slip.name == slips()[i].name;
+            slip.evidence += is_it && other_is_right ? either_end : 0;
+            return is_it && !gives_other;
+        });
+    }
 }
 
 /// Who takes one end of a row for the other, perhaps because one of them is wrong and they were sorted, has in each
 /// what comes of the other's formula.
 void WrongExplainer::explain_exchanged_ends(const Subject& subject, CheckedClaim& claim) {
-    const auto left = wrong_end(subject, claim, "left");
-    const auto right = wrong_end(subject, claim, "right");
-    if (!left || !right)
+    const auto left = end_of(subject, claim, "left");
+    const auto right = end_of(subject, claim, "right");
+    const auto is_wrong = [](const std::optional<ClaimedEnd>& end) {
+        return end && end->checked->verdict == ClaimVerdict::wrong;
+    };
+    if (!is_wrong(left) || !is_wrong(right))
         return;
-    const auto is_other = [](const WrongEnd& end, const WrongEnd& other) {
+    const auto is_other = [](const ClaimedEnd& end, const ClaimedEnd& other) {
         return gives(value_of(other.formula), *end.field);
     };
-    const auto slips_of_other = [&](const WrongEnd& end, const WrongEnd& other) {
+    const auto slips_of_other = [&](const ClaimedEnd& end, const ClaimedEnd& other) {
         return slips_that_give(other.formula, name_of_number(subject, *other.field), *end.field);
     };
     const bool left_is_right = is_other(*left, *right);

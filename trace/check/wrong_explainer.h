@@ -40,16 +40,18 @@ public:
 private:
     using Slips = std::vector<LikelySlip>;
 
-    /// An end of a row that is wrong, and its formula.
-    struct WrongEnd {
+    /// What is claimed of an end of a row, and its formula.
+    struct ClaimedEnd {
         CheckedField* checked = nullptr;
         const ClaimedField* field = nullptr;
         Formula formula = {};
     };
 
     void explain_exchanged_ends(const Subject& subject, CheckedClaim& claim);
-    static std::optional<WrongEnd> wrong_end(const Subject& subject, CheckedClaim& claim,
-                                             std::string_view name);
+    void hold_against_other_end(const Subject& subject, const ClaimedEnd& wrong,
+                                const ClaimedEnd& other);
+    static std::optional<ClaimedEnd> end_of(const Subject& subject, CheckedClaim& claim,
+                                            std::string_view name);
     bool follows(const Subject& subject, const ClaimedField& field, std::size_t order,
                  CheckedField& checked);
     const Numbers& claimed_numbers(const StepIndex& index);
