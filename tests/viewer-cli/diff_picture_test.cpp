@@ -127,6 +127,27 @@ TEST_F(DiffPictureTest, APictureThatIsDrawnAllOverIsNotTakenForEmpty) {
                 HasSubstr("the pictures: 1 pixel only in a\n"));
 }
 
+// What a move takes off the canvas is not there: it differs. On two pixels a move would explain anything.
+TEST_F(DiffPictureTest, AMoveIsToldOnlyIfEveryPixelWasCompared) {
+    write("box.json", R"({"canvas":{"width":6,"height":2,"origin":"top-left"},)"
+                      R"("vertices":{"A":[0,0],"B":[4,0],"C":[4,2],"D":[0,2]},)"
+                      R"("triangles":["ABC","ACD"],"method":{"fill":"top-left"}})");
+    EXPECT_EQ(rows_of("box.json"), Rows({"####..", "####.."}));
+    write_rows("wide.txt", {"#####.", "#####."});
+    EXPECT_THAT(diff("box.json wide.txt").out, Not(HasSubstr("moved")));
+    write_rows("moved.txt", {".####.", ".####."});
+    EXPECT_THAT(diff("box.json moved.txt").out,
+                HasSubstr("b is a, moved 1 pixel to the right: then nothing differs\n"));
+    write_rows("cut.txt", {"..####", "..####"});
+    EXPECT_THAT(diff("box.json cut.txt --ignore header").out,
+                HasSubstr("b is a, moved 2 pixels to the right: then nothing differs\n"));
+
+    write("two.json", R"({"canvas":{"width":2,"height":1,"origin":"top-left"},)"
+                      R"("vertices":{"A":[0,0]},"points":["A"]})");
+    write_rows("other.txt", {".#"});
+    EXPECT_THAT(diff("two.json other.txt").out, Not(HasSubstr("b is a")));
+}
+
 // A move that leaves nothing to compare explains nothing.
 TEST_F(DiffPictureTest, ALostPixelIsNotTakenForAMove) {
     const Rows rows = rows_of(triangle);

@@ -73,31 +73,37 @@ class PictureHeldAgainst {
 public:
     PictureHeldAgainst(const OwnedPicture& drawn, const Picture& picture,
                        const PictureDiffOptions& options)
-        : drawn_(drawn), picture_(picture), options_(options), background_(background()),
+        : drawn_(drawn), picture_(picture), options_(options),
+          background_(
+              background_beside(picture, options.background,
+                                [this](int x, int row) { return drawn_at(x, row) != no_color; })),
           has_colors_(options.compares_colors && picture.has_colors) {}
 
     /// The picture on the canvas of the trace. What has the color of the background counts as drawn where the trace
     /// has drawn in that color.
     OwnedPicture on_canvas() const {
         OwnedPicture owned(drawn_.canvas());
-        const Canvas& canvas = drawn_.canvas();
-        for_each_pixel([&](int x, int row, Color drawn) {
-            if (const Color color = seen_at(x, row, drawn); color != no_color)
-                owned.put({canvas.left() + x, canvas.top() + canvas.down() * row}, color);
-        });
+        for (int row = 0; row < picture_.height; ++row)
+            for (int x = 0; x < picture_.width; ++x)
+                if (const Color color = seen_at(x, row, drawn_at(x, row)); color != no_color)
+                    owned.put(pixel_at(x, row), color);
         return owned;
     }
 
-    /// How another placement of the picture explains what differs; "" if none explains most of it.
+    /// How another placement of the picture explains what differs; "" if none explains most of it. Half of a side is too
+    /// far to move, and two pixels are too few to turn over: that would explain anything.
     std::string placement_remark(std::uint64_t differing) const {
         constexpr int farthest = 2;
         constexpr int enough = 1 << 18; // of a large picture not every row is looked at
-        const int step = std::max(1, picture_.width * picture_.height / enough);
+        const int pixels = picture_.width * picture_.height;
+        const int step = std::max(1, pixels / enough);
         Placement best;
         std::uint64_t fewest = place({}, step).differing;
-        for (int turned = 0; turned < 4; ++turned)
-            for (int down = -farthest; down <= farthest; ++down)
-                for (int right = -farthest; right <= farthest; ++right) {
+        const int most_right = std::min(farthest, (picture_.width - 1) / 2);
+        const int most_down = std::min(farthest, (picture_.height - 1) / 2);
+        for (int turned = 0; turned < (pixels > 2 ? 4 : 1); ++turned)
+            for (int down = -most_down; down <= most_down; ++down)
+                for (int right = -most_right; right <= most_right; ++right) {
                     const Placement placement{right, down, (turned & 1) != 0, (turned & 2) != 0};
                     const Placed placed = place(placement, step);
                     if (placed.differing < fewest && placed.common * 2 > placed.drawn) {
@@ -120,27 +126,16 @@ public:
     bool has_colors() const { return has_colors_; }
 
     /// What is not drawn; `no_color` if only what is transparent is.
-    Color background() const {
-        if (!has_background(picture_))
-            return no_color;
-        if (options_.background)
-            return *options_.background;
-        std::vector<Color> not_drawn;
-        for_each_pixel([&](int x, int row, Color drawn) {
-            if (drawn == no_color)
-                not_drawn.push_back(picture_.at(x, row));
-        });
-        return most_frequent(not_drawn);
-    }
+    Color background() const { return background_; }
 
 private:
-    /// Calls `use` with column, row and the trace's color of each pixel of every `step`-th row.
-    template <typename Use> void for_each_pixel(const Use& use, int step = 1) const {
+    Pixel pixel_at(int x, int row) const {
         const Canvas& canvas = drawn_.canvas();
-        for (int row = 0; row < picture_.height; row += step)
-            for (int x = 0; x < picture_.width; ++x)
-                use(x, row, drawn_.color({canvas.left() + x, canvas.top() + canvas.down() * row}));
+        return {canvas.left() + x, canvas.top() + canvas.down() * row};
     }
+
+    /// The trace's color, `no_color` beside its canvas.
+    Color drawn_at(int x, int row) const { return drawn_.color(pixel_at(x, row)); }
 
     /// The picture's pixel, `no_color` where it is not drawn; `drawn` is what the trace has there.
     Color seen_at(int x, int row, Color drawn) const {
@@ -160,11 +155,14 @@ private:
         std::uint64_t drawn = 0;  ///< by the trace
     };
 
-    /// How many pixels are which if the picture is placed so.
+    /// How many pixels are which if the picture is placed so: also of those that are moved off the canvas.
     Placed place(const Placement& placement, int step = 1) const {
         Placed placed;
-        for_each_pixel(
-            [&](int x, int row, Color drawn) {
+        const int beside = std::abs(placement.right);
+        const int beyond = step == 1 ? std::abs(placement.down) : 0;
+        for (int row = -beyond; row < picture_.height + beyond; row += step)
+            for (int x = -beside; x < picture_.width + beside; ++x) {
+                const Color drawn = drawn_at(x, row);
                 int from_x = x + placement.right;
                 int from_row = row + placement.down;
                 if (placement.is_mirrored)
@@ -181,8 +179,7 @@ private:
                 placed.differing += is_alike ? 0 : 1;
                 placed.common += is_in_both ? 1 : 0;
                 placed.drawn += drawn != no_color ? 1 : 0;
-            },
-            step);
+            }
         return placed;
     }
 

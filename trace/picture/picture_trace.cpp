@@ -57,6 +57,20 @@ Color background_of(const Picture& picture) {
     return most_frequent(border);
 }
 
+Color background_beside(const Picture& picture, std::optional<Color> said,
+                        const std::function<bool(int x, int row)>& is_drawn) {
+    if (!has_background(picture))
+        return no_color;
+    if (said)
+        return *said;
+    std::vector<Color> not_drawn;
+    for (int row = 0; row < picture.height; ++row)
+        for (int x = 0; x < picture.width; ++x)
+            if (!is_drawn(x, row))
+                not_drawn.push_back(picture.at(x, row));
+    return most_frequent(not_drawn);
+}
+
 std::string picture_trace(const Picture& picture) {
     std::string text =
         fmt::format(R"({{"rastertrace":1,"canvas":{{"width":{},"height":{},"origin":"top-left"}}}})"

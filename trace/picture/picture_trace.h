@@ -7,6 +7,8 @@
 
 #include "picture.h"
 
+#include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -17,6 +19,11 @@ bool has_background(const Picture& picture);
 
 /// The color of what is not drawn: that of most pixels on its border; `no_color` if it has no background.
 Color background_of(const Picture& picture);
+
+/// The color of what a picture of a drawing does not draw: the one `said`, or that of most pixels that the drawing does
+/// not draw; `no_color` if it has no background.
+Color background_beside(const Picture& picture, std::optional<Color> said,
+                        const std::function<bool(int x, int row)>& is_drawn);
 
 /// The color that most of some pixels have; `no_color` of none.
 Color most_frequent(const std::vector<Color>& colors);
