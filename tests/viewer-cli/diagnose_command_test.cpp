@@ -10,8 +10,10 @@
 #include <rastertrace/trace/record/traced_steps.h>
 
 #include <algorithm>
+#include <map>
 #include <sstream>
 #include <string>
+#include <tuple>
 #include <variant>
 
 namespace rastertrace {
@@ -112,6 +114,85 @@ TEST_F(DiagnoseTest, AnAntiAliasedPictureIsSaidToBeOne) {
     EXPECT_THAT(diagnose("white.json theirs.pgm").out,
                 AllOf(StartsWith("draws by rounding half-open"), HasSubstr("anti-aliasing"),
                       Not(HasSubstr("score 100 %"))));
+}
+
+/// What is right, or drawn with a mistake, in other colors than the scene's.
+class DiagnoseColorsTest : public DiagnoseTest {
+protected:
+    DiagnoseColorsTest() {
+        write("plain.json", scene("", ""));
+        write("colored.json", scene(R"(, "color": "#ff0000")", R"(, "color": "#0000ff")"));
+    }
+
+    static std::string scene(const std::string& a, const std::string& b) {
+        return R"({"canvas": {"width": 9, "height": 7, "origin": "top-left"},
+            "vertices": {"A": [0, 0, 1], "B": [6, 0, 1], "C": [0, 5, 1], "D": [7, 6, 3]},
+            "triangles": [{"vertices": "ABC", "name": "T1")" +
+               a + R"(}, {"vertices": "ABD", "name": "T2")" + b +
+               R"(}], "method": {"fill": "top-left", "depth": "linear-z"}})";
+    }
+
+    /// A PPM of rows, with a color for each of their characters.
+    void write_ppm(const std::string& rows, const std::map<char, std::string>& colors) const {
+        std::string text = "P3\n9 7\n255\n";
+        for (const char c : rows)
+            if (const auto color = colors.find(c); color != colors.end())
+                text += color->second + "\n";
+        write("theirs.ppm", text);
+    }
+
+    std::string rows_of(const std::string& arguments) const {
+        return run("show --bare " + arguments).out;
+    }
+};
+
+// A scene without colors leaves them to the renderer, and to its background.
+TEST_F(DiagnoseColorsTest, ARightPictureOfASceneWithoutColorsIsRightInAnyColors) {
+    for (const auto& [drawn, not_drawn, said] : {std::tuple("255 255 255", "0 0 0", "#ffffff"),
+                                                 {"255 255 0", "255 255 255", "#ffff00"},
+                                                 {"210 210 210", "255 255 255", "#d2d2d2"},
+                                                 {"0 128 0", "30 30 60", "#008000"}}) {
+        write_ppm(rows_of("plain.json"), {{'#', drawn}, {'.', not_drawn}});
+        EXPECT_THAT(diagnose("plain.json theirs.ppm"),
+                    Prints(std::string("drawn as the scene asks\n  remark      ") + said +
+                           " in theirs.ppm is the scene's #000000\n"));
+        write_ppm(rows_of("plain.json --sample integer"), {{'#', drawn}, {'.', not_drawn}});
+        EXPECT_THAT(diagnose("plain.json theirs.ppm").out, StartsWith("draws by sample integer"));
+    }
+    write_ppm(rows_of("plain.json"), {{'#', "0 0 0"}, {'.', "0 0 0"}});
+    EXPECT_EQ(diagnose("plain.json theirs.ppm").out.find("drawn as the scene asks"), 0U);
+}
+
+TEST_F(DiagnoseColorsTest, OtherColorsThanTheScenesAreTold) {
+    const std::string rows = rows_of("colored.json --view faces");
+    write_ppm(rows, {{'a', "0 200 0"}, {'b', "200 0 200"}, {'.', "0 0 0"}});
+    EXPECT_THAT(diagnose("colored.json theirs.ppm"),
+                Ends(1, "drawn as the scene asks, in other colors\n"
+                        "  remark      #00c800 in theirs.ppm is the scene's #ff0000\n"
+                        "  remark      #c800c8 in theirs.ppm is the scene's #0000ff\n"));
+    write_ppm(rows, {{'a', "0 0 255"}, {'b', "255 0 0"}, {'.', "0 0 0"}}); // exchanged
+    EXPECT_THAT(diagnose("colored.json theirs.ppm"),
+                Ends(1, AllOf(StartsWith("nothing that I know: "),
+                              HasSubstr("theirs.ppm draws what the scene asks for, "))));
+    write_ppm(rows, {{'a', "255 255 255"}, {'b', "255 255 255"}, {'.', "0 0 0"}});
+    EXPECT_THAT(diagnose("colored.json theirs.ppm"),
+                Ends(1, AllOf(StartsWith("drawn as the scene asks, in other colors\n"),
+                              HasSubstr("#ffffff in theirs.ppm is the scene's #0000ff"))));
+}
+
+// Without colors a trace says who has drawn what.
+TEST_F(DiagnoseColorsTest, ATraceWithoutColorsIsComparedByItsPrimitives) {
+    write("mixed.json", R"({"canvas": {"width": 9, "height": 7, "origin": "top-left"},
+        "vertices": {"A": [0, 0], "B": [8, 0], "C": [0, 6]}, "triangles": ["ABC"],
+        "colors": {"A": "#ff0000", "B": "#00ff00", "C": "#0000ff"}})");
+    for (const std::string scene : {"plain.json", "colored.json", "mixed.json"}) {
+        shell("$rastertrace trace " + scene +
+              R"( | sed 's/,"colors\?":[^]}]*"\]\?//' > theirs.jsonl)");
+        EXPECT_THAT(diagnose(scene + " theirs.jsonl"), Prints("drawn as the scene asks\n"));
+    }
+    shell(
+        R"($rastertrace trace colored.json --depth none | sed 's/,"color":"[^"]*"//' > theirs.jsonl)");
+    EXPECT_THAT(diagnose("colored.json theirs.jsonl"), Ends(1, StartsWith("draws by depth none")));
 }
 
 /// What a sentence says behind "; NAME: x = ", or another letter, up to words. "" if it does not.

@@ -12,6 +12,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <utility>
 #include <vector>
 
 namespace rastertrace {
@@ -22,6 +23,9 @@ struct SeenCells {
     int height = 0;
     std::vector<Color> colors{}; ///< `no_color` where nothing is drawn
     bool has_colors = true;      ///< else it is only known where something is drawn
+    Color hidden = no_color;     ///< one of the scene's that cannot be told from what is not drawn
+    std::vector<std::pair<Color, Color>>
+        stand_ins{}; ///< another color of the picture, and the scene's in whose place it is
     std::uint64_t between =
         0; ///< pixels of an anti-aliased picture whose color lay between two that are known
 };
@@ -40,12 +44,14 @@ struct DrawnPair {
 /// primitives, faces, lights, samples, lines and depths.
 Claims comparable(Claims claims);
 
-/// The cells of a picture. What has the color of most pixels that the scene does not draw is not drawn. Of a scene
-/// whose colors are not mixed, a color between two of the scene's becomes the nearer one.
+/// The cells of a picture. What has the background's color (picture_trace.h) is not drawn. Where the scene mixes no
+/// colors, one of them that does not occur has the color that most of its pixels have, and any other color becomes the
+/// nearest one.
 SeenCells cells_of(const Picture& picture, const Source& scene);
 
-/// The cells of a trace's last frame.
-SeenCells cells_of(const Trace& trace);
+/// The cells of a trace's last frame. A trace without colors has those that the scene gives its primitives, by name; if it
+/// does not give each a single one, only what is drawn is known.
+SeenCells cells_of(const Trace& trace, const Source& scene);
 
 /// True if a pixel of a picture is not as it was seen.
 bool differs(const SeenCells& seen, std::size_t cell, Color drawn);

@@ -12,6 +12,7 @@
 #include <rastertrace/trace/diagnose/diagnosis.h>
 #include <rastertrace/trace/diagnose/tell_apart.h>
 #include <rastertrace/trace/picture/picture_trace.h>
+#include <rastertrace/trace/text/color_text.h>
 #include <rastertrace/trace/text/in_threads.h>
 #include <rastertrace/trace/text/output.h>
 #include <rastertrace/trace/text/text.h>
@@ -118,7 +119,7 @@ DrawnPair drawn_pair(const PairOfFiles& files) {
                                          "of {} has, found ({}, {})",
                                          canvas.left(), canvas.top(), files.scene, theirs_on.left(),
                                          theirs_on.top()));
-        pair.seen = cells_of(trace);
+        pair.seen = cells_of(trace, pair.scene);
     }
     if (pair.seen.width != canvas.width || pair.seen.height != canvas.height)
         throw problem_of(
@@ -132,25 +133,47 @@ DrawnPair drawn_pair(const PairOfFiles& files) {
 /// What is to be known of the pictures, whatever they come of.
 std::string remarks_on(const std::vector<DrawnPair>& pairs, const std::vector<PairOfFiles>& files) {
     std::string text;
+    const auto remark = [&text](const std::string& what) {
+        text += "  remark      " + what + "\n";
+    };
     for (std::size_t i = 0; i < pairs.size(); ++i) {
         if (pairs[i].claims)
             continue;
+        const std::string theirs = printable(files[i].theirs);
         const SeenCells& seen = pairs[i].seen;
         const Image asked = *drawn_by({}, pairs[i].scene);
-        bool has_common = false;
-        for (std::size_t cell = 0; cell < seen.colors.size(); ++cell)
-            has_common =
-                has_common || (seen.colors[cell] != no_color && asked.colors()[cell] != no_color);
-        if (!has_common)
-            text += fmt::format("  remark      no pixel is drawn in {} and by {} as well: is it a "
-                                "picture of this scene?\n",
-                                printable(files[i].theirs), printable(files[i].scene));
+        std::size_t common = 0, alone = 0, recolored = 0;
+        for (std::size_t cell = 0; cell < seen.colors.size(); ++cell) {
+            const bool is_seen = seen.colors[cell] != no_color;
+            const bool is_asked = asked.colors()[cell] != no_color;
+            common += is_seen && is_asked;
+            alone += is_seen != is_asked;
+            recolored += is_seen && is_asked && differs(seen, cell, asked.colors()[cell]);
+        }
+        if (common == 0)
+            remark(fmt::format("no pixel is drawn in {} and by {} as well: is it a picture of "
+                               "this scene?",
+                               theirs, printable(files[i].scene)));
+        for (const auto& [color, meant] : seen.stand_ins)
+            remark(
+                fmt::format("{} in {} is the scene's {}", to_text(color), theirs, to_text(meant)));
+        if (alone == 0 && recolored > 0)
+            remark(fmt::format("{} draws what the scene asks for, {} pixels in another color",
+                               theirs, recolored));
         if (seen.between > 0)
-            text += fmt::format("  remark      {} pixels of {} have a color between two of the "
-                                "scene's: anti-aliasing; each counts as the nearer one\n",
-                                seen.between, printable(files[i].theirs));
+            remark(fmt::format("{} pixels of {} have a color between two of the scene's: "
+                               "anti-aliasing; each counts as the nearer one",
+                               seen.between, theirs));
     }
     return text;
+}
+
+/// True if a picture has another color in the place of one that its scene chooses; black is what one has that does not.
+bool has_other_colors(const std::vector<DrawnPair>& pairs) {
+    return std::ranges::any_of(pairs, [](const DrawnPair& pair) {
+        return std::ranges::any_of(pair.seen.stand_ins,
+                                   [](const auto& one) { return one.second != Color(); });
+    });
 }
 
 /// What the differences are counted in.
@@ -269,8 +292,10 @@ ExitStatus answer(const DiagnoseCommand& command) {
         return found.is_as_asked() ? exit_fine : exit_difference;
     }
     if (found.is_as_asked()) {
-        print("drawn as the scene asks\n" + remarks_on(pairs, files));
-        return exit_fine;
+        const bool is_recolored = has_other_colors(pairs);
+        print(fmt::format("drawn as the scene asks{}\n{}", is_recolored ? ", in other colors" : "",
+                          remarks_on(pairs, files)));
+        return is_recolored ? exit_difference : exit_fine;
     }
     if (found.answer.empty()) {
         print(fmt::format("nothing that I know: {} {} are not as the scene asks; the closest rule, "
