@@ -6,6 +6,10 @@
 #include "told_problem.h"
 #include "traces.h"
 
+#include <rastertrace/core/draw/draw.h>
+#include <rastertrace/core/draw/model/mistakes.h>
+
+#include <fmt/core.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -605,6 +609,41 @@ TEST(SceneFile, ACameraWithoutAProjectionIsRemarked) {
     for (const char* const projection :
          {R"({"type": "none"})", R"({"type": "pinhole", "distance": 1})"})
         EXPECT_EQ(remarks_on(scene_with(camera + R"(, "projection": )" + projection)), "");
+}
+
+// Whether a fill never makes a mistake, or this scene does not show it: who asks for it is told.
+TEST(SceneFile, AMistakeIsRemarkedIfAndOnlyIfItChangesNoPixel) {
+    int idle = 0;
+    int shown = 0;
+    for (const char* const fill : {"scanline", "top-left", "barycentric"})
+        for (const char* const corner : {"[3, 6]", "[12, 3]"})
+            for (const Mistake& mistake : mistakes()) {
+                const std::string text =
+                    fmt::format(R"({{"canvas": {{"width": 8, "height": 8, "origin": "top-left"}},
+"vertices": {{"A": [1, 1], "B": [6, 2], "C": {}}}, "triangles": ["ABC"],
+"method": {{"fill": "{}", "scalar": "exact"}}}})",
+                                corner, fill);
+                const auto right = read_scene({"scene.json", text});
+                const auto read =
+                    read_scene({"scene.json", text}, {{"mistake", std::string(mistake.name)}});
+                ASSERT_TRUE(right) << text;
+                if (!read) // it cannot be made here, and is refused
+                    continue;
+                const Image with = draw(read.value().scene, read.value().plan);
+                const Image without = draw(right.value().scene, right.value().plan);
+                const bool is_idle = std::ranges::equal(with.colors(), without.colors());
+                const auto& remarks = read.value().remarks;
+                EXPECT_EQ(remarks.size(), is_idle ? 1U : 0U) << mistake.name << "\n" << text;
+                ++(is_idle ? idle : shown);
+                if (is_idle && !remarks.empty()) {
+                    EXPECT_EQ(
+                        remarks[0].message,
+                        fmt::format("remark: the mistake \"{}\" changes no pixel of this scene",
+                                    mistake.name));
+                }
+            }
+    EXPECT_GT(idle, 100);
+    EXPECT_GT(shown, 50);
 }
 
 TEST(SceneFile, AFaceThatRoundingMayHaveBentIsNotTold) {

@@ -9,6 +9,7 @@
 #include "triangles_text.h"
 #include "variations.h"
 
+#include <rastertrace/core/draw/draw.h>
 #include <rastertrace/core/draw/list/geometry.h>
 #include <rastertrace/core/draw/list/pieces.h>
 #include <rastertrace/core/draw/model/mistakes.h>
@@ -128,7 +129,8 @@ public:
                 R"(the smallest scene: {"vertices": {"A": [2, 5], "B": [-4, -3], "C": [5, -3]}, )"
                 R"("triangles": ["ABC"]})");
         read_view(root);
-        drop_what_means_nothing();
+        for (Method* const method : {&scene_.method, &asked_})
+            drop_what_means_nothing(*method);
         check_method(root);
         check_mistake(root);
         read_canvas(root.find("canvas"), root);
@@ -163,10 +165,10 @@ public:
             remarks.push_back(*std::move(remark));
         if (place_of_camera_)
             remarks.push_back(remark_on_camera());
-        if (place_of_idle_mistake_)
+        if (place_of_mistake_ && !mistake_shows(std::get<Plan>(plan)))
             remarks.push_back(
-                problem_at(source_, *place_of_idle_mistake_,
-                           fmt::format("remark: the mistake \"{}\" changes nothing in such a scene",
+                problem_at(source_, *place_of_mistake_,
+                           fmt::format("remark: the mistake \"{}\" changes no pixel of this scene",
                                        scene_.method.mistake->name)));
         std::move(remarks_on_meshes_.begin(), remarks_on_meshes_.end(),
                   std::back_inserter(remarks));
@@ -255,7 +257,8 @@ private:
 
     /// A mistake is a setting, whatever the scene says, or a function in the model, which is exact.
     void apply_mistake() {
-        const Mistake* const mistake = scene_.method.mistake;
+        asked_ = scene_.method;
+        const Mistake* const mistake = std::exchange(asked_.mistake, nullptr);
         if (mistake == nullptr)
             return;
         if (mistake->put_in != nullptr) {
@@ -632,7 +635,7 @@ private:
         }
     }
 
-    /// A mistake that the model cannot make in such a scene is refused; one that changes nothing is worth a remark.
+    /// A mistake that the model cannot make in such a scene is refused.
     void check_mistake(const JsonValue& root) {
         const Mistake* const mistake = scene_.method.mistake;
         if (mistake == nullptr)
@@ -648,8 +651,21 @@ private:
                                    mistake->name),
                        "no known mistake is about polygons, circles, the fan, diamonds, or lines "
                        "that surfaces hide");
-        if (mistake->put_in != nullptr && !mistake->concerns(scene_))
-            place_of_idle_mistake_ = blamed.begin;
+        place_of_mistake_ = blamed.begin;
+    }
+
+    /// True if a pixel is another one with the mistake of the scene than without.
+    bool mistake_shows(const Plan& plan) const {
+        Scene right = scene_;
+        right.method = asked_;
+        right.method.scalar = scene_.method.scalar;
+        const auto plan_of_right = plan_or_unfit(right);
+        const auto* const found = std::get_if<Plan>(&plan_of_right);
+        if (found == nullptr)
+            return true;
+        const Image with = draw(scene_, plan);
+        const Image without = draw(right, *found);
+        return !std::equal(with.colors().begin(), with.colors().end(), without.colors().begin());
     }
 
     /// Choices that do not go together, as soon as it is known what they are for.
@@ -1156,9 +1172,10 @@ private:
     std::optional<std::size_t> place_of_fit_;    ///< offset of a camera that is to be fitted
     std::optional<std::size_t> place_of_flat_;   ///< offset of the first primitive without depth
     std::optional<std::size_t> place_of_camera_; ///< offset of a camera without a projection
-    std::optional<std::size_t> place_of_idle_mistake_; ///< of one that changes nothing here
-    std::vector<std::size_t> places_of_vertices_;      ///< offsets of their names in the source
-    std::vector<float> units_;                         ///< of each vertex: see typed_digits.h
+    std::optional<std::size_t> place_of_mistake_;
+    Method asked_;                                ///< without the mistake
+    std::vector<std::size_t> places_of_vertices_; ///< offsets of their names in the source
+    std::vector<float> units_;                    ///< of each vertex: see typed_digits.h
     std::array<std::optional<std::size_t>, 3>
         first_of_count_; ///< offsets of the first vertices of two, of three and of four numbers
     NameIndex vertex_by_name_; ///< but for those of OBJ files
