@@ -8,7 +8,9 @@
 
 #include <rastertrace/core/numbers/conversion.h>
 #include <rastertrace/trace/compare/diff.h>
+#include <rastertrace/trace/record/frame.h>
 #include <rastertrace/trace/record/traced_steps.h>
+#include <rastertrace/trace/tell/describe.h>
 #include <rastertrace/trace/text/text.h>
 
 #include <gmock/gmock.h>
@@ -946,6 +948,29 @@ TEST(Diff, OnlyWhatBothTellIsComparedIfSoAsked) {
     EXPECT_TRUE(found.is_same) << diff_text(found);
     EXPECT_THAT(found.remarks, ::testing::Contains("compared: only the fields that both traces "
                                                    "have, of pixel, scanline"));
+}
+
+// A vertex that another program tells only on the screen is compared there.
+TEST(Diff, VerticesAreComparedInTheSpacesThatBothTell) {
+    const std::string ours = trace_text(
+        scene_in(R"({"canvas":{"width":9,"height":9},"camera":{"position":[0,0,5],)"
+                 R"("look_at":[0,0,0]},"projection":{"type":"view-plane","distance":1},)"
+                 R"("vertices":{"A":[0,0,0],"B":[2,0,0],"C":[0,2,0]},"triangles":["ABC"]})"),
+        in_lines);
+    Lines theirs(ours);
+    std::erase_if(theirs.steps, [](const std::string& step) {
+        return step.find(R"("vertex")") != std::string::npos &&
+               step.find(R"("screen")") == std::string::npos;
+    });
+    EXPECT_FALSE(diff_of(ours, theirs.text()).is_same);
+    const DiffOptions common{.ignored = {"header", "end"}, .compares_common = true};
+    EXPECT_TRUE(diff_of(ours, theirs.text(), common).is_same);
+    const auto vertex =
+        std::find_if(theirs.steps.begin(), theirs.steps.end(), [](const auto& step) {
+            return step.find(R"("vertex")") != std::string::npos;
+        });
+    vertex->insert(vertex->rfind(']'), ",7");
+    EXPECT_FALSE(diff_of(ours, theirs.text(), common).is_same);
 }
 
 TEST(Diff, StepsOfAKindOfOnesOwnAreFoundByTheirKeys) {

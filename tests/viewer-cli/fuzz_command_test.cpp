@@ -198,12 +198,40 @@ TEST_F(FuzzTest, ATieOfDepthsIsToldAsOne) {
 
 // Scenes in every text, of every kind: ours is a program that agrees with us.
 TEST_F(FuzzTest, OurProgramAgreesWithItself) {
+    write("fill.json", R"({"fill": "barycentric"})");
     for (const std::string options :
-         {"--kinds 2d,lines,depth,clip -- $rastertrace trace {scene}",
-          "--kinds clip --convention direct3d -- $rastertrace trace {scene}",
-          "--kinds 2d,clip -- $rastertrace trace {triangles}",
-          "--kinds 2d,lines --line dda -- $rastertrace trace --line dda {triangles}"})
+         {"--kinds 2d,lines,depth,clip -- $rastertrace trace --full {scene}",
+          "--kinds clip --convention direct3d -- $rastertrace trace --full {scene}",
+          "--kinds 2d,clip -- $rastertrace trace --full {triangles}",
+          "--kinds 2d,lines --line dda -- $rastertrace trace --line dda --full {triangles}",
+          "--kinds 2d,depth --keep depth,clip -- $rastertrace trace --full {scene}",
+          "--kinds depth --full --depth inverse-z -- $rastertrace trace {scene}",
+          "--kinds depth --method fill.json --fill top-left -- $rastertrace trace --full {scene}"})
         EXPECT_THAT(run("fuzz --runs 40 " + options), Ends(0)) << options;
+}
+
+// T2 shares no pixel: our trace does not test it, and one that tests whatever is drawn is right, too.
+TEST_F(FuzzTest, ADepthTestThatTheSceneDoesNotNeedIsNoDifference) {
+    EXPECT_THAT(run("fuzz --seed 14 --runs 1 --kinds depth --depth inverse-z -- $rastertrace trace "
+                    "--full {scene}"),
+                Ends(0));
+    write("scene.txt", "canvas 4 1\ntri T1 0 1 0 0 0 0 0 2 0\ntri T2 3 1 1 4 0 1 3 0 1\n");
+    const std::string depth = " scene.txt --depth linear-z ";
+    EXPECT_NE(run("trace" + depth).out, run("trace --full" + depth).out);
+    shell("$rastertrace trace --full" + depth +
+          R"(| sed 's/"stages":\[[^]]*\],//' > theirs.jsonl)");
+    EXPECT_THAT(run("diff --common --ignore header" + depth + "theirs.jsonl"),
+                Prints(EndsWith("the same\n")));
+    EXPECT_THAT(run("diff --common --ignore header theirs.jsonl" + depth),
+                Prints(EndsWith("the same\n")));
+}
+
+TEST_F(FuzzTest, AKeptStageIsKeptInTheScene) {
+    const Outcome apart = run("diagnose --tell-apart rounding=truncate asked --keep depth,clip");
+    EXPECT_THAT(apart, Prints(HasSubstr(R"("keep": ["depth", "clip"])")));
+    write("apart.json", apart.out);
+    EXPECT_NE(run("show --bare apart.json").out,
+              run("show --bare apart.json --rounding truncate").out);
 }
 
 // The text that is written is read by every command.

@@ -4,7 +4,6 @@
 
 #include <rastertrace/core/draw/plan/plan.h>
 #include <rastertrace/trace/scene/scene_file.h>
-#include <rastertrace/trace/text/stage_name.h>
 
 #include <cstddef>
 #include <map>
@@ -58,9 +57,8 @@ struct Truth::State {
 
     /// Nothing if many digits are asked for and the scene has no sine and no root.
     std::optional<Trace> draw(const MethodOverrides& more, RootDigits digits) {
-        MethodOverrides all = overrides;
-        for (const std::string_view stage : stage_names())
-            all.emplace_back("keep", stage);
+        MethodOverrides all = every_stage_kept();
+        all.insert(all.end(), overrides.begin(), overrides.end());
         all.insert(all.end(), more.begin(), more.end());
         Result<PlannedScene> read = read_scene(*scene, all, limits, frames);
         if (!read)

@@ -69,12 +69,19 @@ bool is_told(const StepLine& step, const std::optional<Region>& region) {
     }
 }
 
+/// A kind of step; of a vertex, with its space: other programs tell it in fewer of them.
+std::string kind_with_space(const StepView& step) {
+    const std::string kind(step.kind_name());
+    return step.kind() == StepKind::vertex ? kind + " in " + step.as<VertexStep>().space.text()
+                                           : kind;
+}
+
 /// The kinds of step that a trace has.
 std::set<std::string, std::less<>> kinds_in(const TraceText& text) {
     std::set<std::string, std::less<>> kinds;
     StepLines(text).pass_all_lines([&kinds](std::string_view line, LinePlace) {
         if (!StepLines::is_blank(line))
-            kinds.insert(std::string(StepView(step_of_line(line)).kind_name()));
+            kinds.insert(kind_with_space(StepView(step_of_line(line))));
     });
     return kinds;
 }
@@ -100,8 +107,9 @@ ComparedSteps::ComparedSteps(const TraceText& a, const TraceText& b, const DiffO
     std::erase_if(*common_, [&in_b](const std::string& kind) { return !in_b.contains(kind); });
 }
 
-bool ComparedSteps::has_kind(std::string_view kind) const {
-    return (!common_ || common_->contains(kind)) &&
+bool ComparedSteps::has_kind(std::string_view with_space) const {
+    const std::string_view kind = with_space.starts_with("vertex in ") ? "vertex" : with_space;
+    return (!common_ || common_->contains(with_space)) &&
            (options_.only.empty() || rastertrace::has(options_.only, kind)) &&
            !options_.ignores(kind) && tells(a_, kind) && tells(b_, kind);
 }
@@ -112,7 +120,8 @@ bool ComparedSteps::has_primitives() const {
 }
 
 bool ComparedSteps::has(const StepLine& step) const {
-    return has_kind(step.kind_name) && is_told(step, region_of(a_)) && is_told(step, region_of(b_));
+    return has_kind(common_ ? kind_with_space(StepView(step.json)) : step.kind_name) &&
+           is_told(step, region_of(a_)) && is_told(step, region_of(b_));
 }
 
 bool ComparedSteps::has_primitive(const std::string& name) const {

@@ -24,8 +24,8 @@ class ComparedSteps {
 public:
     ComparedSteps(const TraceText& a, const TraceText& b, const DiffOptions& options);
 
-    /// True if steps of a kind are compared.
-    bool has_kind(std::string_view kind) const;
+    /// True if steps of a kind are compared; of vertices in a space, `vertex in world`.
+    bool has_kind(std::string_view with_space) const;
 
     /// True if both traces say where a primitive begins.
     bool has_primitives() const;

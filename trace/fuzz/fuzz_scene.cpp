@@ -277,18 +277,23 @@ std::string scene_json(const FuzzScene& scene) {
                                          to_text(primitive.color)));
     }
     std::vector<std::string> method;
-    std::string convention;
+    std::vector<std::string> kept;
+    std::string beside; // what of the method is a key of the scene
     for (const auto& [key, value] : scene.method)
         if (key == "convention")
-            convention = fmt::format(",\n \"convention\": {}", json_quoted(value));
+            beside += fmt::format(",\n \"convention\": {}", json_quoted(value));
+        else if (key == "keep")
+            kept.push_back(json_quoted(value));
         else
             method.push_back(fmt::format("{}: {}", json_quoted(key), json_quoted(value)));
+    if (!kept.empty())
+        beside += fmt::format(",\n \"keep\": [{}]", joined(kept, ", "));
     return fmt::format(
         "{{\"canvas\": {{\"width\": {}, \"height\": {}, \"origin\": \"top-left\"}},\n"
         " \"vertices\": {{{}}},\n \"{}\": [{}]{},\n \"method\": {{{}}}}}\n",
         scene.width, scene.height, joined(vertices, ", "),
-        scene.kind == FuzzKind::lines ? "lines" : "triangles", joined(primitives, ",\n  "),
-        convention, joined(method, ", "));
+        scene.kind == FuzzKind::lines ? "lines" : "triangles", joined(primitives, ",\n  "), beside,
+        joined(method, ", "));
 }
 
 std::string triangles_text(const FuzzScene& scene) {

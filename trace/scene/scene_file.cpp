@@ -271,10 +271,9 @@ private:
     }
 
     /// What the convention has set for other fills, or for depths that the scene has not.
-    void drop_what_means_nothing() {
-        if (scene_.method.convention == Convention::none)
+    void drop_what_means_nothing(Method& method) const {
+        if (method.convention == Convention::none)
             return;
-        Method& method = scene_.method;
         const Method other;
         const auto drop = [&](std::string_view key, auto Method::*member, bool means_nothing) {
             if (means_nothing && !said_.contains(key))
@@ -1354,6 +1353,13 @@ bool is_scene(const Source& source) {
             if (fields.key() == key.name && key.name != schema_key.name && key.name != "title")
                 return true;
     return fields.failed();
+}
+
+MethodOverrides every_stage_kept() {
+    MethodOverrides all;
+    for (const std::string_view stage : stage_names())
+        all.emplace_back("keep", stage);
+    return all;
 }
 
 Result<PlannedScene> read_scene(const Source& source, const MethodOverrides& overrides,

@@ -53,6 +53,9 @@ struct PlannedScene {
 Result<PlannedScene> read_scene(const Source& source, const MethodOverrides& overrides = {},
                                 const InputLimits& limits = {}, const FrameChoice& choice = {});
 
+/// Overrides that leave no stage out: so is drawn what another drawing is held against, which may leave out less.
+MethodOverrides every_stage_kept();
+
 /// True if a source may hold a scene: an object with a key that says what is drawn or how, or the beginning of an
 /// object that is no JSON.
 bool is_scene(const Source& source);

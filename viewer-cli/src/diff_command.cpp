@@ -22,6 +22,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <filesystem>
+#include <iterator>
 #include <memory>
 #include <optional>
 #include <string>
@@ -107,8 +108,18 @@ TraceDiff diff_of_traces(const std::string& path_a, const std::string& path_b,
     const SceneOptions options = options_of(command);
     if (!is_scene(a) && !is_scene(b))
         refuse_scene_options({path_a, {}, {}}, options);
-    const TraceText text_a = trace_text(std::move(a), path_a, options);
-    const TraceText text_b = trace_text(std::move(b), path_b, options);
+    const bool draws_a = is_scene(a);
+    const bool draws_b = is_scene(b);
+    TraceText given = trace_text(std::move(draws_a ? b : a), draws_a ? path_b : path_a, options);
+    // A foreign trace, which says nothing of stages, may tell what the scene does not need.
+    SceneOptions other_options = options;
+    if (command.options.compares_common && draws_a != draws_b &&
+        given.header_json().find("\"stages\"") == std::string::npos)
+        std::ranges::copy(every_stage_kept(), std::back_inserter(other_options.method));
+    TraceText other =
+        trace_text(std::move(draws_a ? a : b), draws_a ? path_a : path_b, other_options);
+    const TraceText& text_a = draws_a ? other : given;
+    const TraceText& text_b = draws_a ? given : other;
     TraceDiff found = diff(text_a, text_b, command.options);
     if (found.first) {
         mark_wrong_sentences(text_a, found.before_a, found.first->a, found.after_a);

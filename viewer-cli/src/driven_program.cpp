@@ -150,7 +150,7 @@ std::string_view DrivenProgram::ending() const {
 Result<std::string> DrivenProgram::reference(const FuzzScene& scene) const {
     try {
         const Source source{"scene.json", scene_json(scene), {}};
-        const auto [drawn, plan, remarks] = value_or_throw(read_scene(source, scene.method));
+        const auto [drawn, plan, remarks] = value_or_throw(read_scene(source, every_stage_kept()));
         std::string text;
         StringOutput output(text);
         write_trace(drawn, plan, {.layout = TraceLayout::jsonl, .filter = {}}, output);

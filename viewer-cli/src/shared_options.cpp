@@ -85,14 +85,14 @@ MethodOverrides MethodOptions::overrides() const {
         if (!key.set(scratch, value))
             refuse_value(option_named(key.name), key.expected(), value,
                          did_you_mean(value, key.values));
+        std::erase_if(overrides, [&key](const auto& one) { return one.first == key.name; });
         overrides.emplace_back(key.name, value);
     }
     if (!keep_.empty())
         for (const Stage stage : values_of("--keep", "stages", keep_, stage_names(), stage_named))
             overrides.emplace_back("keep", name_of(stage));
     if (full_)
-        for (const std::string_view stage : stage_names())
-            overrides.emplace_back("keep", stage);
+        std::ranges::copy(every_stage_kept(), std::back_inserter(overrides));
     return overrides;
 }
 
