@@ -950,6 +950,43 @@ TEST(Diff, OnlyWhatBothTellIsComparedIfSoAsked) {
                                                    "have, of pixel, scanline"));
 }
 
+// What clipping leaves of ABC is ABC/1, ABC/2 here; another program fills ABC.
+TEST(Diff, PartsAreTheirTriangleWhereTheOtherTraceHasOnlyThat) {
+    const std::string ours = trace_text(
+        scene_in(R"({"canvas":{"width":8,"height":8},"convention":"opengl",)"
+                 R"("vertices":{"A":[-1,-1,0,1],"B":[1,-1,0,1],"C":[0,2,3,2],"D":[0,2,-1,2]},)"
+                 R"("triangles":["ABC","ABD"]})"),
+        in_lines);
+    ASSERT_THAT(ours, HasSubstr(R"("name":"ABC/2")"));
+    Lines theirs(ours);
+    theirs.header = theirs.header.substr(0, theirs.header.find(R"(,"method")")) + "}";
+    std::erase_if(theirs.steps, [](const std::string& step) {
+        const Json json = Json::parse(step);
+        return json.contains("part") ||
+               (json["step"] != "primitive" && json["step"] != "depth" && json["step"] != "pixel");
+    });
+    const DiffOptions common{
+        .ignored = {"header"}, .compares_order = false, .compares_common = true};
+    EXPECT_TRUE(diff_of(ours, theirs.text(), common).is_same)
+        << diff_text(diff_of(ours, theirs.text(), common));
+    EXPECT_TRUE(diff_of(theirs.text(), ours, common).is_same);
+
+    Lines exchanged = theirs; // ABD first
+    auto primitives = primitives_in(theirs);
+    std::swap(primitives[1], primitives[2]);
+    exchanged = lines_of(theirs, primitives);
+    EXPECT_THAT(counts_of(diff_of(ours, exchanged.text(), {.only = {"primitive"}})),
+                ElementsAre("primitive 0 0 0 1"));
+
+    const auto pixel = std::find_if(theirs.steps.begin(), theirs.steps.end(), [](const auto& step) {
+        return step.find(R"("step":"pixel")") != std::string::npos;
+    });
+    theirs.steps.erase(pixel);
+    const TraceDiff found = diff_of(ours, theirs.text(), common);
+    EXPECT_THAT(counts_of(found), ElementsAre("pixel 0 1 0 0"));
+    EXPECT_EQ(found.first->primitive, "ABC");
+}
+
 // A vertex that another program tells only on the screen is compared there.
 TEST(Diff, VerticesAreComparedInTheSpacesThatBothTell) {
     const std::string ours = trace_text(

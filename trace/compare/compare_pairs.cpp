@@ -20,7 +20,7 @@ std::vector<PrimitivePlace> primitives_from_here(DiffSide& side) {
         const SeenStep step = seen_in(line);
         const std::string_view json = step_of_line(line);
         side.see(step, line, place);
-        if (step.what == SeenStep::What::primitive) {
+        if (step.what == SeenStep::What::primitive && !side.tells_part(json)) {
             if (!primitives.empty())
                 primitives.back().end = place;
             primitives.push_back(primitive_place(std::string(json), place));
@@ -108,8 +108,8 @@ void TraceComparison::add_primitive(const TraceText& text, const PrimitivePlace&
 /// A primitive that both traces have, perhaps at another place.
 void TraceComparison::compare_primitives(const PrimitivePlace& of_a, const PrimitivePlace& of_b,
                                          bool has_moved, bool breaks_off) {
-    DiffSide a(a_.text, true, of_a, options_.keys);
-    DiffSide b(b_.text, false, of_b, options_.keys);
+    DiffSide a(a_, of_a, options_.keys);
+    DiffSide b(b_, of_b, options_.keys);
     const StepLine* const step_a = a.lines.front();
     const StepLine* const step_b = b.lines.front();
     if (step_a == nullptr || step_b == nullptr)

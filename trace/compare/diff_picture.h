@@ -41,12 +41,12 @@ class OwnedPicture {
 public:
     explicit OwnedPicture(const Canvas& canvas) : image_(canvas), owners_(image_.colors().size()) {}
 
-    /// Goes on by a step.
-    void see(const SeenStep& step) {
+    /// Goes on by a step; a part of the primitive before may count as that.
+    void see(const SeenStep& step, bool is_part_of_last = false) {
         if (step.what == SeenStep::What::pixel) {
             plot(step);
         } else if (step.what == SeenStep::What::primitive) {
-            ++primitive_;
+            primitive_ += is_part_of_last ? 0 : 1;
             color_ = step.color.value_or(Color{});
         }
     }

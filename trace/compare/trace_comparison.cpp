@@ -21,6 +21,42 @@ constexpr std::size_t farthest_look = 16384;
 /// So many bytes are taken at most by steps that have not been found in the other trace, but may be farther on.
 constexpr std::size_t most_waiting = 24'000'000;
 
+/// The primitives that a trace tells in parts.
+std::set<std::string> cut_in(const TraceText& text) {
+    std::set<std::string> cut;
+    const auto& stages = text.header().stages;
+    const bool may_clip = text.header_json().find("\"stages\"") == std::string::npos ||
+                          std::find(stages.begin(), stages.end(), "clip") != stages.end();
+    if (may_clip)
+        StepLines(text).pass_all_lines([&cut](std::string_view line, LinePlace) {
+            if (seen_in(line).what != SeenStep::What::primitive)
+                return;
+            const auto step = StepView(step_of_line(line)).as<PrimitiveStep>();
+            if (step.part.is_true())
+                cut.insert(name_of_whole(step));
+        });
+    return cut;
+}
+
+/// Finds the primitives that one side tells in parts, and the other draws whole.
+void find_wholes(DiffSide& side, const std::set<std::string>& cut, const DiffSide& other,
+                 const std::set<std::string>& cut_in_other) {
+    std::string name;
+    StepLines(other.text).pass_all_lines([&](std::string_view line, LinePlace) {
+        const SeenStep seen = seen_in(line);
+        const StepView step(step_of_line(line));
+        if (seen.what == SeenStep::What::primitive)
+            name = name_in(step).text();
+        if (!cut.contains(name) || cut_in_other.contains(name))
+            return;
+        // Clipped there, too, and not drawn, it has lost its parts.
+        if (step.kind() == StepKind::clip)
+            side.whole_in_other.erase(name);
+        else if (seen.what != SeenStep::What::other)
+            side.whole_in_other.insert(name);
+    });
+}
+
 /// True if what follows the last step of a side is not known.
 bool breaks_off(const DiffSide& side) {
     return side.breaks_off || side.lines.is_cut_off();
@@ -37,11 +73,26 @@ std::size_t common_front(std::string_view a, std::string_view b) {
 
 } // namespace
 
+bool DiffSide::tells_part(std::string_view line) const {
+    if (whole_in_other.empty())
+        return false;
+    const StepView step(step_of_line(line));
+    if (step.kind() == StepKind::vertex) {
+        const std::string name = name_in(step).text();
+        const std::size_t colon = name.rfind(':');
+        return colon != std::string::npos && whole_in_other.contains(name.substr(0, colon));
+    }
+    return step.kind() == StepKind::primitive && step.as<PrimitiveStep>().part.is_true() &&
+           whole_in_other.contains(name_of_whole(step.as<PrimitiveStep>()));
+}
+
 void DiffSide::see(const SeenStep& step, std::string_view line, LinePlace place) {
+    const bool is_primitive = step.what == SeenStep::What::primitive;
+    const bool is_part = is_primitive && tells_part(line);
     if (picture)
-        picture->see(step);
+        picture->see(step, is_part);
     tells_colors = tells_colors || step.color.has_value();
-    if (step.what != SeenStep::What::primitive)
+    if (!is_primitive || is_part)
         return;
     primitives.push_back(place);
     begin = place;
@@ -83,7 +134,16 @@ TraceComparison::TraceComparison(const TraceText& a, const TraceText& b, const D
       fields_(options, (a.header().method_value("scalar") == "float" ? 1 : 0) +
                            (b.header().method_value("scalar") == "float" ? 1 : 0)),
       a_(a, true, options.keys), b_(b, false, options.keys), tally_(options.compares_order),
-      bytes_to_search_(a.size() + b.size()), remarks_(compared_.remarks()) {}
+      bytes_to_search_(a.size() + b.size()), remarks_(compared_.remarks()) {
+    if (!has_primitives_)
+        return;
+    const std::set<std::string> cut_in_a = cut_in(a);
+    const std::set<std::string> cut_in_b = cut_in(b);
+    if (cut_in_a == cut_in_b)
+        return;
+    find_wholes(a_, cut_in_a, b_, cut_in_b);
+    find_wholes(b_, cut_in_b, a_, cut_in_a);
+}
 
 void TraceComparison::run() {
     if (!compare_in_order())
@@ -208,7 +268,7 @@ void TraceComparison::compare_section(DiffSide& a, DiffSide& b) {
 /// The next step of this primitive that is compared; those before are passed.
 const StepLine* TraceComparison::next_compared(DiffSide& side) {
     while (const StepLine* const step = ahead(side, 0)) {
-        if (is_compared_ && compared_.has(*step))
+        if (is_compared_ && has(side, *step))
             return step;
         side.pass(*step);
     }
@@ -218,7 +278,7 @@ const StepLine* TraceComparison::next_compared(DiffSide& side) {
 /// The i-th step ahead, if it is of this primitive.
 const StepLine* TraceComparison::ahead(DiffSide& side, std::size_t i) const {
     const StepLine* const step = side.lines.at(i);
-    return step == nullptr || begins_section(*step) ? nullptr : step;
+    return step == nullptr || begins_section(side, *step) ? nullptr : step;
 }
 
 /// The next steps are not alike.
@@ -240,9 +300,9 @@ void TraceComparison::realign(DiffSide& a, DiffSide& b) {
     for (std::size_t i = 0; i < farthest_look; ++i) {
         const StepLine* const of_a = ahead(a, i);
         const StepLine* const of_b = ahead(b, i);
-        if (of_a != nullptr && compared_.has(*of_a))
+        if (of_a != nullptr && has(a, *of_a))
             places_a.emplace(of_a->key, i);
-        if (of_b != nullptr && compared_.has(*of_b))
+        if (of_b != nullptr && has(b, *of_b))
             places_b.emplace(of_b->key, i);
 
         // The nearest place of each of the two in the other trace.
@@ -285,7 +345,7 @@ bool TraceComparison::pass_gap(DiffSide& side, DiffSide& other) {
             break;
         const StepLine one = *step;
         side.pass(one);
-        if (compared_.has(one) && !finds_elsewhere(side, one))
+        if (has(side, one) && !finds_elsewhere(side, one))
             tally_.add_alone(gap_, side.is_a, one);
     }
     return true;
@@ -297,7 +357,7 @@ void TraceComparison::put_aside(DiffSide& side, std::size_t steps) {
     for (; steps > 0 && ahead(side, 0) != nullptr; --steps) {
         StepLine step = *ahead(side, 0);
         side.pass(step);
-        if (compared_.has(step) && !finds_elsewhere(side, step))
+        if (has(side, step) && !finds_elsewhere(side, step))
             own.add(std::move(step), gap_);
     }
 }

@@ -21,6 +21,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <set>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -33,20 +34,25 @@ struct DiffSide {
     const TraceText& text;
     bool is_a; ///< the first of the two
     StepLines lines;
-    std::optional<OwnedPicture> picture{}; ///< nothing: it is drawn elsewhere
-    std::vector<LinePlace> primitives{};   ///< where the step of each begins
-    LinePlace begin{};                     ///< of the current primitive
-    std::string json{};                    ///< of its step
-    bool tells_colors = false;             ///< so far
-    bool breaks_off = false;               ///< of a part: the trace ends within it
+    std::optional<OwnedPicture> picture{};  ///< nothing: it is drawn elsewhere
+    std::vector<LinePlace> primitives{};    ///< where the step of each begins
+    LinePlace begin{};                      ///< of the current primitive
+    std::string json{};                     ///< of its step
+    bool tells_colors = false;              ///< so far
+    bool breaks_off = false;                ///< of a part: the trace ends within it
+    std::set<std::string> whole_in_other{}; ///< primitives that are in parts here and not there
 
     /// The whole trace, with its picture.
     DiffSide(const TraceText& of, bool is_first, const StepKeys& keys)
         : text(of), is_a(is_first), lines(of, {}, nowhere, keys), picture(of.header().canvas) {}
 
     /// A part of it.
-    DiffSide(const TraceText& of, bool is_first, const PrimitivePlace& part, const StepKeys& keys)
-        : text(of), is_a(is_first), lines(of, part.begin, part.end.offset, keys) {}
+    DiffSide(const DiffSide& of, const PrimitivePlace& part, const StepKeys& keys)
+        : text(of.text), is_a(of.is_a), lines(of.text, part.begin, part.end.offset, keys),
+          whole_in_other(of.whole_in_other) {}
+
+    /// True if a step begins a part, or tells a new corner, of what the other trace has whole: its steps are the whole's.
+    bool tells_part(std::string_view line) const;
 
     /// Goes on by a step, of which so much has been seen.
     void see(const SeenStep& step, std::string_view line, LinePlace place);
@@ -102,8 +108,11 @@ private:
 
     const StepLine* next_compared(DiffSide& side);
     const StepLine* ahead(DiffSide& side, std::size_t i) const;
-    bool begins_section(const StepLine& step) const {
-        return has_primitives_ && step.kind == StepKind::primitive;
+    bool begins_section(const DiffSide& side, const StepLine& step) const {
+        return has_primitives_ && step.kind == StepKind::primitive && !side.tells_part(step.json);
+    }
+    bool has(const DiffSide& side, const StepLine& step) const {
+        return compared_.has(step) && !side.tells_part(step.json);
     }
 
     void realign(DiffSide& a, DiffSide& b);
