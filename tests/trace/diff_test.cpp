@@ -950,6 +950,50 @@ TEST(Diff, OnlyWhatBothTellIsComparedIfSoAsked) {
                                                    "have, of pixel, scanline"));
 }
 
+TEST(Diff, TheStepsAroundADifferenceAreToldAsInTheWholeTrace) {
+    Random random(23);
+    for_random_traces(200, [&](const RandomTrace& random_trace, std::uint64_t) {
+        const Lines lines(random_trace.text());
+        const int count = static_cast<int>(lines.steps.size());
+        Lines shorter = lines;
+        shorter.steps.erase(shorter.steps.begin() + random.whole(0, count - 1));
+        const TraceDiff found = diff_of(lines.text(), shorter.text());
+        const Trace whole = sound_trace(lines.text());
+        Replay replay(whole, {.depths = true});
+        std::vector<DiffStep> told = found.before_a;
+        if (found.first->a)
+            told.push_back(*found.first->a);
+        told.insert(told.end(), found.after_a.begin(), found.after_a.end());
+        for (const DiffStep& step : told) {
+            replay.go_to(step.number);
+            EXPECT_EQ(step.sentence, describe_step(replay)) << step.number;
+        }
+    });
+}
+
+// What a trace of one primitive does not tell is not taken for an empty buffer.
+TEST(Diff, TheReasonOfADepthTestIsThatOfTheBuffer) {
+    const std::string scene = R"({"canvas":{"width":6,"height":6,"origin":"top-left"},)"
+                              R"("vertices":{"A":[0,0,1],"B":[5,0,1],"C":[0,5,1]},"triangles":[)"
+                              R"({"vertices":"ABC","name":"T3"},{"vertices":"ABC","name":"T4"}],)"
+                              R"("method":{"depth":"inverse-z"}})";
+    Lines lines(trace_text(scene_in(scene), in_lines));
+    const auto failed = std::find_if(lines.steps.begin(), lines.steps.end(), [](const auto& step) {
+        return step.find(R"("pass":false)") != std::string::npos;
+    });
+    ASSERT_NE(failed, lines.steps.end());
+    const std::string text = lines.text();
+    failed->insert(failed->size() - 1, R"(,"beside":"X")");
+    EXPECT_THAT(diff_of(text, lines.text()).first->a->sentence,
+                "depth at (0, 0): 1 against 1 of T3: fails (1/z, larger is nearer; z = 1 against "
+                "1; of equals the first stays)");
+    const Trace alone = readable_trace(
+        trace_text(scene_in(scene), {.layout = TraceLayout::jsonl, .filter = {.primitive = "T4"}}));
+    Replay replay(alone, {.depths = true});
+    replay.go_to(*alone.steps_of({StepKind::depth}).begin());
+    EXPECT_THAT(describe_step(replay), HasSubstr("; of equals the first stays)"));
+}
+
 // What clipping leaves of ABC is ABC/1, ABC/2 here; another program fills ABC.
 TEST(Diff, PartsAreTheirTriangleWhereTheOtherTraceHasOnlyThat) {
     const std::string ours = trace_text(

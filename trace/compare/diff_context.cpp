@@ -8,6 +8,7 @@
 #include <cstddef>
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <tuple>
 #include <utility>
@@ -30,6 +31,9 @@ struct Spot {
     LinePlace place{};
     bool is_step = false;
 };
+
+/// A pixel, and which steps at it are meant: depth tests, or those that plot it.
+using PixelOfKind = std::tuple<StepKind, Index, Index>;
 
 /// The steps before it, the step, those after it.
 using Around = std::tuple<std::vector<DiffStep>, std::optional<DiffStep>, std::vector<DiffStep>>;
@@ -70,6 +74,35 @@ public:
         add_in_order(last);
     }
 
+    /// Adds the steps in front of an offset that tell of some pixels, with their primitives.
+    void add_about(const std::set<PixelOfKind>& pixels, std::size_t end) {
+        std::pair<LinePlace, std::string> primitive;
+        const auto see = [&](std::string_view line, LinePlace place) {
+            const std::string_view json = step_of_line(line);
+            const auto kind = kind_in_front(json);
+            if (kind == StepKind::primitive)
+                primitive = {place, std::string(json)};
+            const auto pixel = pixel_of(kind, StepView(json));
+            if (!pixel || !pixels.contains(*pixel))
+                return;
+            if (!primitive.second.empty())
+                add(std::exchange(primitive.second, {}), StepKind::primitive, primitive.first);
+            add(json, kind, place);
+        };
+        if (!pixels.empty())
+            StepLines(text_, {}, end).pass_all_lines(see);
+    }
+
+    /// The pixels of the steps that are told around a spot, whose sentences say what was there before.
+    std::set<PixelOfKind> told_pixels(const Spot& spot) const {
+        std::set<PixelOfKind> pixels;
+        for (std::size_t n = 1; n <= trace_.size(); ++n)
+            if (const auto pixel = pixel_of(trace_.kind_of(n), trace_.step(n));
+                pixel && is_told(n, spot))
+                pixels.insert(*pixel);
+        return pixels;
+    }
+
     /// What there is around a spot, the last of the steps that have been added.
     Around around(const Spot& spot) const {
         Around found;
@@ -78,7 +111,7 @@ public:
         for (std::size_t n = 1; n <= trace_.size(); ++n) {
             const std::size_t number = trace_.number_of(n);
             const std::size_t at = spot.place.steps + 1;
-            if (number + steps_around < at)
+            if (!is_told(n, spot))
                 continue;
             replay.go_to(n);
             DiffStep step{.number = number,
@@ -96,6 +129,20 @@ public:
     }
 
 private:
+    /// True if step n is told around a spot.
+    bool is_told(std::size_t n, const Spot& spot) const {
+        const std::size_t last = spot.place.steps + steps_around + (spot.is_step ? 1 : 0);
+        return trace_.number_of(n) + steps_around > spot.place.steps && trace_.number_of(n) <= last;
+    }
+
+    /// The pixel that a depth test or a plotted pixel is about.
+    static std::optional<PixelOfKind> pixel_of(std::optional<StepKind> kind, const StepView& step) {
+        const bool is_one = kind == StepKind::depth || kind == StepKind::pixel;
+        const auto x = is_one ? x_in(step) : std::nullopt;
+        const auto y = is_one ? y_in(step) : std::nullopt;
+        return x && y ? std::optional(PixelOfKind(*kind, *x, *y)) : std::nullopt;
+    }
+
     using LastSteps = std::map<std::optional<StepKind>, std::pair<LinePlace, std::string>>;
 
     /// The kind of a step, without a look behind its name if that stands in front.
@@ -125,20 +172,26 @@ private:
 };
 
 Around around(const TraceText& text, LinePlace primitive, const Spot& spot) {
-    Excerpt excerpt(text);
     const std::size_t offset = spot.place.offset;
-    // What stands in front of all primitives: matrices, vertices, the painter's order.
-    const std::size_t begin = text.begin();
-    excerpt.add({}, [&](const StepLine& line) {
-        return line.kind != StepKind::primitive && line.place.offset < offset &&
-               line.place.offset < begin + most_kept;
-    });
-    // The primitive, up to the spot.
-    if (primitive.offset != 0)
-        excerpt.add_primitive(primitive, offset);
-    std::size_t rest = steps_around + (spot.is_step ? 1 : 0);
-    excerpt.add(spot.place, [&rest](const StepLine&) { return rest-- > 0; });
-    return excerpt.around(spot);
+    const auto excerpt_with = [&](const std::set<PixelOfKind>& pixels) {
+        Excerpt excerpt(text);
+        // What stands in front of all primitives: matrices, vertices, the painter's order.
+        const std::size_t begin = text.begin();
+        excerpt.add({}, [&](const StepLine& line) {
+            return line.kind != StepKind::primitive && line.place.offset < offset &&
+                   line.place.offset < begin + most_kept;
+        });
+        // The primitive, up to the spot.
+        if (primitive.offset != 0) {
+            excerpt.add_about(pixels, primitive.offset);
+            excerpt.add_primitive(primitive, offset);
+        }
+        // One more than is told: a sentence may depend on what comes next.
+        std::size_t rest = steps_around + (spot.is_step ? 2 : 1);
+        excerpt.add(spot.place, [&rest](const StepLine&) { return rest-- > 0; });
+        return excerpt;
+    };
+    return excerpt_with(excerpt_with({}).told_pixels(spot)).around(spot);
 }
 
 /// Where a side's step is, or else where the comparison was.

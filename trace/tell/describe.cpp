@@ -235,7 +235,7 @@ std::string depth_rule(const Context& context) {
                      : "");
     if (test.depth.text() == test.stored.text() && test.depth.text() != "NaN" && !test.behind)
         text +=
-            replay.stored_before() == 0
+            replay.stored_before() == 0 && replay.trace().left_out.primitive.empty()
                 ? said({"; equal to the empty buffer", "; igual ao buffer vazio"})
             : test.pass.is_true()
                 ? said({"; of equals the thinner one passes", "; entre iguais passa o mais fino"})
