@@ -181,7 +181,7 @@ TEST_F(FuzzTest, PicturesOfTrianglesAreComparedWithTheirColors) {
 // Numbers that are too short fail: floats beside long edges, 16 bits along long lines.
 TEST_F(FuzzTest, ReachesWhatNumbersThatAreTooShortGetWrong) {
     for (const auto& [kind, number, type] :
-         {std::tuple("2d", 21, "floats"), {"lines", 22, "16 bits"}}) {
+         {std::tuple("2d", 21, "floats"), std::tuple("lines", 22, "16 bits")}) {
         const Outcome told = fuzz(fmt::format("--runs 1000 --shrink 0 --kinds {}", kind),
                                   fmt::format("{{triangles}} {}", number));
         EXPECT_THAT(told, Ends(1, HasSubstr("decides otherwise"))) << type;

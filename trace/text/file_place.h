@@ -5,13 +5,9 @@
 
 #include "descriptor.h"
 
-#include <optional>
 #include <string>
 
 namespace rastertrace {
-
-/// Which file a path leads to; nullopt if that is no regular file.
-std::optional<FileId> file_at(const std::string& path);
 
 /// For refuse_opened: a file was opened by a path, or written.
 void note_opened(const FileId& file, const std::string& path);
