@@ -79,9 +79,30 @@ TEST(EdgeTable, HasTheCrossingsOfFoley) {
     EXPECT_THAT(recorder.spans.at(8), ElementsAre(std::pair(Rational(2), Rational(9, 2)),
                                                   std::pair(Rational(17, 2), Rational(13))));
     EXPECT_THAT(recorder.winding.at(8), ElementsAre(1, 0, 1, 0));
-    // The row of the upper vertex is there, that of the lower one is not.
-    EXPECT_EQ(recorder.spans.count(11), 1u);
-    EXPECT_EQ(recorder.spans.count(1), 0u);
+    // ymin <= y < ymax in the scene's y: the row of the lower vertex is there, that of the upper one is not.
+    EXPECT_EQ(recorder.spans.count(1), 1u);
+    EXPECT_EQ(recorder.spans.count(11), 0u);
+}
+
+/// The edge table of an exercise, y up: DA and BA begin at y = 5, where they meet in A.
+TEST(EdgeTable, HasTheRowsOfFoleyWithYUp) {
+    const Corners corners{{3, 5}, {1, 7}, {1, 1}, {7, 6}};
+    const Canvas canvas{.width = 10, .height = 10, .origin = Origin::bottom_left};
+    const auto spans = drawn(corners, canvas, exactly).spans;
+    const auto span = [](const Rational& left, const Rational& right) {
+        return std::pair(left, right);
+    };
+    EXPECT_THAT(spans.at(1), ElementsAre(span(1, 1)));
+    EXPECT_THAT(spans.at(4), ElementsAre(span(1, Rational(23, 5))));
+    EXPECT_THAT(spans.at(5), ElementsAre(span(1, 3), span(3, Rational(29, 5))));
+    EXPECT_THAT(spans.at(6), ElementsAre(span(1, 2)));
+    EXPECT_EQ(spans.count(7), 0u);
+
+    Method method = exactly;
+    method.rows = RowRule::closed;
+    const auto closed = drawn(corners, canvas, method).spans;
+    EXPECT_THAT(closed.at(7), ElementsAre(span(1, 1)));
+    EXPECT_THAT(closed.at(6), ElementsAre(span(1, 2), span(7, 7)));
 }
 
 /// The inside of the star's middle is run around twice.
@@ -128,15 +149,15 @@ Rational minus(const Number& a, const Number& b) {
     return a.exact() - b.exact();
 }
 
-/// How often the polygon runs around a point that lies just below row `y`, as the picture has it: the
+/// How often the polygon runs around a point that lies at a y just above row `y`: the
 /// edges of that row with the point on their right, by the sign of an area, counted by where they lead.
 int winding_at(const Corners& corners, const Rational& x, int y) {
     int winding = 0;
     for (std::size_t i = 0; i < corners.size(); ++i) {
         const auto& [ax, ay] = corners[i];
         const auto& [bx, by] = corners[(i + 1) % corners.size()];
-        const bool is_above_a = ay.exact() >= y;
-        const bool is_above_b = by.exact() >= y;
+        const bool is_above_a = ay.exact() > y;
+        const bool is_above_b = by.exact() > y;
         if (is_above_a == is_above_b)
             continue;
         // Twice the area of A, B and the point; y points up.
@@ -154,7 +175,7 @@ std::vector<Rational> crossings_of(const Corners& corners, int y) {
     for (std::size_t i = 0; i < corners.size(); ++i) {
         const auto& [ax, ay] = corners[i];
         const auto& [bx, by] = corners[(i + 1) % corners.size()];
-        if ((ay.exact() >= y) != (by.exact() >= y))
+        if ((ay.exact() > y) != (by.exact() > y))
             all.push_back(ax.exact() + minus(bx, ax) * (y - ay.exact()) / minus(by, ay));
     }
     std::sort(all.begin(), all.end());
@@ -188,12 +209,32 @@ RC_GTEST_PROP(EdgeTable, DrawsWhatTheWindingNumbersSay, ()) {
     RC_ASSERT(places(recorder) == expected);
 }
 
+/// `closed` has the rows of the polygon, and those of the one that is upside down.
+RC_GTEST_PROP(EdgeTable, ClosedRowsAreThoseOfBothWays, ()) {
+    const Corners corners = random_corners();
+    Method method = exactly;
+    method.fill_rule = *rc::gen::element(FillRule::even_odd, FillRule::non_zero);
+    method.rounding = *rc::gen::element(Rounding::floor, Rounding::inside);
+    // Rows from -20 to 20.
+    const Canvas canvas{.width = 40, .height = 41};
+    const Canvas upside_down{.width = 40, .height = 41, .origin = Origin::top_left};
+    auto expected = places(drawn(corners, canvas, method));
+    Corners turned;
+    for (const auto& [x, y] : corners)
+        turned.emplace_back(Number::fraction(x.exact() + 20), Number::fraction(20 - y.exact()));
+    for (const auto& [x, y] : places(drawn(turned, upside_down, method)))
+        expected.insert({x - 20, 20 - y});
+    method.rows = RowRule::closed;
+    RC_ASSERT(places(drawn(corners, canvas, method)) == expected);
+}
+
 /// The first corner, the direction, and the kind of number make no difference to the picture.
 RC_GTEST_PROP(EdgeTable, IsThePolygonAndNotItsList, ()) {
     Corners corners = random_corners();
     Method method = exactly;
     method.fill_rule = *rc::gen::element(FillRule::even_odd, FillRule::non_zero);
     method.rounding = *rc::gen::element(Rounding::floor, Rounding::inside, Rounding::half_open);
+    method.rows = *rc::gen::element(RowRule::closed, RowRule::half_open);
     const Canvas canvas{
         .width = 40, .height = 40, .origin = *rc::gen::element(Origin::center, Origin::top_left)};
     const auto expected = places(drawn(corners, canvas, method));

@@ -288,8 +288,8 @@ TEST(Check, ARootIsRightInEveryNumberOfDigits) {
 TEST(Check, ACameraAndACosineHaveRoots) {
     const std::string camera = unit_vectors(
         R"("camera":{"position":[0,-3,1],"look_at":[0,0,0],"up":[0,0,1]},"projection":{"type":"pinhole","distance":1})");
-    EXPECT_EQ(verdicts(camera, "A camera: 1, 0, 3.16227766\nA camera: 1, 0, sqrt(10)\n"
-                               "A camera: 1, 0, 3.2\nA camera: 1, 0, 3.3\n"),
+    EXPECT_EQ(verdicts(camera, "A camera: -1, 0, 3.16227766\nA camera: -1, 0, sqrt(10)\n"
+                               "A camera: -1, 0, 3.2\nA camera: -1, 0, 3.3\n"),
               "rrrw");
     // The normal (0, 0, 1) and the view (1, 0, 1) of T1.
     const std::string angles = example_text("t1-hidden/three-angles.json");

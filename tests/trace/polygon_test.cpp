@@ -97,10 +97,10 @@ TEST(PolygonTrace, ExplainsWhatLiesBetweenTwoSpans) {
                              "3/2; the winding number there is 0");
     EXPECT_EQ(why_not(7, 8), "DE begins row y=8 at x = 17/2 -> floor -> 8; x = 7 lies before it by "
                              "3/2; the winding number there is 0");
-    EXPECT_THAT(why_not(7, 12), HasSubstr("y=11 to 2"));
+    EXPECT_THAT(why_not(7, 12), HasSubstr("y=10 to 1"));
     const Stats stats = stats_of(trace);
     ASSERT_EQ(stats.primitives.size(), 1U);
-    EXPECT_EQ(stats.primitives[0].over, 0U);
+    EXPECT_EQ(stats.primitives[0].over, 1U) << "both spans of row y=7 end in E";
     EXPECT_THAT(stats.unjudged, IsEmpty());
 }
 
@@ -113,6 +113,23 @@ TEST(PolygonTrace, ClaimsAboutItsRowsAreChecked) {
     const CheckedField wrong = field_of("y=8: 2, 9/2, 8, 13\n");
     EXPECT_EQ(wrong.verdict, ClaimVerdict::wrong);
     EXPECT_EQ(wrong.expected, "2, 9/2, 17/2, 13");
+}
+
+TEST(PolygonTrace, HasTheRowsOfFoleyWithYUp) {
+    const std::string scene = R"({"canvas":{"width":10,"height":10,"origin":"bottom-left"},)"
+                              R"("vertices":{"A":[3,5],"B":[1,7],"C":[1,1],"D":[7,6]},)"
+                              R"("polygons":["ABCD"],"method":{"scalar":"exact")";
+    const auto checked =
+        check_claims(scene + "}}", "y=1: 1, 1\ny=4: 1, 23/5\ny=5: 1, 3, 3, 29/5\ny=6: 1, 2\n");
+    for (const auto& claim : checked.claims)
+        for (const CheckedField& field : claim.fields)
+            EXPECT_EQ(field.verdict, ClaimVerdict::right) << field.expected;
+    // Both ends, said in the header; done again, too.
+    const std::string closed = trace_text(scene_in(scene + R"(,"rows":"closed"}})"));
+    EXPECT_THAT(closed, HasSubstr(R"("rows":"closed")"));
+    EXPECT_THAT(closed, HasSubstr(R"({"step":"scanline","y":7,"left":"1","right":"1")"));
+    const Redone redone = redo(sound_trace(closed));
+    EXPECT_EQ(redone.wrong, 0U) << redone.first.what;
 }
 
 /// A span of several in one row is the one whose end is nearest.
@@ -165,6 +182,17 @@ TEST(PolygonScene, TakesFacesOfMeshesAsTheyAre) {
     EXPECT_EQ(scene.primitives[0].kind, PrimitiveKind::polygon);
     EXPECT_EQ(scene.primitives[0].corners().size(), 4U);
     EXPECT_THAT(scene.cut_faces, IsEmpty());
+}
+
+TEST(PolygonScene, IsWhatACanvasIsFittedTo) {
+    const std::string vertices = R"("vertices":{"A":[0,0],"B":[10,0],"C":[12,6],"D":[5,10]})";
+    for (const std::string& what :
+         {"{" + vertices + R"(,"polygons":["ABCD"]})",
+          R"({"meshes":[{)" + vertices + R"(,"faces":["ABCD"],"draw":"polygons"}]})"}) {
+        const Scene scene = scene_in(what);
+        EXPECT_EQ(scene.canvas.width, 27) << "x -12..12, and a pixel more on each side";
+        EXPECT_EQ(scene.canvas.height, 23);
+    }
 }
 
 TEST(PolygonScene, IsRefusedWithAReason) {

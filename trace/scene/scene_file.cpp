@@ -1132,10 +1132,10 @@ private:
             [&](const auto& list) {
                 for_each_piece(scene_, list, [&](const auto& piece) {
                     const auto radius = static_cast<double>(piece.radius);
-                    for (std::size_t i = 0; i < piece.count; ++i)
+                    for (const auto& at : piece.corners())
                         for (const double way : {-radius, radius}) {
-                            reach(0, to_double(piece.positions[i].x) + way);
-                            reach(1, to_double(piece.positions[i].y) + way);
+                            reach(0, to_double(at.x) + way);
+                            reach(1, to_double(at.y) + way);
                         }
                 });
             },

@@ -205,7 +205,8 @@ void put_camera(Sheet& sheet, const MatrixStep& step, const Matrix<Rational>& ro
         return length && sgn(*length) != 0 && sheet.agrees(v.x / *length, row[0]) &&
                sheet.agrees(v.y / *length, row[1]) && sheet.agrees(v.z / *length, row[2]);
     };
-    if (!is_along(rotation.rows[0], right) || !is_along(rotation.rows[1], upward) ||
+    if (!is_along(rotation.rows[0], looks_along_z ? Vec3{} - right : right) ||
+        !is_along(rotation.rows[1], upward) ||
         !is_along(rotation.rows[2], looks_along_z ? *l - *p : d))
         return;
     const auto axis = [&rotation](std::size_t row) {
@@ -217,7 +218,7 @@ void put_camera(Sheet& sheet, const MatrixStep& step, const Matrix<Rational>& ro
     sheet.put(fmt::format("= {}, |up x d| = {}", text(right), length_of(right)));
     sheet.put(fmt::format("d x (up x d) = {}", cross_written_out(d, right)));
     sheet.put(fmt::format("= {}, |d x (up x d)| = {}", text(upward), length_of(upward)));
-    sheet.put(fmt::format("x = (up x d) / |up x d| = {}", axis(0)));
+    sheet.put(fmt::format("x = {}(up x d) / |up x d| = {}", looks_along_z ? "-" : "", axis(0)));
     sheet.put(fmt::format("y = d x (up x d) / |d x (up x d)| = {}", axis(1)));
     sheet.put(fmt::format("z = {} / |d| = {}", looks_along_z ? "-d" : "d", axis(2)));
 }

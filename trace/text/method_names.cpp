@@ -101,8 +101,9 @@ constexpr std::array horizontal_edges{
     Word{HorizontalEdge::top, "top", "the top edge, as in Direct3D"},
     Word{HorizontalEdge::bottom, "bottom", "the bottom edge, as in OpenGL by Mesa"}};
 constexpr std::array row_rules{
-    Word{RowRule::closed, "closed", "it has the row"},
-    Word{RowRule::half_open, "half-open", "the triangle below has the row"}};
+    Word{RowRule::closed, "closed", "both"},
+    Word{RowRule::half_open, "half-open",
+         "a triangle has not that of its lowest vertex, a polygon not that of its largest y"}};
 constexpr std::array lerps{
     Word{LerpForm::direct, "direct", "x = x1 + a (y - y1) on every row"},
     Word{LerpForm::incremental, "incremental", "x += a, after the first row that is drawn"}};
@@ -374,11 +375,13 @@ std::span<const MethodKey> method_keys() {
                 return has_triangles(scene) && scene.method.fill == Fill::top_left &&
                        scene.method.horizontal_edge != HorizontalEdge::top;
             }),
-        key<&Method::rows, row_rules>("rows", "whether a triangle has the row of its lowest vertex",
-                                      [](const Scene& scene) {
-                                          return fills_by(scene, PixelRule::row_ends) &&
-                                                 scene.method.rows != RowRule::closed;
-                                      }),
+        key<&Method::rows, row_rules>(
+            "rows", "which of the rows of its outermost vertices a triangle, or a polygon, has",
+            [](const Scene& scene) {
+                return (fills_by(scene, PixelRule::row_ends) &&
+                        scene.method.rows == RowRule::half_open) ||
+                       (has_polygons(scene) && scene.method.rows == RowRule::closed);
+            }),
         key<&Method::lerp, lerps>("lerp", "how x is found from row to row", fills_spans),
         key<&Method::snap, snaps>("snap", "where vertices on the screen go before they are drawn",
                                   [](const Scene& scene) { return scene.has_transforms(); }),

@@ -255,7 +255,9 @@ void fill_polygon(const Piece<Scalar>& polygon, const SampleOffset<Scalar>& offs
                   const Method& method, const Canvas& canvas, Sink&& sink) {
     fill_edge_table<Scalar>(polygon.corners(), offset,
                             {.fill_rule = method.fill_rule,
-                             .rows = {.lerp = method.lerp, .span = span_rounding(method)}},
+                             .rows = {.lerp = method.lerp,
+                                      .span = span_rounding(method),
+                                      .rows = method.rows.value_or(RowRule::half_open)}},
                             canvas, sink);
 }
 

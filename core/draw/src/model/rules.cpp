@@ -86,8 +86,9 @@ ModelRules::ModelRules(Scene of_scene) : scene(std::move(of_scene)) {
         return Rational(edge.from.at.x + edge.dx_dy * (y - edge.from.at.y));
     };
     rows = [&method](const Rational& top, const Rational& bottom) {
-        return std::pair{ceil_index(top), method.rows == RowRule::closed ? floor_index(bottom)
-                                                                         : ceil_index(bottom) - 1};
+        return std::pair{ceil_index(top), rows_of_triangles(method) == RowRule::closed
+                                              ? floor_index(bottom)
+                                              : ceil_index(bottom) - 1};
     };
     first_lower_row = [](const ModelTriangle& triangle) {
         const auto& [top, middle, bottom] = triangle;

@@ -231,7 +231,7 @@ std::variant<FittedCamera, FitFault> fitted_camera(const Vec<Rational, 3>& cente
     // An eye at the center, or beyond it, looks as far ahead as the sphere reaches.
     const int back = axis == ViewAxis::minus_z ? 1 : -1; // world z against the view
     const Rational ahead = distance > 0 ? distance : radius;
-    const Vec<Rational, 3> eye{center.x - back * x, center.y - y, center.z + back * distance};
+    const Vec<Rational, 3> eye{center.x - x, center.y - y, center.z + back * distance};
     const Rational nearest = distance - radius;
     const Rational farthest = distance + radius;
     return FittedCamera{

@@ -108,8 +108,9 @@ MatrixFactors<Rational> factors_of(std::span<const ModelStep> steps) {
 
 // The camera.
 
-CameraAxes<Rational> axes_of(const Camera& camera) {
-    return camera_axes<Rational>(exact(camera.position), exact(camera.look_at), exact(camera.up));
+CameraAxes<Rational> axes_of(const Camera& camera, ViewAxis axis) {
+    return camera_axes<Rational>(exact(camera.position), exact(camera.look_at), exact(camera.up),
+                                 axis);
 }
 
 CameraFault fault_of(const Camera& camera) {
@@ -126,18 +127,17 @@ bool is_rounded(const Camera& camera) {
 }
 
 MatrixFactors<Rational> factors_of(const Camera& camera, ViewAxis axis) {
-    const auto& [right, up, back] = axes_of(camera);
-    return view<Rational>({unit_vector(right, camera.digits), unit_vector(up, camera.digits),
-                           unit_vector(back, camera.digits)},
-                          exact(camera.position), axis);
+    const auto& [x, y, z] = axes_of(camera, axis);
+    return view<Rational>({unit_vector(x, camera.digits), unit_vector(y, camera.digits),
+                           unit_vector(z, camera.digits)},
+                          exact(camera.position));
 }
 
 Matrix<Rational> view_matrix(const Camera& camera, ViewAxis axis) {
     Matrix<Rational> view = factors_of(camera, axis).front().matrix;
-    const CameraAxes<Rational> axes = axes_of(camera);
+    const auto& [x, y, z] = axes_of(camera, axis);
     const Vec<Rational, 3> position = exact(camera.position);
-    const std::array rows{axes.right, axes.up,
-                          axis == ViewAxis::minus_z ? axes.back : Vec<Rational, 3>{} - axes.back};
+    const std::array rows{x, y, z};
     for (std::size_t i = 0; i < rows.size(); ++i)
         view.rows[i][3] = over_root(-dot(rows[i], position), dot(rows[i], rows[i]), camera.digits);
     return view;

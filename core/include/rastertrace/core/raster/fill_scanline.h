@@ -23,16 +23,16 @@
 
 namespace rastertrace {
 
-/// Which rows a triangle has.
+/// Which rows a triangle has, or a polygon (fill_edge_table.h).
 enum class RowRule {
     closed,    ///< from that of its highest vertex to that of its lowest, both included
-    half_open, ///< the lowest left out: a row that two triangles share belongs to the lower one
+    half_open, ///< of a triangle, the lowest left out: a row that two share belongs to the lower one
 };
 
 /// The choices that the scanline fill leaves open.
 struct ScanlineRules {
     LerpForm lerp = LerpForm::direct;
-    SpanRounding span;
+    SpanRounding span = {};
     RowRule rows = RowRule::closed;
 };
 

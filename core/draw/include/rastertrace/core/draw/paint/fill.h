@@ -35,7 +35,7 @@ template <typename Scalar, typename Sink>
 void fill(const Triangle<Scalar>& triangle, const std::array<Color, 3>& colors,
           const Method& method, const SampleGrid<Scalar>& grid, Canvas canvas, Sink&& sink) {
     const ScanlineRules rules{
-        .lerp = method.lerp, .span = span_rounding(method), .rows = method.rows};
+        .lerp = method.lerp, .span = span_rounding(method), .rows = rows_of_triangles(method)};
     switch (method.fill) {
     case Fill::scanline:
         return fill_scanline(triangle, grid.offset(), rules, canvas, sink);

@@ -99,7 +99,7 @@ struct Method {
     std::optional<Rounding> rounding = {}; ///< floor for spans, nearest for lines
     std::optional<Ties> ties = {};         ///< up for spans, start for lines
     std::optional<Sample> sample = {};     ///< center for top-left, else integer
-    RowRule rows = RowRule::closed;        ///< of triangles that are filled by rows
+    std::optional<RowRule> rows = {};      ///< closed for triangles by rows, half-open for polygons
     LerpForm lerp = LerpForm::direct;
     Snap snap = Snap::none;
     Cull cull = Cull::none;
@@ -121,6 +121,11 @@ inline bool decides_exactly(const Method& method) {
 /// How the ends of a fill's spans become pixels.
 inline SpanRounding span_rounding(const Method& method) {
     return {method.rounding.value_or(Rounding::floor), method.ties.value_or(Ties::up)};
+}
+
+/// Which rows triangles have that are filled by them.
+inline RowRule rows_of_triangles(const Method& method) {
+    return method.rows.value_or(RowRule::closed);
 }
 
 /// How the coordinates across naive and dda lines become pixels.

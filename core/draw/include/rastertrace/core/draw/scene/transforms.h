@@ -105,7 +105,7 @@ struct Camera {
 };
 
 /// The axes of a camera, of any length.
-CameraAxes<Rational> axes_of(const Camera& camera);
+CameraAxes<Rational> axes_of(const Camera& camera, ViewAxis axis = ViewAxis::minus_z);
 
 /// What is wrong with a camera.
 enum class CameraFault { none, looks_at_itself, up_along_view };
