@@ -226,7 +226,7 @@ private:
             out_ << R"(,"shade":"lambert")";
         else
             put_choice("shade", {"flat", "faces", "interpolate", "affine"}, 2);
-        put_choice("color_lerp", {"axis", "distance"}, 4);
+        put_choice("color_lerp", {"axis", "distance", "space"}, 4);
         put_choice("color_rounding", {"nearest", "truncate"}, 4);
         out_ << '}';
     }

@@ -225,6 +225,7 @@ TEST(Working, TheAxesOfACamera) {
                     "= (0, -3, 2), |up x d| = sqrt(13) = 3.605551",
                     "= (13, -2, -3), |d x (up x d)| = sqrt(182) = 13.490738",
                     "z = d / |d| = (0.2672612, 0.5345225, 0.8017837)"}));
+    // It turns what it sees: x is y cross z.
     EXPECT_THAT(camera_of("pinhole"),
                 IsSupersetOf(Working{"x = -(up x d) / |up x d| = (0, 0.8320503, -0.5547002)",
                                      "z = -d / |d| = (-0.2672612, -0.5345225, -0.8017837)"}));

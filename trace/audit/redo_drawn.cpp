@@ -175,7 +175,11 @@ template <typename Scalar> DrawnAgain::Draw DrawnAgain::drawing_in() {
         rule.cleared = number_of<D>(*cleared_);
     const auto drawing = std::make_shared<ScreenDrawing<Scalar>>(
         scene_, is_fraction<Scalar> ? fixed_grid : 1, region_, rule);
-    return [drawing](const ToldPiece& told, const Listener& listener) {
+    const auto inverse = [is_fixed = rules_.triangles.scalar == ScalarKind::fixed](
+                             const TracedNumber& w) { // `fixed` moves vertices in doubles
+        return is_fixed ? D(1 / number_of<double>(w)) : D(D(1) / number_of<D>(w));
+    };
+    return [drawing, inverse](const ToldPiece& told, const Listener& listener) {
         const auto corners = told.step.at.values();
         const std::string name = told.step.name.text();
         Piece<Scalar> piece{
@@ -201,7 +205,12 @@ template <typename Scalar> DrawnAgain::Draw DrawnAgain::drawing_in() {
             if (!told.colors.empty())
                 piece.colors[i] = told.colors[i];
             if (!told.w.empty())
-                piece.inverse_w[i] = D(1) / number_of<D>(told.w[i]);
+                piece.inverse_w[i] = inverse(told.w[i]);
+        }
+        for (const auto& levels : told.step.levels.values()) {
+            const std::vector<D> channels = numbers_of<D>(levels);
+            for (std::size_t i = 0; auto& channel : piece.levels.emplace_back().of)
+                channel = told_at(channels, i++);
         }
         return drawing->draw({.piece = std::move(piece),
                               .name = name,
@@ -295,8 +304,8 @@ bool DrawnAgain::redo(std::size_t first, std::size_t last) {
         piece.stages.is_painted = !piece.step.painted.is_false();
         piece.stages.tests_depth = piece.step.depths && region_.area() > 0 &&
                                    trace_.next_of({StepKind::depth}, first, last) <= last;
-        if (std::any_of(piece.colors.begin(), piece.colors.end(),
-                        [&](Color one) { return one != piece.colors[0]; })) {
+        if (piece.step.levels || std::any_of(piece.colors.begin(), piece.colors.end(),
+                                             [&](Color one) { return one != piece.colors[0]; })) {
             const auto& ran = trace_.stages;
             const bool in_perspective =
                 std::find(ran.begin(), ran.end(), "perspective") != ran.end();

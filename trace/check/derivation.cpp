@@ -330,24 +330,29 @@ public:
         replay.go_to(step_);
         const PrimitiveText primitive = primitive_of(replay);
         if (const auto line = color_on_line(replay, primitive)) {
-            const auto weights = [&](bool distance) {
-                const Rational share = line->share_by(distance);
+            const auto weights = [&](ColorLerp lerp) {
+                const Rational share = line->share_by(lerp);
                 return std::vector<Rational>{1 - share, share};
             };
-            return {{MixedColor{.colors = {line->from, line->to},
-                                .weights = weights(line->is_by_distance),
-                                .is_cut = is_cut,
-                                .other_weights = weights(!line->is_by_distance)}}};
+            return {{MixedColor{
+                .colors = {},
+                .weights = weights(line->lerp),
+                .is_cut = is_cut,
+                .other_weights =
+                    weights(line->lerp == ColorLerp::axis ? ColorLerp::distance : ColorLerp::axis),
+                .levels = {line->from, line->to}}}};
         }
         const auto triangle = corners();
         const auto sample = sample_of(numbers_.trace(), view_);
-        const auto colors = primitive.colors.values();
-        if (!triangle || !sample || colors.size() != 3)
+        if (!triangle || !sample || primitive.colors.values().size() != 3)
             return {};
         MixedColor mixed{
             .colors = {}, .weights = value_of({Weights{*triangle, *sample}}), .is_cut = is_cut};
-        for (const TracedColor& color : colors)
-            mixed.colors.push_back(color.color().value_or(Color()));
+        for (std::size_t i = 0; i < 3; ++i)
+            mixed.levels.push_back(primitive.color_of(i).value_or(Color()));
+        if (const auto divisors = divisors_of(replay, primitive))
+            if (auto in_space = shares_in_space(mixed.weights, *divisors))
+                mixed.other_weights = std::exchange(mixed.weights, std::move(in_space->shares));
         return mixed.weights.empty() ? Formulas{} : Formulas{{std::move(mixed)}};
     }
 

@@ -200,7 +200,7 @@ ToldValues told_share(const StepIndex& index, std::size_t pixel) {
     Replay replay(index.trace());
     replay.go_to(pixel);
     const auto line = color_on_line(replay, primitive_of(replay));
-    return line ? ToldValues({line->share_by(line->is_by_distance).get_str()}) : std::nullopt;
+    return line ? ToldValues({line->share().get_str()}) : std::nullopt;
 }
 
 /// What is told of a pixel of the final picture.

@@ -16,9 +16,9 @@ void StepsOfPixel::take(const StepView& step, std::optional<StepKind> kind, std:
     }
     switch (*kind) {
     case StepKind::vertex: {
-        // A depth is worked out on the plane of the face, in the camera's space.
+        // A depth is worked out on the plane of the face, in the camera's space; a color by the w of clip space.
         const auto space = step.as<VertexStep>().space;
-        if (space == Space::object || space == Space::world || space == Space::camera)
+        if (space != Space::canonical && space != Space::screen)
             keep(step, kind, number);
         return;
     }

@@ -133,15 +133,18 @@ void StepWriter::operator()(const PrimitiveBegan<Quantity>& step) {
     if (!wants(StepKind::primitive))
         return;
     const auto position = [](const Vec<Quantity, 2>& at) { return tuple(at.x, at.y); };
+    const auto levels = [](const std::array<Quantity, 4>& of) {
+        return tuple(of[0], of[1], of[2], of[3]);
+    };
     const bool is_part = true;
     const bool is_painted = false;
-    put_step<PrimitiveStep>(Word{word_of(step.kind)}, Quoted{step.name},
-                            List{step.vertices, quoted}, ListIfAny{step.positions, position},
-                            ListIfAny{step.depths, itself}, ColorText(step.color),
-                            ListIfAny{step.colors, [](Color color) { return ColorText(color); }},
-                            only_if(step.octant != 0, step.octant), only_if(step.is_part, is_part),
-                            only_if(!step.is_painted, is_painted), only_if(is_circle_, step.radius),
-                            only_if(!step.face.empty(), Quoted{step.face}));
+    put_step<PrimitiveStep>(
+        Word{word_of(step.kind)}, Quoted{step.name}, List{step.vertices, quoted},
+        ListIfAny{step.positions, position}, ListIfAny{step.depths, itself}, ColorText(step.color),
+        ListIfAny{step.colors, [](Color color) { return ColorText(color); }},
+        ListIfAny{step.levels, levels}, only_if(step.octant != 0, step.octant),
+        only_if(step.is_part, is_part), only_if(!step.is_painted, is_painted),
+        only_if(is_circle_, step.radius), only_if(!step.face.empty(), Quoted{step.face}));
 }
 
 void StepWriter::operator()(const FaceTested<Quantity>& step) {

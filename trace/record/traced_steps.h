@@ -286,6 +286,7 @@ struct PrimitiveStep {
     TracedList<TracedNumber> depths;
     TracedColor color;
     TracedList<TracedColor> colors;
+    TracedList<TracedList<TracedNumber>> levels;
     std::optional<Index> octant;
     TracedFlag part;
     TracedFlag painted;
@@ -299,6 +300,7 @@ struct PrimitiveStep {
         field::Reason<"depths", &PrimitiveStep::depths>,
         field::Told<"color", &PrimitiveStep::color>,
         field::Reason<"colors", &PrimitiveStep::colors>,
+        field::Reason<"levels", &PrimitiveStep::levels>,
         field::Decision<"octant", &PrimitiveStep::octant>,
         field::Told<"part", &PrimitiveStep::part>, field::Told<"painted", &PrimitiveStep::painted>,
         field::Reason<"radius", &PrimitiveStep::radius>, field::Told<"face", &PrimitiveStep::face>>;

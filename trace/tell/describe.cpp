@@ -497,10 +497,18 @@ std::string color(const Context& context) {
     const auto on_line = color_on_line(context.replay, context.primitive);
     if (!on_line)
         return told;
-    return on_line->is_by_distance ? said({"{} ({} of the distance)", "{} ({} da distância)"}, told,
-                                          six_places(on_line->share()))
-                                   : said({"{} (step {} of {})", "{} (passo {} de {})"}, told,
-                                          text(on_line->step), text(on_line->steps));
+    switch (on_line->lerp) {
+    case ColorLerp::space:
+        return said({"{} ({} of the color of {})", "{} ({} da cor de {})"}, told,
+                    text(on_line->share()), on_line->names[1]);
+    case ColorLerp::distance:
+        return said({"{} ({} of the distance)", "{} ({} da distância)"}, told,
+                    six_places(nearest_double(on_line->share())));
+    case ColorLerp::axis:
+        break;
+    }
+    return said({"{} (step {} of {})", "{} (passo {} de {})"}, told, text(on_line->step),
+                text(on_line->steps));
 }
 
 /// Why a pixel is drawn, once more: its row, its decision or its sample.

@@ -11,7 +11,7 @@
 #include <rastertrace/core/numbers/conversion.h>
 #include <rastertrace/core/numbers/irrational.h>
 #include <rastertrace/core/numbers/vec.h>
-#include <rastertrace/core/raster/image.h>
+#include <rastertrace/core/raster/mixed_colors.h>
 #include <rastertrace/core/raster/rounding.h>
 
 #include <array>
@@ -245,7 +245,8 @@ struct MixedColor {
     std::vector<Rational> weights;
     bool is_cut = false; ///< to the level below; otherwise rounded
     std::vector<Rational> other_weights =
-        {}; ///< by distance in the place of steps, or the other way round
+        {}; ///< by distance in the place of steps, or the other way round; on the screen for in space
+    std::vector<Levels<Rational>> levels = {}; ///< in the place of `colors`, of cut edges
 };
 
 /// A depth between others, by their weights: those of a triangle's corners, or of the ends of a row.

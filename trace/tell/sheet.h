@@ -89,17 +89,6 @@ std::optional<Matrix<Rational>> matrix_named(const Sheet& sheet, std::string_vie
 void write_color(Sheet& sheet);
 void write_ray(Sheet& sheet);
 
-/// How far the corners of a triangle are from the eye.
-struct CornerDistances {
-    std::array<Rational, 3> distances;
-
-    bool differ() const { return distances[0] != distances[1] || distances[0] != distances[2]; }
-};
-
-/// As depths of 1/z tell them, in a perspective. (The w of `vertex` steps would do as well, but who asks about one pixel
-/// of a long trace does not have those.)
-std::optional<CornerDistances> distances_of_corners(const Sheet& sheet);
-
 /// z of a pixel from the plane of its face in the camera's space, A x + B y + C z + D = 0, and from where
 /// it is seen on the view plane: z = -d D / (A x' + B y' + d C) (T0). `told` is the 1/z of the trace.
 void write_plane_in_camera_space(Sheet& sheet, const Vec2& sample, const Rational& told);

@@ -166,8 +166,75 @@ std::string what_numbers_give(const Trace& trace, std::size_t step) {
 
 PrimitiveText primitive_in(const StepView& step) {
     const auto told = step.as<PrimitiveStep>();
-    return {told.kind,   told.name.text(), told.vertices.texts(), text_rows(told.at), told.depths,
-            told.colors, told.radius};
+    return {told.kind,   told.name.text(), told.vertices.texts(), text_rows(told.at),
+            told.depths, told.colors,      told.radius,           told.levels};
+}
+
+std::optional<Levels<Rational>> PrimitiveText::color_of(std::size_t vertex) const {
+    const auto told = levels.values();
+    const auto all = colors.values();
+    if (vertex >= all.size())
+        return std::nullopt;
+    if (vertex >= told.size()) {
+        const auto color = all[vertex].color();
+        return color ? std::optional(Levels<Rational>(*color)) : std::nullopt;
+    }
+    Levels<Rational> result;
+    const auto channels = told[vertex].texts();
+    for (std::size_t i = 0; i < result.of.size(); ++i) {
+        const auto channel = i < channels.size() ? number_in(channels[i]) : std::nullopt;
+        if (!channel)
+            return std::nullopt;
+        result.of[i] = *channel;
+    }
+    return result;
+}
+
+std::optional<Divisors> divisors_of(const Replay& replay, const PrimitiveText& primitive) {
+    const Trace& trace = replay.trace();
+    const auto& stages = trace.stages;
+    if (trace.method_value("shade") == "affine" ||
+        std::find(stages.begin(), stages.end(), "perspective") == stages.end())
+        return std::nullopt;
+    // Depths of 1/z tell it, too: who asks about one pixel of a long trace may not have the spaces of vertices.
+    const auto depths = primitive.depths.values();
+    const bool has_z = trace.method_value("depth") == "inverse-z" && !depths.empty();
+    Divisors result{has_z ? "z" : "w", {}};
+    for (std::size_t i = 0; i < primitive.vertices.size(); ++i) {
+        std::optional<Rational> divisor;
+        if (has_z && i < depths.size()) {
+            divisor = depths[i].exact();
+            if (divisor && sgn(*divisor) != 0)
+                divisor = 1 / *divisor;
+        } else {
+            for (const std::size_t n : replay.places_of(primitive.vertices[i])) {
+                const auto vertex = trace.step(n).as<VertexStep>();
+                const auto at = vertex.at.values();
+                if (vertex.space == Space::clip && at.size() == 4)
+                    divisor = at[3].exact();
+            }
+        }
+        if (!divisor || sgn(*divisor) == 0)
+            return std::nullopt;
+        result.of.push_back(*divisor);
+    }
+    const bool differ = std::any_of(result.of.begin(), result.of.end(),
+                                    [&](const Rational& one) { return one != result.of[0]; });
+    return differ ? std::optional(std::move(result)) : std::nullopt;
+}
+
+std::optional<SharesInSpace> shares_in_space(const std::vector<Rational>& on_screen,
+                                             const Divisors& divisors) {
+    SharesInSpace result;
+    for (std::size_t i = 0; i < std::min(on_screen.size(), divisors.of.size()); ++i) {
+        result.divided.push_back(on_screen[i] / divisors.of[i]);
+        result.sum += result.divided.back();
+    }
+    if (sgn(result.sum) <= 0)
+        return std::nullopt;
+    for (const Rational& one : result.divided)
+        result.shares.push_back(one / result.sum);
+    return result;
 }
 
 std::string place_in_code(const Trace& trace, std::size_t step) {
@@ -274,56 +341,66 @@ std::optional<LineEnds> ends_of_line(const Replay& replay, const PrimitiveText& 
     return std::nullopt;
 }
 
-Rational ColorOnLine::share_by(bool distance) const {
-    return distance ? Rational(1 - std::sqrt(nearest_double(to_end / length))) : step / steps;
-}
-
-double ColorOnLine::share() const {
-    return nearest_double(share_by(is_by_distance));
+Rational ColorOnLine::share_by(ColorLerp by) const {
+    if (by == ColorLerp::distance)
+        return 1 - std::sqrt(nearest_double(to_end / length));
+    if (by == ColorLerp::axis)
+        return step / steps;
+    const auto in_space = divisors ? shares_in_space({1 - way, way}, *divisors) : std::nullopt;
+    return in_space ? in_space->shares[1] : way;
 }
 
 namespace {
 
 /// A line between two colors as it is drawn, from where it starts.
 struct ColoredLine {
-    GridLine pixels;
-    std::string from_name;
+    GridPoint from_pixel;
+    GridPoint to_pixel;
+    Levels<Rational> from;
+    Levels<Rational> to;
+    std::array<std::string, 2> names;
     bool is_along_x;
 };
+
+ColorRounding color_rounding_of(const Trace& trace) {
+    return trace.method_value("color_rounding") == "truncate" ? ColorRounding::truncate
+                                                              : ColorRounding::nearest;
+}
 
 /// Between two of a primitive's vertices, from the first one. Ends that are pixels have no offset.
 std::optional<ColoredLine> colored_line(const LineEnds& ends, const PrimitiveText& primitive,
                                         const std::array<std::size_t, 2>& vertices,
                                         const SampleOffset<Rational>& offset = {}) {
-    const auto colors = primitive.colors.values();
-    const auto color_of = [&colors](std::size_t i) {
-        return i < colors.size() ? colors[i].color() : std::nullopt;
-    };
     const auto [first, second] = vertices;
-    const auto from = color_of(first);
-    const auto to = color_of(second);
-    if (!from || !to || primitive.vertices.size() != colors.size())
+    const auto from = primitive.color_of(first);
+    const auto to = primitive.color_of(second);
+    if (!from || !to || primitive.vertices.size() != primitive.colors.values().size())
         return std::nullopt;
-    return ColoredLine{{nearest_pixel<Rational>({ends.from.x, ends.from.y}, offset),
-                        nearest_pixel<Rational>({ends.to.x, ends.to.y}, offset), *from, *to},
-                       primitive.vertices[first],
+    return ColoredLine{nearest_pixel<Rational>({ends.from.x, ends.from.y}, offset),
+                       nearest_pixel<Rational>({ends.to.x, ends.to.y}, offset),
+                       *from,
+                       *to,
+                       {primitive.vertices[first], primitive.vertices[second]},
                        abs(ends.to.x - ends.from.x) >= abs(ends.to.y - ends.from.y)};
 }
 
-void reverse(ColoredLine& line, const std::string& end_name) {
-    line.pixels = reversed(line.pixels);
-    line.from_name = end_name;
+void reverse(ColoredLine& line) {
+    std::swap(line.from_pixel, line.to_pixel);
+    std::swap(line.from, line.to);
+    std::swap(line.names[0], line.names[1]);
 }
 
-/// A fan draws its edges and its lines from the end with the lower x.
-void begin_left(ColoredLine& line, const std::string& end_name) {
-    if (line.pixels.to.x < line.pixels.from.x)
-        reverse(line, end_name);
+/// A fan draws its edges and its lines from the end with the lower x. Its lines lead between whole levels.
+void begin_left(ColoredLine& line, const Trace& trace) {
+    for (Levels<Rational>* const end : {&line.from, &line.to})
+        *end = end->rounded(color_rounding_of(trace));
+    if (line.to_pixel.x < line.from_pixel.x)
+        reverse(line);
 }
 
 ColorOnLine color_at(const ColoredLine& line, GridPoint at, const Trace& trace) {
-    const GridPoint from = line.pixels.from;
-    const GridPoint to = line.pixels.to;
+    const GridPoint from = line.from_pixel;
+    const GridPoint to = line.to_pixel;
     const auto square_of_distance = [](GridPoint a, GridPoint b) {
         const Rational dx = b.x - a.x;
         const Rational dy = b.y - a.y;
@@ -334,24 +411,56 @@ ColorOnLine color_at(const ColoredLine& line, GridPoint at, const Trace& trace) 
     };
     const Index step = steps_to(at);
     const Index steps = steps_to(to);
-    const bool is_by_distance = trace.method_value("color_lerp") == "distance";
-    const bool is_cut = trace.method_value("color_rounding") == "truncate";
-    const LineRules rules{.color_lerp = is_by_distance ? ColorLerp::distance : ColorLerp::axis,
-                          .color_rounding =
-                              is_cut ? ColorRounding::truncate : ColorRounding::nearest};
+    const ColorLerp lerp =
+        trace.method_value("color_lerp") == "distance" ? ColorLerp::distance : ColorLerp::axis;
     // The first and the last pixel have the colors of the ends, wherever rounding has put them.
+    const ColorRounding rounding = color_rounding_of(trace);
     const Rational length = square_of_distance(from, to);
-    return {.from = line.pixels.from_color,
-            .to = line.pixels.to_color,
-            .from_name = line.from_name,
+    return {.from = line.from,
+            .to = line.to,
+            .names = line.names,
             .step = step,
             .steps = steps,
             .to_end = step == 0       ? length
                       : step == steps ? Rational(0)
                                       : square_of_distance(at, to),
             .length = length,
-            .is_by_distance = is_by_distance,
-            .color = color_on_line(line.pixels, rules, at, step, steps)};
+            .lerp = lerp,
+            .color =
+                color_on_line({from, to, line.from.rounded(rounding), line.to.rounded(rounding)},
+                              {.color_lerp = lerp, .color_rounding = rounding}, at, step, steps)};
+}
+
+/// The same in space: a pixel stands for the point of the line at its sample along the longer axis.
+std::optional<ColorOnLine> color_in_space(const Replay& replay, const PrimitiveText& primitive,
+                                          const std::array<std::size_t, 2>& ends) {
+    const auto place_of = [&](std::size_t i) {
+        return i < primitive.positions.size() ? vec2_in(primitive.positions[i]) : std::nullopt;
+    };
+    const auto [first, second] = ends;
+    const auto a = place_of(first);
+    const auto b = place_of(second);
+    const auto from = primitive.color_of(first);
+    const auto to = primitive.color_of(second);
+    if (!a || !b || !from || !to || from->of == to->of)
+        return std::nullopt;
+    const auto pixel = replay.trace().step(replay.step()).as<PixelStep>();
+    const auto samples = told_samples(replay.trace()).lines;
+    const bool is_x_major = abs(b->x - a->x) >= abs(b->y - a->y);
+    const Rational run = is_x_major ? Rational(b->x - a->x) : Rational(b->y - a->y);
+    const Rational along = is_x_major ? Rational(samples.x_of(pixel.x) - a->x)
+                                      : Rational(samples.y_of(pixel.y) - a->y);
+    ColorOnLine color{.from = *from,
+                      .to = *to,
+                      .names = {primitive.vertices[first], primitive.vertices[second]},
+                      .step = along,
+                      .steps = run,
+                      .lerp = ColorLerp::space};
+    color.way =
+        sgn(run) == 0 ? Rational(0) : std::clamp<Rational>(along / run, Rational(0), Rational(1));
+    if (auto divisors = divisors_of(replay, primitive))
+        color.divisors = {divisors->name, {divisors->of[first], divisors->of[second]}};
+    return color;
 }
 
 /// The edge that the current lines of a fan begin in.
@@ -362,7 +471,7 @@ std::optional<ColoredLine> edge_of_fan(const PrimitiveText& primitive, const Edg
                                     primitive, edge.vertices)
                      : std::nullopt;
     if (line)
-        begin_left(*line, primitive.vertices[edge.vertices[1]]);
+        begin_left(*line, trace);
     return line;
 }
 
@@ -377,9 +486,9 @@ std::optional<ColoredLine> line_of_fan(const Replay& replay, const PrimitiveText
     auto line = colored_line(ends, primitive, {apex, apex});
     if (!line)
         return std::nullopt;
-    line->pixels.from_color = start->color;
-    line->from_name = text(ends.from);
-    begin_left(*line, primitive.vertices[apex]);
+    line->from = start->color;
+    line->names[0] = text(ends.from);
+    begin_left(*line, replay.trace());
     return line;
 }
 
@@ -387,6 +496,8 @@ std::optional<ColoredLine> line_of_fan(const Replay& replay, const PrimitiveText
 
 std::optional<ColorOnLine> color_on_edge_of_fan(const Replay& replay,
                                                 const PrimitiveText& primitive) {
+    if (replay.trace().method_value("color_lerp") == "space")
+        return std::nullopt; // mixed of those of all corners
     const auto edge = current_edge(replay, primitive);
     const bool is_fan = primitive.kind == PrimitiveKind::triangle && replay.ray() != 0;
     const auto line = edge && is_fan ? edge_of_fan(primitive, *edge, replay.trace()) : std::nullopt;
@@ -406,6 +517,8 @@ std::optional<ColorOnLine> color_on_line(const Replay& replay, const PrimitiveTe
     } else {
         const auto side = current_edge(replay, primitive);
         const auto [first, second] = side ? side->vertices : std::array<std::size_t, 2>{0, 1};
+        if (replay.trace().method_value("color_lerp") == "space")
+            return color_in_space(replay, primitive, {first, second});
         const bool are_pixels = replay.trace().method_value("line") == "bresenham";
         line = colored_line(*ends, primitive, {first, second},
                             are_pixels ? SampleOffset<Rational>()
@@ -417,7 +530,7 @@ std::optional<ColorOnLine> color_on_line(const Replay& replay, const PrimitiveTe
         const bool runs_down =
             line && line->is_along_x ? ends->to.x < ends->from.x : ends->to.y < ends->from.y;
         if (line && runs_down && replay.trace().method_value("from") == "low")
-            reverse(*line, primitive.vertices[second]);
+            reverse(*line);
     }
     if (!line)
         return std::nullopt;

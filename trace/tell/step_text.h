@@ -9,6 +9,8 @@
 #include <rastertrace/core/numbers/conversion.h>
 #include <rastertrace/core/numbers/vec.h>
 #include <rastertrace/core/raster/image.h>
+#include <rastertrace/core/raster/line.h>
+#include <rastertrace/core/raster/mixed_colors.h>
 #include <rastertrace/trace/record/frame.h>
 #include <rastertrace/trace/record/told_samples.h>
 #include <rastertrace/trace/record/traced_steps.h>
@@ -108,6 +110,10 @@ struct PrimitiveText {
     TracedList<TracedNumber> depths;
     TracedList<TracedColor> colors;
     std::optional<Index> radius;
+    TracedList<TracedList<TracedNumber>> levels;
+
+    /// The channels of a vertex's color; of one that clipping has made they are no whole levels.
+    std::optional<Levels<Rational>> color_of(std::size_t vertex) const;
 };
 
 /// What is said behind the sentence of a step that does not tell what its numbers give (Trace::numbers_give): what these
@@ -148,21 +154,40 @@ struct LineEnds {
 /// edge to the vertex beyond. Where lines are drawn between pixels, those.
 std::optional<LineEnds> ends_of_line(const Replay& replay, const PrimitiveText& primitive);
 
+/// What the colors of a primitive's corners are divided by in a perspective, where that is not the same: z, or the w of
+/// clip space.
+struct Divisors {
+    std::string_view name;
+    std::vector<Rational> of;
+};
+std::optional<Divisors> divisors_of(const Replay& replay, const PrimitiveText& primitive);
+
+/// Shares of corners in space: each divided by its z or w, and by the sum of all. Nothing if that is not above 0.
+struct SharesInSpace {
+    std::vector<Rational> divided;
+    Rational sum;
+    std::vector<Rational> shares;
+};
+std::optional<SharesInSpace> shares_in_space(const std::vector<Rational>& on_screen,
+                                             const Divisors& divisors);
+
 /// What mixes the colors of a line's ends in the current step's pixel.
 struct ColorOnLine {
-    Color from;
-    Color to;
-    std::string from_name;
+    Levels<Rational> from;
+    Levels<Rational> to;
+    std::array<std::string, 2> names;
     Rational step;        ///< along the longer direction ...
     Rational steps;       ///< ... of so many
     Rational to_end = {}; ///< squares of the distance to the far end, and of the line's length
     Rational length = {};
-    bool is_by_distance = false;
-    Color color = {}; ///< what they make
+    ColorLerp lerp = ColorLerp::axis;
+    Color color = {};                      ///< what they make
+    Rational way = {};                     ///< in space: the part of the way on the screen
+    std::optional<Divisors> divisors = {}; ///< of both ends, in space
 
-    /// What part of the color is that of the end `to`: by the distance, or step by step.
-    Rational share_by(bool distance) const;
-    double share() const;
+    /// What part of the color is that of the end `to`.
+    Rational share_by(ColorLerp lerp) const;
+    Rational share() const { return share_by(lerp); }
 };
 std::optional<ColorOnLine> color_on_line(const Replay& replay, const PrimitiveText& primitive);
 

@@ -442,18 +442,6 @@ void write_light(Sheet& sheet) {
     put_face_toward(sheet, face, face.light, said({"light", "luz"}));
 }
 
-std::optional<CornerDistances> distances_of_corners(const Sheet& sheet) {
-    const auto projection = matrix_named(sheet, "projection");
-    const auto inverse_z = numbers_in<3>(sheet.primitive.depths.texts());
-    if (sheet.trace().method_value("depth") != "inverse-z" || !projection ||
-        sgn(projection->rows[3][2]) == 0 || !inverse_z)
-        return std::nullopt;
-    const auto& [a, b, c] = *inverse_z;
-    if (sgn(a) == 0 || sgn(b) == 0 || sgn(c) == 0)
-        return std::nullopt;
-    return CornerDistances{{Rational(1 / a), Rational(1 / b), Rational(1 / c)}};
-}
-
 void write_plane_in_camera_space(Sheet& sheet, const Vec2& sample, const Rational& told) {
     const auto corners = camera_corners_of(sheet);
     const auto projection = matrix_named(sheet, "projection");

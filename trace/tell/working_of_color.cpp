@@ -13,7 +13,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <cstdint>
+#include <iterator>
 #include <optional>
 #include <string>
 #include <utility>
@@ -23,15 +23,13 @@ namespace rastertrace {
 
 namespace {
 
-/// A channel of a color.
-struct Channel {
-    Words name;
-    std::uint8_t (Color::*of)() const;
-};
-constexpr Channel channels[] = {{{"red", "vermelho"}, &Color::red},
-                                {{"green", "verde"}, &Color::green},
-                                {{"blue", "azul"}, &Color::blue},
-                                {{"alpha", "alfa"}, &Color::alpha}};
+/// The channels of a color, in the order of Levels.
+constexpr Words channel_names[] = {
+    {"red", "vermelho"}, {"green", "verde"}, {"blue", "azul"}, {"alpha", "alfa"}};
+
+std::array<int, 4> channels_of(Color color) {
+    return {color.red(), color.green(), color.blue(), color.alpha()};
+}
 
 /// True if a level rounds to the one that the trace tells, as its header says that levels are rounded.
 bool rounds_to(const Trace& trace, double level, int told) {
@@ -40,100 +38,107 @@ bool rounds_to(const Trace& trace, double level, int told) {
     return std::abs(is_cut ? of_told - 0.5 : of_told) <= 0.5 + 1e-6;
 }
 
-/// The levels of a pixel on a line with a color at each end: step by step (T2), or by its distance. None if the pixel
-/// has others.
-std::vector<std::string> levels_on_line(const Trace& trace, const ColorOnLine& line, Color told) {
+/// 1/2 (255) + 1/2 (71.4) = 163.2 -> 163: each channel, mixed by these weights, unless that is the same at all corners;
+/// nothing if the trace tells another level.
+std::vector<std::string> levels_mixed(const Trace& trace,
+                                      const std::vector<Levels<Rational>>& corners,
+                                      const std::vector<Rational>& weights, Color told,
+                                      bool tells_all) {
     std::vector<std::string> lines;
-    if (sgn(line.steps) == 0)
-        return lines;
-    for (const Channel& channel : channels) {
-        const int from = (line.from.*channel.of)();
-        const int to = (line.to.*channel.of)();
-        const int level = (told.*channel.of)();
-        const double worked_out = from + line.share() * (to - from);
-        if (!rounds_to(trace, worked_out, level))
+    for (std::size_t channel = 0; channel < 4; ++channel) {
+        const int level = channels_of(told)[channel];
+        std::vector<std::string> terms;
+        Rational worked_out;
+        bool is_mixed = false;
+        for (std::size_t i = 0; i < corners.size(); ++i) {
+            const Rational& of_corner = corners[i].of[channel];
+            is_mixed = is_mixed || of_corner != corners[0].of[channel];
+            worked_out += weights[i] * of_corner;
+            terms.push_back(
+                fmt::format("{} ({})", six_places(nearest_double(weights[i])), text(of_corner)));
+        }
+        // No pixel is all transparent: that would be one that nothing has drawn.
+        const bool is_alpha = channel == 3;
+        const double near = nearest_double(worked_out);
+        if (!rounds_to(trace, is_alpha ? std::max(near, 1.0) : near, level))
             return {};
-        if (from != to)
-            lines.push_back(
-                line.is_by_distance
-                    ? fmt::format("{} = {} ({}) + {} ({}) = {} -> {}",
-                                  channel.name.in(language_of_steps()),
-                                  six_places(1 - line.share()), from, six_places(line.share()), to,
-                                  six_places(worked_out), level)
-                    : fmt::format("{} = {} + {} ({} - {}) / {} = {} -> {}",
-                                  channel.name.in(language_of_steps()), from, text(line.step), to,
-                                  from, text(line.steps), six_places(worked_out), level));
+        if (is_mixed || (tells_all && !is_alpha))
+            lines.push_back(fmt::format("{} = {} = {} -> {}",
+                                        channel_names[channel].in(language_of_steps()),
+                                        joined(terms, " + "), six_places(near), level));
     }
-    if (line.is_by_distance && !lines.empty())
-        lines.insert(
-            lines.begin(),
-            said({"to the far end sqrt({}), the whole line sqrt({}): {} of the color of {}",
-                  "até o outro extremo sqrt({}), o segmento inteiro sqrt({}): {} da cor de {}"},
-                 text(line.to_end), text(line.length), six_places(1 - line.share()),
-                 line.from_name));
     return lines;
 }
 
-/// What the corners of a triangle weigh in a pixel, and how that is found out.
-struct Mix {
-    std::array<Rational, 3> weights;
-    std::vector<std::string> lines = {};
-};
-
-/// From their weights on the screen those in space: each is divided by the z of its corner, and all by their sum.
-Mix in_space(const Sheet& sheet, const Mix& on_screen, const CornerDistances& corners) {
-    std::array<Rational, 3> shares;
-    Rational sum;
-    for (std::size_t i = 0; i < 3; ++i) {
-        shares[i] = on_screen.weights[i] / corners.distances[i];
-        sum += shares[i];
+/// The levels of a pixel on a line with a color at each end, step by step (T2). None if the pixel has others.
+std::vector<std::string> levels_by_steps(const Trace& trace, const ColorOnLine& line, Color told) {
+    std::vector<std::string> lines;
+    for (std::size_t channel = 0; channel < 4; ++channel) {
+        const int level = channels_of(told)[channel];
+        const Rational& from = line.from.of[channel];
+        const Rational& to = line.to.of[channel];
+        const double worked_out = nearest_double(from + line.share() * (to - from));
+        if (!rounds_to(trace, worked_out, level))
+            return {};
+        if (from != to)
+            lines.push_back(fmt::format("{} = {} + {} ({} - {}) / {} = {} -> {}",
+                                        channel_names[channel].in(language_of_steps()), text(from),
+                                        text(line.step), text(to), text(from), text(line.steps),
+                                        six_places(worked_out), level));
     }
-    if (sgn(sum) <= 0)
-        return on_screen; // so far outside the triangle, a point has none in space
-    const auto listed = [](const std::array<Rational, 3>& of) {
-        return fmt::format("{}, {}, {}", text(of[0]), text(of[1]), text(of[2]));
-    };
-    const auto& names = sheet.primitive.vertices;
-    const std::array<Rational, 3> weights{shares[0] / sum, shares[1] / sum, shares[2] / sum};
-    return {weights,
-            {said({"weights of {}, {}, {}: {}, divided by z = {}: {}, together {}",
-                   "pesos de {}, {}, {}: {}, divididos por z = {}: {}, ao todo {}"},
-                  names[0], names[1], names[2], listed(on_screen.weights),
-                  listed(corners.distances), listed(shares), text(sum)),
-             said({"divided by {}: {} of {}, {} of {}, {} of {}",
-                   "dividido por {}: {} de {}, {} de {}, {} de {}"},
-                  text(sum), text(weights[0]), names[0], text(weights[1]), names[1],
-                  text(weights[2]), names[2])}};
+    return lines;
 }
 
-/// The level of each channel, mixed by these weights; nothing if the trace tells others.
-std::vector<std::string> levels_mixed(const Sheet& sheet, const std::array<Rational, 3>& weights,
-                                      Color told) {
-    const auto colors = sheet.primitive.colors.values();
+/// From shares on the screen those in space: each is divided by the z, or w, of its corner, and all by their sum.
+std::vector<std::string> lines_in_space(const std::vector<std::string>& names,
+                                        const std::vector<Rational>& on_screen,
+                                        const Divisors& divisors, const SharesInSpace& in_space) {
+    const auto listed = [](const std::vector<Rational>& of) {
+        std::vector<std::string> texts;
+        for (const Rational& one : of)
+            texts.push_back(text(one));
+        return joined(texts, ", ");
+    };
+    std::vector<std::string> weights;
+    for (std::size_t i = 0; i < names.size(); ++i)
+        weights.push_back(said({"{} of {}", "{} de {}"}, text(in_space.shares[i]), names[i]));
+    return {said({"weights of {}: {}, divided by {} = {}: {}, together {}",
+                  "pesos de {}: {}, divididos por {} = {}: {}, ao todo {}"},
+                 joined(names, ", "), listed(on_screen), divisors.name, listed(divisors.of),
+                 listed(in_space.divided), text(in_space.sum)),
+            said({"divided by {}: {}", "dividido por {}: {}"}, text(in_space.sum),
+                 joined(weights, ", "))};
+}
+
+/// The levels of a pixel on a line.
+std::vector<std::string> levels_on_line(const Trace& trace, const ColorOnLine& line, Color told) {
+    if (sgn(line.steps) == 0)
+        return {};
+    if (line.lerp == ColorLerp::axis)
+        return levels_by_steps(trace, line, told);
+    const Rational share = line.share();
+    auto levels = levels_mixed(trace, {line.from, line.to}, {1 - share, share}, told, false);
+    if (levels.empty())
+        return levels;
     std::vector<std::string> lines;
-    for (const Channel& channel : channels) {
-        const int level = (told.*channel.of)();
-        std::vector<std::string> terms;
-        double worked_out = 0;
-        bool is_mixed = false;
-        for (std::size_t i = 0; i < 3; ++i) {
-            const auto corner = i < colors.size() ? colors[i].color() : std::nullopt;
-            if (!corner)
-                return {};
-            const double weight = nearest_double(weights[i]);
-            is_mixed =
-                is_mixed || ((*corner).*channel.of)() != ((*colors[0].color()).*channel.of)();
-            worked_out += weight * ((*corner).*channel.of)();
-            terms.push_back(fmt::format("{} ({})", six_places(weight), ((*corner).*channel.of)()));
-        }
-        // No pixel is all transparent: that would be one that nothing has drawn.
-        const bool is_alpha = channel.of == &Color::alpha;
-        if (!rounds_to(sheet.trace(), is_alpha ? std::max(worked_out, 1.0) : worked_out, level))
-            return {};
-        if (!is_alpha || is_mixed)
-            lines.push_back(fmt::format("{} = {} = {} -> {}", channel.name.in(language_of_steps()),
-                                        joined(terms, " + "), six_places(worked_out), level));
+    if (line.lerp == ColorLerp::distance) {
+        lines.push_back(
+            said({"to the far end sqrt({}), the whole line sqrt({}): {} of the color of {}",
+                  "até o outro extremo sqrt({}), o segmento inteiro sqrt({}): {} da cor de {}"},
+                 text(line.to_end), text(line.length), six_places(nearest_double(1 - share)),
+                 line.names[0]));
+    } else {
+        lines.push_back(
+            said({"{} of the way from {} to {} on the screen", "{} do caminho de {} a {} na tela"},
+                 text(line.way), line.names[0], line.names[1]));
+        const std::vector<Rational> on_screen{1 - line.way, line.way};
+        if (const auto in_space =
+                line.divisors ? shares_in_space(on_screen, *line.divisors) : std::nullopt)
+            for (std::string& one : lines_in_space({line.names[0], line.names[1]}, on_screen,
+                                                   *line.divisors, *in_space))
+                lines.push_back(std::move(one));
     }
+    std::move(levels.begin(), levels.end(), std::back_inserter(lines));
     return lines;
 }
 
@@ -143,16 +148,26 @@ void put_mixed_color(Sheet& sheet, Color told) {
     const auto of_sample = weights_of_sample(sheet.trace(), sheet.step, sheet.primitive);
     if (!of_sample)
         return;
-    Mix mix{*of_sample->value()};
-    const bool is_affine = sheet.trace().method_value("shade") == "affine";
-    const auto distances = is_affine ? std::nullopt : distances_of_corners(sheet);
-    if (distances && distances->differ())
-        mix = in_space(sheet, mix, *distances);
-    std::vector<std::string> levels = levels_mixed(sheet, mix.weights, told);
+    std::vector<Levels<Rational>> corners;
+    for (std::size_t i = 0; i < 3; ++i) {
+        const auto color = sheet.primitive.color_of(i);
+        if (!color)
+            return;
+        corners.push_back(*color);
+    }
+    const auto on_screen = *of_sample->value();
+    std::vector<Rational> weights(on_screen.begin(), on_screen.end());
+    std::vector<std::string> lines;
+    if (const auto divisors = divisors_of(sheet.replay, sheet.primitive))
+        if (const auto in_space = shares_in_space(weights, *divisors)) {
+            lines = lines_in_space(sheet.primitive.vertices, weights, *divisors, *in_space);
+            weights = in_space->shares;
+        }
+    std::vector<std::string> levels = levels_mixed(sheet.trace(), corners, weights, told, true);
     if (levels.empty())
         return;
-    for (auto* const lines : {&mix.lines, &levels})
-        for (std::string& line : *lines)
+    for (auto* const some : {&lines, &levels})
+        for (std::string& line : *some)
             sheet.put(std::move(line));
 }
 
@@ -187,7 +202,8 @@ void write_color(Sheet& sheet) {
             write_ray(sheet);
         for (std::string& level : levels)
             sheet.put(std::move(level));
-    } else if (color && is_triangle && sheet.replay.ray() == 0) {
+    } else if (color && is_triangle &&
+               (sheet.replay.ray() == 0 || sheet.trace().method_value("color_lerp") == "space")) {
         put_mixed_color(sheet, *color);
     }
     put_alpha(sheet, told);

@@ -140,6 +140,7 @@ constexpr std::array shades{
     Word{Shade::affine, "affine", "mixed from the vertices, as on a flat picture"},
     Word{Shade::lambert, "lambert", "the primitive's color times normal . light"}};
 constexpr std::array color_lerps{
+    Word{ColorLerp::space, "space", "the place on the line in space, in a perspective"},
     Word{ColorLerp::axis, "axis", "the steps along the major axis"},
     Word{ColorLerp::distance, "distance", "the distance from the line's far end"}};
 constexpr std::array color_roundings{
@@ -418,12 +419,15 @@ std::span<const MethodKey> method_keys() {
             [](const Scene& scene) {
                 return std::string(scene.mixes_colors() ? "interpolate" : "flat");
             }),
-        key<&Method::color_lerp, color_lerps>("color_lerp", "what the color along a line goes by",
-                                              [](const Scene& scene) {
-                                                  return scene.mixes_colors() &&
-                                                         (has_lines(scene) ||
-                                                          fills_by(scene, PixelRule::lines));
-                                              }),
+        key<&Method::color_lerp, color_lerps>(
+            "color_lerp", "what the color along a line goes by",
+            [](const Scene& scene) {
+                return scene.mixes_colors() &&
+                       (has_lines(scene) || fills_by(scene, PixelRule::lines));
+            },
+            [](const Scene& scene) {
+                return std::string(scene.color_lerp() == ColorLerp::space ? "space" : "axis");
+            }),
         key<&Method::color_rounding, color_roundings>(
             "color_rounding", "what becomes of a channel that is no whole level",
             [](const Scene& scene) {

@@ -70,6 +70,7 @@ template <typename Scalar, typename Tests = DepthTests<DepthOf<Scalar>>> struct 
 template <typename Scalar> struct DirectedLine {
     Segment<Scalar> segment;
     GridLine pixels;
+    EdgeName ends; ///< corners of the primitive
 };
 
 /// With `from: low`, it begins at the end with the lower coordinate along the major axis.
@@ -82,7 +83,9 @@ DirectedLine<Scalar> directed_line(const Piece<Scalar>& primitive, EdgeName side
     const GridPoint to_pixel = nearest_pixel(to, offset);
     const GridPoint from_pixel = nearest_pixel(from, offset);
     const DirectedLine<Scalar> forward{
-        {from, to}, {from_pixel, to_pixel, primitive.colors[side.from], primitive.colors[side.to]}};
+        {from, to},
+        {from_pixel, to_pixel, primitive.colors[side.from], primitive.colors[side.to]},
+        side};
     if (method.from == LineStart::first)
         return forward;
 
@@ -94,7 +97,9 @@ DirectedLine<Scalar> directed_line(const Piece<Scalar>& primitive, EdgeName side
     const bool is_reversed = traits_of(method.line).rule == LineRule::grid
                                  ? runs_down(from_pixel, to_pixel, columns >= rows)
                                  : runs_down(from, to, is_longer_in_x(forward.segment));
-    return is_reversed ? DirectedLine<Scalar>{{to, from}, reversed(forward.pixels)} : forward;
+    return is_reversed
+               ? DirectedLine<Scalar>{{to, from}, reversed(forward.pixels), {side.to, side.from}}
+               : forward;
 }
 
 /// The octant in which the line is drawn.
@@ -105,11 +110,61 @@ int octant_of(const Piece<Scalar>& primitive, EdgeName side, const SampleOffset<
     return octant_of(line.from, line.to);
 }
 
+/// The colors of a line in space, or between ends one of which clipping has made; none of others, whose
+/// colors are found by steps between whole levels.
+template <typename Scalar>
+LineColors line_colors(const DirectedLine<Scalar>& line, EdgeName side,
+                       const Piece<Scalar>& primitive, const SampleOffset<Scalar>& offset,
+                       const Scene& scene) {
+    using D = DepthOf<Scalar>;
+    const ColorLerp lerp = scene.color_lerp();
+    const bool is_cut = !primitive.levels.empty();
+    const bool is_in_space = lerp == ColorLerp::space && scene.mixes_colors();
+    const auto [from, to] = is_in_space ? side : line.ends; // in space either way is the same
+    if (!is_cut && (!is_in_space || primitive.colors[from] == primitive.colors[to]))
+        return {};
+    const bool divides = is_in_space && scene.mixes_in_perspective();
+    const D one = scalar_from<D>(1);
+    const auto levels_of = [&](std::size_t end) {
+        return is_cut ? primitive.levels[end] : Levels<D>(primitive.colors[end]);
+    };
+    const MixedOnLine<D> mixed{
+        {levels_of(from), levels_of(to)},
+        {divides ? primitive.inverse_w[from] : one, divides ? primitive.inverse_w[to] : one},
+        scene.method.color_rounding};
+    if (lerp != ColorLerp::space)
+        return [mixed, lerp, pixels = line.pixels](GridPoint pixel, Index step, Index steps) {
+            if (step == 0 || step == steps)
+                return mixed.at(scalar_from<D>(step == 0 ? 0 : 1));
+            return mixed.at(lerp == ColorLerp::axis
+                                ? D(scalar_from<D>(step) / scalar_from<D>(steps))
+                                : D(1 - share_by_distance(pixels, pixel)));
+        };
+
+    // In space a pixel stands for the point of the line at its sample along the longer axis, or for its end
+    // if that lies beyond it: as for its depth (line_painter.h).
+    const auto& first = primitive.positions[from];
+    const auto& last = primitive.positions[to];
+    const bool is_x_major = is_longer_in_x<Scalar>({first, last});
+    const DepthEdge<D> way(depth_scalar(is_x_major ? first.x : first.y), scalar_from<D>(0),
+                           depth_scalar(is_x_major ? last.x : last.y), one);
+    const SampleOffset<D> samples{depth_scalar(offset.x()), depth_scalar(offset.y())};
+    return [mixed, way, samples, is_x_major](GridPoint pixel, Index, Index) {
+        return mixed.at(way.held_at(is_x_major ? samples.x_of(pixel.x) : samples.y_of(pixel.y)));
+    };
+}
+
 /// Draws the line between two vertices of a primitive. Returns false if the line has no pixel.
 template <typename Scalar, typename Sink>
 bool draw_line(const Piece<Scalar>& primitive, EdgeName side, const SampleOffset<Scalar>& offset,
-               const Method& method, const Canvas& canvas, Sink&& sink) {
-    const auto [segment, pixels] = directed_line(primitive, side, offset, method);
+               const Scene& scene, Sink&& sink) {
+    const Method& method = scene.method;
+    const Canvas& canvas = scene.canvas;
+    const DirectedLine<Scalar> line = directed_line(primitive, side, offset, method);
+    const LineColors colors = line_colors(line, side, primitive, offset, scene);
+    const Segment<Scalar>& segment = line.segment;
+    GridLine pixels = line.pixels;
+    pixels.colors = colors ? &colors : nullptr;
     const LineSampling sampling{line_rounding(method), pixels, line_rules(method)};
     switch (method.line) {
     case LineMethod::naive:
@@ -134,7 +189,7 @@ public:
         // A triangle has one color if it has no area, or if its vertices have one color.
         const Triangle<Scalar> triangle{primitive.positions};
         const auto& [a, b, c] = primitive.colors;
-        if (a == b && a == c)
+        if (a == b && a == c && primitive.levels.empty())
             flat_ = a;
         if (stages_.colors != ColorStage::flat) {
             const Barycentric<Scalar> barycentric(triangle);
@@ -144,12 +199,27 @@ public:
                 mixed_ = {primitive.colors, barycentric, drawing.grid.offset(), primitive.inverse_w,
                           method.color_rounding};
         }
+        if (mixed_ && !primitive.levels.empty())
+            mixed_->levels = {primitive.levels[0], primitive.levels[1], primitive.levels[2]};
+        if (mixed_ && method.fill == Fill::fan && drawing.scene.color_lerp() == ColorLerp::space)
+            of_fan_ = [this](GridPoint at, Index, Index) {
+                const Pixel pixel{static_cast<int>(at.x), static_cast<int>(at.y)};
+                return stages_.colors == ColorStage::perspective
+                           ? mixed_->template at<true>(pixel)
+                           : mixed_->template at<false>(pixel);
+            };
         if (!stages_.tests_depth)
             return;
         depth_.emplace(depth_positions(triangle), primitive.depths, drawing.depth->larger_passes());
         if (traits_of(method.fill).depths == DepthForm::plane)
             plane_ = depth_->plane(depth_offset(drawing));
     }
+
+    TrianglePaint(const TrianglePaint&) = delete;
+    TrianglePaint& operator=(const TrianglePaint&) = delete;
+
+    /// The colors of a fan's pixels in space; nullptr of all others.
+    const LineColors* of_fan() const { return of_fan_ ? &of_fan_ : nullptr; }
 
     /// True if FlatPainter paints it: one color, no depths.
     bool is_flat() const { return stages_.colors == ColorStage::flat && !stages_.tests_depth; }
@@ -199,6 +269,7 @@ private:
     PixelStages stages_;
     Color flat_;
     std::optional<MixedColors<Scalar>> mixed_;
+    LineColors of_fan_;
     std::optional<TriangleDepth<DepthOf<Scalar>>> depth_;
     std::optional<DepthPlane<DepthOf<Scalar>>> plane_;
 };
@@ -228,7 +299,7 @@ void draw_lines(const Piece<Scalar>& primitive, const SceneDrawing<Scalar, Tests
     }
     case PrimitiveKind::line: {
         auto&& painter = painter_of(EdgeName{0, 1});
-        if (!draw_line(primitive, {0, 1}, offset, method, canvas, painter))
+        if (!draw_line(primitive, {0, 1}, offset, drawing.scene, painter))
             painter(PrimitiveSkipped{.why = no_pixel});
         return;
     }
@@ -237,7 +308,7 @@ void draw_lines(const Piece<Scalar>& primitive, const SceneDrawing<Scalar, Tests
         for (const EdgeName side : {EdgeName{0, 1}, EdgeName{1, 2}, EdgeName{2, 0}}) {
             auto&& painter = painter_of(side);
             painter(SideBegan{.edge = side, .octant = octant_of(primitive, side, offset, method)});
-            has_pixels = draw_line(primitive, side, offset, method, canvas, painter) || has_pixels;
+            has_pixels = draw_line(primitive, side, offset, drawing.scene, painter) || has_pixels;
             if (side.to == 0 && !has_pixels)
                 painter(PrimitiveSkipped{.why = no_pixel});
         }
@@ -267,6 +338,9 @@ void tell_beginning(const Piece<Scalar>& piece, std::string_view name,
                     std::span<const std::string_view> corners,
                     const SceneDrawing<Scalar, Tests>& drawing, Sink&& sink) {
     const Plan& plan = drawing.plan;
+    std::vector<std::array<DepthOf<Scalar>, 4>> levels;
+    for (const auto& of_corner : piece.levels)
+        levels.push_back(of_corner.of);
     sink(PrimitiveBegan<Scalar>{
         .kind = piece.kind,
         .name = name,
@@ -281,7 +355,8 @@ void tell_beginning(const Piece<Scalar>& piece, std::string_view name,
         .depths = std::span(piece.depths).first(drawing.depth ? piece.count : 0),
         .is_painted = plan.stages.pixels[piece.primitive].is_painted,
         .radius = piece.radius,
-        .face = drawing.scene.face_of(drawing.scene.primitives[piece.primitive])});
+        .face = drawing.scene.face_of(drawing.scene.primitives[piece.primitive]),
+        .levels = levels});
 }
 
 /// Draws a point, a line or an outline, with or without depth tests.
@@ -332,7 +407,7 @@ void draw_piece(const Piece<Scalar>& piece, SceneDrawing<Scalar, Tests>& drawing
                                      paint.plane_painter(drawing, sink));
     }
     fill(triangle, piece.colors, scene.method, drawing.grid, scene.canvas,
-         paint.row_painter(drawing, sink));
+         paint.row_painter(drawing, sink), paint.of_fan());
 }
 
 /// Emits what is known of a piece, and draws it. `of_pixels` is the sink of its drawing.

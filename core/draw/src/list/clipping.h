@@ -93,10 +93,9 @@ SkipReason reason_of(const ClipPlane<Scalar>& plane,
 /// cuts it. Returns the reason if nothing is left. Only an original vertex outside of a plane makes
 /// it cut: a vertex that clipping has made lies between two of those, but for rounding.
 template <typename Scalar>
-std::optional<SkipReason> clip_at_planes(std::string_view name,
-                                         std::vector<ClipVertex<Scalar>>& polygon,
-                                         const std::vector<ClipPlane<Scalar>>& planes,
-                                         ColorRounding color_rounding, const Listener& listener) {
+std::optional<SkipReason>
+clip_at_planes(std::string_view name, std::vector<ClipVertex<Scalar>>& polygon,
+               const std::vector<ClipPlane<Scalar>>& planes, const Listener& listener) {
     const std::size_t fewest = std::min<std::size_t>(polygon.size(), 3);
     const std::vector<ClipVertex<Scalar>> whole = polygon;
     for (const ClipPlane<Scalar>& plane : planes) {
@@ -113,7 +112,7 @@ std::optional<SkipReason> clip_at_planes(std::string_view name,
                         [](bool inside) { return inside; }))
             continue;
 
-        std::vector<ClipVertex<Scalar>> left = clip(polygon, plane, color_rounding);
+        std::vector<ClipVertex<Scalar>> left = clip(polygon, plane);
         if (left.size() < fewest)
             left.clear();
         listener(PrimitiveClipped{.name = name,
@@ -152,8 +151,7 @@ std::optional<SkipReason> clip_primitive(const Scene& scene, const ScreenList<Sc
                  color_of_vertex(scene, list.mixes_colors, corners[corner], unclipped.color),
                  static_cast<int>(corner)});
         }
-        reason = clip_at_planes(primitive.name, polygon, list.transforms.planes,
-                                scene.method.color_rounding, listener);
+        reason = clip_at_planes(primitive.name, polygon, list.transforms.planes, listener);
         is_left = is_left || !polygon.empty();
         take(side, polygon);
     }

@@ -94,7 +94,10 @@ void add_clipped(const Scene& scene, Geometry<Scalar>& geometry,
             find_depth(geometry, index);
             return index;
         }
-        list.made.push_back({vertex.color, ++made, originals[side]});
+        list.made.push_back(
+            {vertex.color.rounded(scene.method.color_rounding), ++made, originals[side]});
+        if (list.mixes_colors)
+            list.levels.push_back(vertex.color);
         ScreenVertex<Scalar>& on_screen = list.vertices.emplace_back();
         on_screen.position = positions_on_screen(vertex.position, list.transforms).pixel;
         find_depth(vertex.position, vertex.distance, list, on_screen);
@@ -214,6 +217,7 @@ Piece<Scalar> piece_of(const Scene& scene, const ScreenList<Scalar>& list,
                        const ScreenPrimitive& one) {
     auto piece = piece_without_corners<Scalar>(scene, one);
     const auto corners = corners_of(scene, list.parts, one);
+    bool is_cut = false;
     if (piece.kind == PrimitiveKind::polygon) {
         for (const std::size_t index : corners) {
             const bool is_made = index >= scene.vertices.size();
@@ -236,8 +240,21 @@ Piece<Scalar> piece_of(const Scene& scene, const ScreenList<Scalar>& list,
             const MadeVertex& made = list.made[index - scene.vertices.size()];
             piece.colors[i] = made.color;
             piece.vertices[i] = made.side;
+            is_cut = true;
         }
     }
+    // Where an edge between two colors is cut, there is no whole level.
+    const auto all = scene.primitives[one.primitive].corners();
+    const auto color_of = [&](std::size_t index) {
+        return color_of_vertex(scene, list.mixes_colors, index, one.color);
+    };
+    if (is_cut && std::any_of(all.begin(), all.end(), [&](std::size_t index) {
+            return color_of(index) != color_of(all[0]);
+        }))
+        for (const std::size_t index : corners)
+            piece.levels.push_back(index < scene.vertices.size()
+                                       ? Levels<Scalar>(color_of(index))
+                                       : list.levels[index - scene.vertices.size()]);
     return piece;
 }
 Piece<Number> piece_of(const Scene& scene, const TypedVertices& typed, const ScreenPrimitive& one) {

@@ -281,8 +281,8 @@ constexpr Mistake space_table[] = {
     // Colors.
     {"affine-for-perspective", "weights on the screen",
      "each weight over its w, then over their sum", "pixel",
-     "colors bend along the diagonal of a square", "euc#5, SoftwareRenderer#1", mixes_colors,
-     nullptr, "shade=affine"},
+     "colors bend along the diagonal of a square", "euc#5, SoftwareRenderer#1",
+     [](const Scene& scene) { return scene.mixes_in_perspective(); }, nullptr, "shade=affine"},
     {"perspective-for-affine", "each weight over its w", "weights on the screen", "pixel",
      "colors are drawn to the near side", "xemu#667",
      [](const Scene& scene) { return has_triangles(scene) && scene.shade() == Shade::affine; },

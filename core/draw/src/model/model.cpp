@@ -38,7 +38,7 @@ private:
         const bool has_sides = kind == PrimitiveKind::outline || rules_.draws_outlines;
         if (kind == PrimitiveKind::point)
             plot(pixel_of(on_samples(corners[0], offset_of(sample_of_others(method_)).exact())),
-                 corners[0].color);
+                 corners[0].color.rounded(method_.color_rounding));
         if (kind == PrimitiveKind::line)
             draw_line(corners[0], corners[1]);
         if (kind == PrimitiveKind::triangle) {
@@ -76,9 +76,9 @@ private:
     void fill(const ModelTriangle& triangle, Color color) {
         const auto& [a, b, c] = triangle;
         area2_ = (b.at.x - a.at.x) * (c.at.y - a.at.y) - (c.at.x - a.at.x) * (b.at.y - a.at.y);
-        const bool is_flat = a.color == b.color && a.color == c.color;
+        const bool is_flat = a.color.of == b.color.of && a.color.of == c.color.of;
         mixes_ = scene_.mixes_colors() && area2_ != 0 && !is_flat;
-        color_ = is_flat ? a.color : color;
+        color_ = is_flat ? a.color.rounded(method_.color_rounding) : color;
         if (traits_of(method_.fill).rule == PixelRule::row_ends)
             fill_by_rows(triangle);
         else if (area2_ == 0)
@@ -222,14 +222,9 @@ private:
 
     Color mixed(const ModelTriangle& triangle, GridPoint at) const {
         const ModelWeights shares = rules_.shares(triangle, weights_at(triangle, at));
-        const auto channel = [&](std::uint8_t (Color::*of)() const) {
-            const auto [a, b, c] = std::array{(triangle[0].color.*of)(), (triangle[1].color.*of)(),
-                                              (triangle[2].color.*of)()};
-            return a == b && a == c ? a
-                                    : rules_.level(shares[0] * a + shares[1] * b + shares[2] * c);
-        };
-        return {channel(&Color::red), channel(&Color::green), channel(&Color::blue),
-                std::max<std::uint8_t>(channel(&Color::alpha), 1)};
+        return mixed_levels<Rational, 3>(
+            {triangle[0].color, triangle[1].color, triangle[2].color}, shares,
+            [this](const Rational& level) { return rules_.level(level); });
     }
 
     // --- Lines -----------------------------------------------------------------------------------
@@ -246,12 +241,50 @@ private:
         if (method_.from == LineStart::low && falls)
             std::swap(from, to);
         const ModelLine line = rules_.line(from.at, to.at);
-        const GridLine pixels{pixel_of(from), pixel_of(to), from.color, to.color};
+        const LineColors colors = line_colors(from, to);
+        const GridLine pixels{pixel_of(from), pixel_of(to),
+                              from.color.rounded(method_.color_rounding),
+                              to.color.rounded(method_.color_rounding), colors ? &colors : nullptr};
         const Index last = line.steps - (method_.ends == EndPixels::both ? 0 : 1);
         if (is_on_grid)
             walk(line, pixels, last);
         else
             sample(line, pixels, last);
+    }
+
+    /// In space: by the place on the line, beyond an end that of the end. Else by steps, unless these lead
+    /// between levels that are not whole.
+    LineColors line_colors(const ModelVertex& from, const ModelVertex& to) const {
+        const ColorLerp lerp = scene_.color_lerp();
+        const auto is_whole = [this](const ModelVertex& end) {
+            return Levels<Rational>(end.color.rounded(method_.color_rounding)).of == end.color.of;
+        };
+        if (from.color.of == to.color.of ||
+            (lerp != ColorLerp::space && is_whole(from) && is_whole(to)))
+            return {};
+        const bool divides = lerp == ColorLerp::space && scene_.mixes_in_perspective();
+        const MixedOnLine<Rational> mixed{
+            {from.color, to.color},
+            {divides ? from.inverse_w : Rational(1), divides ? to.inverse_w : Rational(1)},
+            method_.color_rounding};
+        const Rational dx = to.at.x - from.at.x;
+        const Rational dy = to.at.y - from.at.y;
+        const bool is_x_major = abs(dx) >= abs(dy);
+        const Rational run = is_x_major ? dx : dy;
+        return [=](GridPoint pixel, Index step, Index steps) {
+            const Rational along =
+                is_x_major ? Rational(pixel.x - from.at.x) : Rational(pixel.y - from.at.y);
+            if (lerp == ColorLerp::space)
+                return mixed.at(run == 0
+                                    ? Rational(0)
+                                    : std::clamp<Rational>(along / run, Rational(0), Rational(1)));
+            if (step == 0 || step == steps)
+                return mixed.at(step == 0 ? 0 : 1);
+            const GridLine pixels{pixel_of(from), pixel_of(to), {}, {}};
+            return mixed.at(lerp == ColorLerp::axis
+                                ? Rational(Rational(step) / steps)
+                                : Rational(1 - share_by_distance(pixels, pixel)));
+        };
     }
 
     /// Bresenham's line: straight on, or diagonally?

@@ -111,10 +111,12 @@ private:
                                                           : primitive.color;
         std::vector<ClipVertex<Rational>> corners;
         bool is_whole = true;
+        has_two_colors_ = false;
         for (const std::size_t corner : primitive.corners()) {
             const auto& [world, clip, distance] = vertices_[corner];
             const auto own = scene_.mixes_colors() ? scene_.vertices[corner].color : std::nullopt;
             corners.push_back({clip, distance, own ? *own : color, static_cast<int>(corner)});
+            has_two_colors_ = has_two_colors_ || corners[0].color.of != corners.back().color.of;
             for (const ClipPlane<Rational>& plane : rules_.planes)
                 is_whole = is_whole && plane.has_inside(clip);
         }
@@ -140,7 +142,7 @@ private:
                 is_outline ? std::vector{corners[side], corners[(side + 1) % 3]} : corners;
             const std::size_t fewest = std::min<std::size_t>(polygon.size(), 3);
             for (const ClipPlane<Rational>& plane : rules_.planes)
-                polygon = clip(polygon, plane, method_.color_rounding);
+                polygon = clip(polygon, plane);
             for (ClipVertex<Rational>& vertex : polygon)
                 if (vertex.original < 0)
                     vertex.original = -++made_;
@@ -160,6 +162,11 @@ private:
         std::vector<Vec<Rational, 2>> positions;
         std::vector<Rational> depths;
         std::vector<Color> colors;
+        std::vector<std::array<Rational, 4>> levels;
+        const bool is_cut = scene_.mixes_colors() &&
+                            std::any_of(corners.begin(), corners.end(),
+                                        [](const auto& corner) { return corner.original < 0; }) &&
+                            has_two_colors_;
         const bool is_part = parts_ > 0 || corners.size() != primitive.corners().size();
         for (const ClipVertex<Rational>& vertex : corners) {
             const Point3 canonical = rules_.divided(vertex.position);
@@ -178,7 +185,9 @@ private:
             if (has_buffer_)
                 depths.push_back(on_screen.back().depth);
             if (scene_.mixes_colors())
-                colors.push_back(vertex.color);
+                colors.push_back(vertex.color.rounded(method_.color_rounding));
+            if (is_cut)
+                levels.push_back(vertex.color.of);
         }
         ++parts_;
         const PrimitiveKind kind = corners.size() == 2 ? PrimitiveKind::line : primitive.kind;
@@ -193,7 +202,8 @@ private:
                                        .colors = colors,
                                        .is_part = is_part,
                                        .depths = depths,
-                                       .face = scene_.face_of(primitive)});
+                                       .face = scene_.face_of(primitive),
+                                       .levels = levels});
         if (tell_face(face, sink_))
             draw_({kind, std::move(on_screen), color});
     }
@@ -205,8 +215,9 @@ private:
     const ListenerSink& sink_;
     const std::function<void(const ModelPiece&)>& draw_;
     std::vector<ClipSpace> vertices_;
-    int made_ = 0;  ///< vertices of the primitive that clipping has made
-    int parts_ = 0; ///< of it that have been drawn
+    int made_ = 0;                ///< vertices of the primitive that clipping has made
+    int parts_ = 0;               ///< of it that have been drawn
+    bool has_two_colors_ = false; ///< its corners, or more
 };
 
 } // namespace

@@ -143,10 +143,19 @@ std::int64_t denominator_of_samples(const Scene& scene) {
     return 1;
 }
 
+/// True if clipping has made colors that are no whole levels.
+bool has_cut_colors(const TypedVertices&) {
+    return false;
+}
+template <typename Coordinate> bool has_cut_colors(const ScreenList<Coordinate>& list) {
+    return !list.levels.empty();
+}
+
 /// A plan with the narrowest exact type in which no step of the fill can overflow, for all of the
-/// scene: fractions on 64 bits, or of any size. Depths, and colors in a perspective, are quotients of quotients: for them, any size.
+/// scene: fractions on 64 bits, or of any size. Depths, and colors in a perspective or of cut edges, are quotients of quotients: for them, any size.
 template <typename AList> Plan plan_in_exact_numbers(const Scene& scene, const AList& list) {
-    if (scene.has_depth_buffer() || scene.mixes_in_perspective())
+    if (scene.has_depth_buffer() || scene.mixes_in_perspective() || scene.mixes_lines_in_space() ||
+        has_cut_colors(list))
         return {.number = NumberType::rational};
 
     // The least common multiple of the denominators as typed, and of the samples'.

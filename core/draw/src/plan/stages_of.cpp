@@ -16,6 +16,12 @@ std::string word_for_face(const Scene& scene) {
     return scene.has(PrimitiveKind::polygon) ? "face" : "triangle";
 }
 
+/// True if a primitive's colors are not mixed by steps on the screen.
+bool mixes_by_weights_or_in_space(const Scene& scene, PrimitiveKind kind) {
+    const bool has_weights = kind == PrimitiveKind::triangle && scene.method.fill != Fill::fan;
+    return has_weights || scene.color_lerp() == ColorLerp::space;
+}
+
 /// The stages of each primitive's pixels.
 std::vector<PixelStages> pixel_stages(const Scene& scene,
                                       const std::vector<PrimitiveSurvey>& surveys) {
@@ -32,10 +38,11 @@ std::vector<PixelStages> pixel_stages(const Scene& scene,
         stages.tests_depth = has_depth_buffer && (scene.keep.has(Stage::depth) ||
                                                   survey.may_be_hidden() || survey.has_parts());
         if (mixes_colors && (survey.colors_differ || scene.keep.has(Stage::colors)))
-            stages.colors =
-                mixes_in_perspective && (survey.w_differs || scene.keep.has(Stage::perspective))
-                    ? ColorStage::perspective
-                    : ColorStage::affine;
+            stages.colors = mixes_in_perspective &&
+                                    mixes_by_weights_or_in_space(scene, survey.kind) &&
+                                    (survey.w_differs || scene.keep.has(Stage::perspective))
+                                ? ColorStage::perspective
+                                : ColorStage::affine;
     }
     return result;
 }
@@ -172,11 +179,12 @@ struct StageCount {
 };
 struct PixelStageCounts {
     std::uint64_t faces = 0;
+    std::uint64_t lines = 0; ///< whose colors are mixed in space
     StageCount canvas, depth, perspective, colors;
     PixelBox tested; ///< the pixels whose depths are tested
 };
 
-PixelStageCounts counts_of(const std::vector<PrimitiveSurvey>& surveys,
+PixelStageCounts counts_of(const Scene& scene, const std::vector<PrimitiveSurvey>& surveys,
                            const std::vector<PixelStages>& stages, const PixelBox& canvas) {
     PixelStageCounts counts;
     for (std::size_t i = 0; i < surveys.size(); ++i) {
@@ -189,6 +197,11 @@ PixelStageCounts counts_of(const std::vector<PrimitiveSurvey>& surveys,
         if (tests_depth && !box.is_empty())
             counts.tested = counts.tested.joined(box);
         counts.depth.add(false, tests_depth, is_filled(survey.kind) ? box.area() : 0);
+        if (scene.mixes_lines_in_space() &&
+            (survey.kind == PrimitiveKind::line || survey.kind == PrimitiveKind::outline)) {
+            ++counts.lines;
+            counts.perspective.add(survey.w_differs, colors == ColorStage::perspective, 0);
+        }
         if (!is_filled(survey.kind))
             continue;
         ++counts.faces;
@@ -203,7 +216,7 @@ PixelStageCounts counts_of(const std::vector<PrimitiveSurvey>& surveys,
 void decide_pixel_stages(const Scene& scene, const std::vector<PrimitiveSurvey>& surveys,
                          std::size_t depth_size, Stages& stages) {
     const PixelBox canvas = box_of(scene.canvas);
-    const PixelStageCounts counts = counts_of(surveys, stages.pixels, canvas);
+    const PixelStageCounts counts = counts_of(scene, surveys, stages.pixels, canvas);
     const bool has_depths = scene.has_depth_buffer();
     const PixelBox tested = has_depths && scene.keep.has(Stage::depth) ? canvas : counts.tested;
     stages.depth_region = {tested.left, tested.top, std::max(tested.right - tested.left + 1, 0),
@@ -223,7 +236,9 @@ void decide_pixel_stages(const Scene& scene, const std::vector<PrimitiveSurvey>&
     };
     const bool fills = counts.faces > 0;
     const bool mixes = fills && scene.mixes_colors();
-    const bool mixes_in_space = fills && scene.mixes_in_perspective();
+    const std::uint64_t mixed = counts.faces + counts.lines;
+    const bool mixes_in_space = mixed > 0 && scene.mixes_in_perspective();
+    const std::string one_mixed = counts.lines > 0 ? "primitive" : face;
     decide(Stage::canvas, counts.canvas,
            counts.canvas.needed > 0 ? of_all(counts.canvas) + " may reach beyond the canvas"
            : fills                  ? "every " + face + " lies on the canvas"
@@ -233,9 +248,11 @@ void decide_pixel_stages(const Scene& scene, const std::vector<PrimitiveSurvey>&
            has_depths ? why_depth(surveys) : "the method has no depth buffer", has_depths,
            has_depths ? (canvas.area() - tested.area()) * depth_size : 0);
     decide(Stage::perspective, counts.perspective,
-           !mixes_in_space                 ? "no colors are mixed in a perspective"
-           : counts.perspective.needed > 0 ? "w differs in " + of_all(counts.perspective)
-                                           : "w is the same all over each " + face,
+           !mixes_in_space ? "no colors are mixed in a perspective"
+           : counts.perspective.needed > 0
+               ? "w differs in " + std::to_string(counts.perspective.needed) + " of " +
+                     counted(mixed, one_mixed)
+               : "w is the same all over each " + one_mixed,
            mixes_in_space);
     decide(Stage::colors, counts.colors,
            !mixes                     ? "no colors are mixed"

@@ -196,12 +196,13 @@ void survey_piece(const Scene& scene, const Piece<Coordinate>& piece, const Dept
     if constexpr (!std::same_as<Coordinate, Number>) { // vertices as typed have no depth and no w
         survey.has_safe_depth = rule && (is_first || survey.has_safe_depth) &&
                                 has_safe_depth(piece, *rule, scene.method);
-        const auto& [a, b, c] = piece.inverse_w;
-        survey.w_differs = survey.w_differs || may_differ(a, b) || may_differ(a, c);
+        for (std::size_t i = 1; i < piece.count; ++i)
+            survey.w_differs =
+                survey.w_differs || may_differ(piece.inverse_w[0], piece.inverse_w[i]);
     }
-    const auto& [a, b, c] = piece.colors;
-    if (piece.kind == PrimitiveKind::triangle)
-        survey.colors_differ = survey.colors_differ || a != b || a != c;
+    for (std::size_t i = 1; i < piece.count; ++i)
+        survey.colors_differ =
+            survey.colors_differ || piece.colors[0] != piece.colors[i] || !piece.levels.empty();
 }
 
 /// Finds the primitives that may share a pixel with another one, because their boxes overlap. Boxes
@@ -253,6 +254,7 @@ void find_shared(std::vector<PrimitiveSurvey>& triangles, const Canvas& canvas) 
 std::vector<PrimitiveSurvey> survey_of(const Scene& scene, const AnyScreenList& list) {
     std::vector<PrimitiveSurvey> result(scene.primitives.size());
     const bool has_depth_buffer = scene.has_depth_buffer();
+    const bool has_lines = has_depth_buffer || scene.mixes_lines_in_space();
     const DepthRule<double> rule = depth_rule<double>(scene);
     const auto survey_all = [&](const auto& primitives) {
         for_each_primitive(scene, primitives, [&](const ScreenPrimitive& one) {
@@ -262,7 +264,7 @@ std::vector<PrimitiveSurvey> survey_of(const Scene& scene, const AnyScreenList& 
                 return;
             }
             const auto piece = piece_of(scene, primitives, one);
-            if ((is_filled(kind) || has_depth_buffer) && !piece.is_skipped)
+            if ((is_filled(kind) || has_lines) && !piece.is_skipped)
                 survey_piece(scene, piece, has_depth_buffer ? &rule : nullptr,
                              result[one.primitive]);
         });

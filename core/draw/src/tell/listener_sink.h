@@ -70,9 +70,12 @@ template <typename Scalar> void tell(const PrimitiveBegan<Scalar>& step, const L
     for (const Vec<Scalar, 2>& at : step.positions)
         positions.push_back(quantities<Scalar>(at));
     const std::vector<Quantity> depths(step.depths.begin(), step.depths.end());
+    std::vector<std::array<Quantity, 4>> levels;
+    for (const auto& [red, green, blue, alpha] : step.levels)
+        levels.push_back({red, green, blue, alpha});
     listener(PrimitiveBegan<Quantity>{step.kind, step.name, step.vertices, positions, step.color,
                                       step.colors, step.octant, step.is_part, depths,
-                                      step.is_painted, step.radius, step.face});
+                                      step.is_painted, step.radius, step.face, levels});
 }
 
 template <typename Scalar> void tell(const EdgeSetUp<Scalar>& step, const Listener& listener) {

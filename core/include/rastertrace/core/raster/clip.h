@@ -12,29 +12,33 @@
 #include <rastertrace/core/numbers/scalar.h>
 #include <rastertrace/core/numbers/vec.h>
 #include <rastertrace/core/raster/image.h>
-#include <rastertrace/core/raster/rounding.h>
+#include <rastertrace/core/raster/mixed_colors.h>
 
 #include <cstddef>
-#include <cstdint>
+#include <optional>
 #include <string_view>
 #include <vector>
 
 namespace rastertrace {
 
 /// A plane of the view volume. A point in clip space lies inside, or on the plane, if
-/// a x + b y + c z + d w + e >= 0.
+/// a x + b y + c z + d w + e >= 0; inside an open one only if that is above 0. An open one cuts half way
+/// between the plane and the nearest corner inside.
 template <typename Scalar> struct ClipPlane {
     std::string_view name; ///< near, far, left, right, bottom, top, w
     Vec<Scalar, 4> factors;
     Scalar constant;
+    bool is_open = false;
 
     Scalar value_at(const Vec<Scalar, 4>& p) const {
         return factors.x * p.x + factors.y * p.y + factors.z * p.z + factors.w * p.w + constant;
     }
 
-    /// True if the point lies inside the plane, or on it.
+    /// True if the point lies inside the plane, or on one that is not open.
     bool has_inside(const Vec<Scalar, 4>& p) const {
-        return !(value_at(p) < scalar_from<Scalar>(0));
+        const Scalar value = value_at(p);
+        const Scalar zero = scalar_from<Scalar>(0);
+        return is_open ? zero < value : !(value < zero);
     }
 };
 
@@ -42,7 +46,7 @@ template <typename Scalar> struct ClipPlane {
 template <typename Scalar> struct ClipVertex {
     Vec<Scalar, 4> position;
     Scalar distance; ///< from the eye along the view
-    Color color;
+    Levels<Scalar> color;
     int original = -1; ///< its index among the primitive's own vertices; -1 if clipping made it
 };
 
@@ -50,8 +54,8 @@ template <typename Scalar> struct ClipVertex {
 /// computed in this direction: two triangles that share the edge get the same point.
 template <typename Scalar>
 ClipVertex<Scalar> meeting_point(const ClipVertex<Scalar>& inside,
-                                 const ClipVertex<Scalar>& outside, const ClipPlane<Scalar>& plane,
-                                 ColorRounding color_rounding) {
+                                 const ClipVertex<Scalar>& outside,
+                                 const ClipPlane<Scalar>& plane) {
     // From the end nearer to the plane: from the other one, the difference would be rounded to the
     // size of a far coordinate, and a w just above 0 could come out as 0 or below.
     const Scalar value_inside = plane.value_at(inside.position);
@@ -62,11 +66,9 @@ ClipVertex<Scalar> meeting_point(const ClipVertex<Scalar>& inside,
     const auto between = [&way, is_from_inside](const Scalar& a, const Scalar& b) {
         return is_from_inside ? Scalar(a + way * (b - a)) : Scalar(b + way * (a - b));
     };
-    const auto level = [&between, color_rounding](std::uint8_t a, std::uint8_t b) {
-        return a == b ? a
-                      : level_of(between(scalar_from<Scalar>(a), scalar_from<Scalar>(b)),
-                                 color_rounding);
-    };
+    Levels<Scalar> color;
+    for (std::size_t i = 0; i < color.of.size(); ++i)
+        color.of[i] = between(inside.color.of[i], outside.color.of[i]);
     const auto& p = inside.position;
     const auto& q = outside.position;
     // On a plane that w alone decides, near or far in a perspective, w and the distance are known.
@@ -78,10 +80,7 @@ ClipVertex<Scalar> meeting_point(const ClipVertex<Scalar>& inside,
     return {.position = {between(p.x, q.x), between(p.y, q.y), between(p.z, q.z),
                          is_plane_of_w ? Scalar(-plane.constant / f.w) : between(p.w, q.w)},
             .distance = is_plane_of_w ? plane_distance : between(inside.distance, outside.distance),
-            .color = {level(inside.color.red(), outside.color.red()),
-                      level(inside.color.green(), outside.color.green()),
-                      level(inside.color.blue(), outside.color.blue()),
-                      level(inside.color.alpha(), outside.color.alpha())},
+            .color = std::move(color),
             .original = -1};
 }
 
@@ -90,10 +89,20 @@ ClipVertex<Scalar> meeting_point(const ClipVertex<Scalar>& inside,
 /// polygon stay joined by sides along the plane, between which a fill finds nothing.
 template <typename Scalar>
 std::vector<ClipVertex<Scalar>> clip(const std::vector<ClipVertex<Scalar>>& polygon,
-                                     const ClipPlane<Scalar>& plane,
-                                     ColorRounding color_rounding = ColorRounding::nearest) {
-    // A vertex on the plane is kept, and is itself the point where a side leaves.
+                                     ClipPlane<Scalar> plane) {
     const Scalar zero = scalar_from<Scalar>(0);
+    if (plane.is_open) {
+        std::optional<Scalar> nearest;
+        for (const ClipVertex<Scalar>& vertex : polygon)
+            if (const Scalar value = plane.value_at(vertex.position);
+                zero < value && !(nearest && *nearest < value))
+                nearest = value;
+        if (!nearest)
+            return {};
+        plane.constant = plane.constant - *nearest / scalar_from<Scalar>(2);
+    }
+
+    // A vertex on the plane is kept, and is itself the point where a side leaves.
     const auto side_of = [&plane, &zero](const ClipVertex<Scalar>& vertex) {
         const Scalar value = plane.value_at(vertex.position);
         return value < zero ? -1 : zero < value ? 1 : 0;
@@ -111,8 +120,8 @@ std::vector<ClipVertex<Scalar>> clip(const std::vector<ClipVertex<Scalar>>& poly
             break;
         const ClipVertex<Scalar>& next = polygon[(i + 1) % polygon.size()];
         if (side * side_of(next) < 0)
-            left.push_back(side > 0 ? meeting_point(vertex, next, plane, color_rounding)
-                                    : meeting_point(next, vertex, plane, color_rounding));
+            left.push_back(side > 0 ? meeting_point(vertex, next, plane)
+                                    : meeting_point(next, vertex, plane));
     }
     return left;
 }

@@ -28,6 +28,7 @@ inline constexpr Index longest_fan_edge = largest_canvas_side;
 struct FanRules {
     int passes = 1;  ///< 1: from AB to C; 2: also from AC to B; 3: also from BC to A
     LineRules lines; ///< all end pixels are drawn, whatever they say
+    const LineColors* colors = nullptr; ///< of all pixels, in the place of those of the vertices
 };
 
 /// Draws the triangle whose vertices are the pixels with the samples nearest to the given ones. `colors` are those
@@ -55,7 +56,8 @@ void fill_fan(const Triangle<Scalar>& triangle, const std::array<Color, 3>& colo
     for (int i = 0; i < rules.passes; ++i) {
         const auto& [from, to, apex] = passes[static_cast<std::size_t>(i)];
         const GridPoint target = vertex(apex);
-        const GridLine base = from_lower_x({vertex(from), vertex(to), colors[from], colors[to]});
+        const GridLine base =
+            from_lower_x({vertex(from), vertex(to), colors[from], colors[to], rules.colors});
         sink(SideBegan{.edge = {from, to}, .octant = octant_of(base.from, base.to)});
 
         // A line from each pixel of the edge.
@@ -64,8 +66,8 @@ void fill_fan(const Triangle<Scalar>& triangle, const std::array<Color, 3>& colo
             const GridPoint start = edge.pixel(step);
             const Color color = color_on_line(base, line_rules, start, step, edge.steps());
             sink(RayBegan{.x = start.x, .y = start.y});
-            draw_bresenham(from_lower_x({start, target, color, colors[apex]}), line_rules, canvas,
-                           sink);
+            draw_bresenham(from_lower_x({start, target, color, colors[apex], rules.colors}),
+                           line_rules, canvas, sink);
         }
     }
 }

@@ -16,6 +16,7 @@
 #include <cmath>
 #include <cstdint>
 #include <cstdlib>
+#include <functional>
 
 namespace rastertrace {
 
@@ -27,6 +28,7 @@ enum class LineStart {
 
 /// What the color along a line goes by.
 enum class ColorLerp {
+    space,    ///< the place on the line in space: in a perspective, each share is divided by w
     axis,     ///< the step along the major axis
     distance, ///< the distance from the end, over the length of the line
 };
@@ -62,12 +64,16 @@ GridPoint nearest_pixel(const Vec<Scalar, 2>& point, const SampleOffset<Scalar>&
             nearest_index(offset.in_rows(point.y), Ties::up)};
 }
 
+/// The color of a line's pixel at a step of so many.
+using LineColors = std::function<Color(GridPoint pixel, Index step, Index steps)>;
+
 /// A line between two points of the grid, with the colors of its ends.
 struct GridLine {
     GridPoint from;
     GridPoint to;
     Color from_color;
     Color to_color;
+    const LineColors* colors = nullptr; ///< in the place of these two, in space or of cut ends
 };
 
 /// Draws a point: one pixel.
@@ -137,7 +143,7 @@ inline int octant_of(GridPoint from, GridPoint to) {
 
 /// The same line from its other end.
 inline GridLine reversed(const GridLine& line) {
-    return {line.to, line.from, line.to_color, line.from_color};
+    return {line.to, line.from, line.to_color, line.from_color, line.colors};
 }
 
 /// `part` of the way from one color to another out of `whole`.
@@ -151,15 +157,20 @@ inline Color color_between(Color from, Color to, Index part, Index whole, ColorR
             channel(from.blue(), to.blue()), channel(from.alpha(), to.alpha())};
 }
 
-/// The color of a line's pixel by its distance from the end: the part of the start's color is that
-/// distance over the line's length.
-inline Color color_by_distance(const GridLine& line, GridPoint pixel, ColorRounding rounding) {
+/// The distance of a pixel from the end of a line, over the line's length.
+inline double share_by_distance(const GridLine& line, GridPoint pixel) {
     const auto distance = [](GridPoint a, GridPoint b) {
         const auto dx = static_cast<double>(b.x - a.x);
         const auto dy = static_cast<double>(b.y - a.y);
         return std::sqrt(dx * dx + dy * dy);
     };
-    const double share = distance(pixel, line.to) / distance(line.from, line.to);
+    return distance(pixel, line.to) / distance(line.from, line.to);
+}
+
+/// The color of a line's pixel by its distance from the end: the part of the start's color is that
+/// distance over the line's length.
+inline Color color_by_distance(const GridLine& line, GridPoint pixel, ColorRounding rounding) {
+    const double share = share_by_distance(line, pixel);
     const auto channel = [share, rounding](std::uint8_t a, std::uint8_t b) {
         return a == b ? a : level_of(share * a + (1 - share) * b, rounding);
     };
@@ -170,9 +181,11 @@ inline Color color_by_distance(const GridLine& line, GridPoint pixel, ColorRound
 }
 
 /// The color of step `step` of `steps` along a line. The first and the last pixel have exactly the
-/// colors of the ends.
+/// colors of the ends, unless the line has colors of its own.
 inline Color color_on_line(const GridLine& line, const LineRules& rules, GridPoint pixel,
                            Index step, Index steps) {
+    if (line.colors)
+        return (*line.colors)(pixel, step, steps);
     if (line.from_color == line.to_color || step == 0)
         return line.from_color;
     if (step == steps)

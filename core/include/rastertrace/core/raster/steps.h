@@ -113,6 +113,9 @@ template <typename Scalar> struct PrimitiveBegan {
     Index radius = 0;       ///< of a circle, in pixels; else 0
     std::string_view face =
         {}; ///< of more than three corners, that the triangle is a part of; "" if there is none
+    /// In the place of `colors`, red, green, blue and alpha of each vertex, if clipping has cut an
+    /// edge between two colors; else empty.
+    std::span<const std::array<DepthOf<Scalar>, 4>> levels = {};
 };
 
 /// Two vertices of the current primitive, by their place in PrimitiveBegan::vertices.

@@ -94,6 +94,8 @@ template <typename Coordinate> struct Piece {
     std::array<DepthOf<Coordinate>, 3> depths{};    ///< if there is a depth buffer
     std::array<DepthOf<Coordinate>, 3> inverse_w{}; ///< if colors are mixed
     std::array<Color, 3> colors;                    ///< the primitive's, where a vertex has none
+    /// In the place of these, of all corners, if clipping has cut an edge between two colors.
+    std::vector<Levels<DepthOf<Coordinate>>> levels = {};
     /// Indices in the scene. A vertex that clipping has made has the first vertex of what was
     /// clipped.
     std::array<std::size_t, 3> vertices{};

@@ -9,6 +9,7 @@
 #include <rastertrace/core/draw/scene/transforms.h>
 #include <rastertrace/core/numbers/vec.h>
 #include <rastertrace/core/raster/image.h>
+#include <rastertrace/core/raster/mixed_colors.h>
 #include <rastertrace/core/transform/matrix.h>
 
 #include <algorithm>
@@ -75,7 +76,7 @@ struct ScreenPrimitive {
 
 /// A vertex that clipping has made.
 struct MadeVertex {
-    Color color;
+    Color color;      ///< rounded
     int ordinal;      ///< in its primitive, from 1
     std::size_t side; ///< index in the scene of the first vertex of what was clipped
 };
@@ -105,6 +106,7 @@ template <typename Coordinate> struct ScreenList {
     std::vector<ScreenVertex<Coordinate>> vertices;
     std::vector<bool> is_drawn; ///< for each vertex of the scene
     std::vector<MadeVertex> made;
+    std::vector<Levels<Coordinate>> levels; ///< of these, if colors are mixed
     std::vector<ScreenPart> parts;
     std::vector<ScreenPrimitive> primitives; ///< in the order in which they are drawn
     std::vector<Undecided> undecided;        ///< the comparisons that doubles did not decide

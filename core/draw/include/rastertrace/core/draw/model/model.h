@@ -19,6 +19,7 @@
 #include <rastertrace/core/raster/bounding_box.h>
 #include <rastertrace/core/raster/clip.h>
 #include <rastertrace/core/raster/line.h>
+#include <rastertrace/core/raster/mixed_colors.h>
 
 #include <array>
 #include <functional>
@@ -31,10 +32,10 @@ namespace rastertrace {
 /// A vertex on the screen.
 struct ModelVertex {
     Vec<Rational, 2> at{};
-    Rational depth{};        ///< if there is a depth buffer
-    Rational inverse_w = 1;  ///< if colors are mixed
-    Color color{};           ///< of the primitive, unless colors are mixed
-    std::uint16_t index = 0; ///< among the corners of the primitive, or of its part
+    Rational depth{};         ///< if there is a depth buffer
+    Rational inverse_w = 1;   ///< if colors are mixed
+    Levels<Rational> color{}; ///< of the primitive, unless colors are mixed
+    std::uint16_t index = 0;  ///< among the corners of the primitive, or of its part
 };
 using ModelTriangle = std::array<ModelVertex, 3>;
 

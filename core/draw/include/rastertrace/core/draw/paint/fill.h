@@ -30,10 +30,11 @@ template <typename Scalar> SampleGrid<Scalar> sample_grid(const Scene& scene, co
 }
 
 /// Fills a triangle. `sink` is the painter of its rows and pixels. Only the fan needs the colors of
-/// the vertices.
+/// the vertices, or those of all pixels.
 template <typename Scalar, typename Sink>
 void fill(const Triangle<Scalar>& triangle, const std::array<Color, 3>& colors,
-          const Method& method, const SampleGrid<Scalar>& grid, Canvas canvas, Sink&& sink) {
+          const Method& method, const SampleGrid<Scalar>& grid, Canvas canvas, Sink&& sink,
+          const LineColors* of_fan = nullptr) {
     const ScanlineRules rules{
         .lerp = method.lerp, .span = span_rounding(method), .rows = rows_of_triangles(method)};
     switch (method.fill) {
@@ -46,8 +47,10 @@ void fill(const Triangle<Scalar>& triangle, const std::array<Color, 3>& colors,
     case Fill::top_left:
         return fill_top_left(triangle, grid, canvas_of_samples(method, canvas), sink);
     case Fill::fan:
-        return fill_fan(triangle, colors, grid.offset(),
-                        {.passes = method.fan_passes, .lines = line_rules(method)}, canvas, sink);
+        return fill_fan(
+            triangle, colors, grid.offset(),
+            {.passes = method.fan_passes, .lines = line_rules(method), .colors = of_fan}, canvas,
+            sink);
     }
     not_an_enumerator();
 }

@@ -38,6 +38,16 @@ Scalar on_grid(const Coordinate& coordinate, const Plan& plan) {
                          plan.coarseness);
 }
 
+/// The channels of the colors of a piece, each converted.
+template <typename Scalar, typename Coordinate, typename Convert>
+void convert_levels(const Piece<Coordinate>& piece, Piece<Scalar>& result, Convert&& convert) {
+    for (const auto& levels : piece.levels) {
+        auto& converted = result.levels.emplace_back();
+        for (std::size_t i = 0; i < levels.of.size(); ++i)
+            converted.of[i] = convert(levels.of[i]);
+    }
+}
+
 /// A piece with coordinates of type Scalar. A scene typed in pixels has no depths.
 template <typename Scalar, typename Coordinate>
 requires(!(std::floating_point<Scalar> &&
@@ -52,15 +62,19 @@ requires(!(std::floating_point<Scalar> &&
     for (std::size_t i = 0; i < piece.count; ++i)
         result.positions[i] = position_in(piece.positions[i]);
     using D = DepthOf<Scalar>;
-    for (std::size_t i = 0; i < piece.count; ++i) {
-        if constexpr (std::same_as<D, Interval> && !std::same_as<Coordinate, Number>) {
-            result.depths[i] = Conversion<D>::of(piece.depths[i]);
-            result.inverse_w[i] = Conversion<D>::of(piece.inverse_w[i]);
-        } else if constexpr (!std::same_as<Coordinate, Number> &&
-                             std::constructible_from<D, Coordinate>) {
-            result.depths[i] = D(piece.depths[i]);
-            result.inverse_w[i] = D(piece.inverse_w[i]);
+    if constexpr (!std::same_as<Coordinate, Number> &&
+                  (std::same_as<D, Interval> || std::constructible_from<D, Coordinate>)) {
+        const auto depth_in = [](const Coordinate& number) -> D {
+            if constexpr (std::same_as<D, Interval>)
+                return Conversion<D>::of(number);
+            else
+                return D(number);
+        };
+        for (std::size_t i = 0; i < piece.count; ++i) {
+            result.depths[i] = depth_in(piece.depths[i]);
+            result.inverse_w[i] = depth_in(piece.inverse_w[i]);
         }
+        convert_levels(piece, result, depth_in);
     }
     return result;
 }
@@ -80,6 +94,7 @@ template <typename Coordinate> Piece<double> in_doubles(const Piece<Coordinate>&
         result.depths[i] = to_double(piece.depths[i]);
         result.inverse_w[i] = to_double(piece.inverse_w[i]);
     }
+    convert_levels(piece, result, [](const auto& level) { return to_double(level); });
     return result;
 }
 

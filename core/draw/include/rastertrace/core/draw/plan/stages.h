@@ -15,7 +15,7 @@
 //     canvas       drops pixels that the canvas has not   a triangle may reach beyond the canvas
 //     depth        tests pixels against the nearest       two primitives share a pixel, or one is
 //                                                         cut, or as far as the buffer starts
-//     perspective  mixes colors as they mix in space      w differs in a triangle
+//     perspective  mixes colors as they mix in space      w differs in a triangle or a line
 //     colors       mixes the colors of vertices           they differ in a triangle
 //
 // The last four are decided for each triangle, and depth for each primitive (PixelStages). A stage

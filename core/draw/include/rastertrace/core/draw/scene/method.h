@@ -107,8 +107,8 @@ struct Method {
     DepthCompare depth_compare = DepthCompare::automatic;
     DepthAt depth_at = DepthAt::pixel; ///< of fills that find depths along the edges
     PainterKey painter_key = PainterKey::mean;
-    std::optional<Shade> shade = {}; ///< interpolate if a vertex has a color, else flat
-    ColorLerp color_lerp = ColorLerp::axis;
+    std::optional<Shade> shade = {};          ///< interpolate if a vertex has a color, else flat
+    std::optional<ColorLerp> color_lerp = {}; ///< space in a perspective, else axis
     ColorRounding color_rounding = ColorRounding::nearest;
     const Mistake* mistake = nullptr; ///< that the scene is drawn with, to show it
 };
@@ -133,10 +133,10 @@ inline SpanRounding line_rounding(const Method& method) {
     return {method.rounding.value_or(Rounding::nearest), method.ties.value_or(Ties::start)};
 }
 
-/// What lines and their colors go by.
+/// What lines and their colors go by; those in space have their own (GridLine::colors).
 inline LineRules line_rules(const Method& method) {
-    return {method.color_lerp, method.color_rounding, method.ties.value_or(Ties::start),
-            method.ends};
+    return {method.color_lerp.value_or(ColorLerp::axis), method.color_rounding,
+            method.ties.value_or(Ties::start), method.ends};
 }
 
 /// The samples that triangles are filled by.

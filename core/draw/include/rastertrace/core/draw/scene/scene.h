@@ -109,10 +109,25 @@ struct Scene {
                                                                  : Depth::none;
     }
 
+    /// What the colors of lines go by, and of a fan, which has only lines.
+    ColorLerp color_lerp() const {
+        const bool is_in_perspective =
+            shade() == Shade::interpolate && is_perspective(projection.type);
+        return method.color_lerp.value_or(is_in_perspective ? ColorLerp::space : ColorLerp::axis);
+    }
+
+    /// True if colors of lines, or of a fan, are mixed by their places in space.
+    bool mixes_lines_in_space() const {
+        return mixes_colors() && color_lerp() == ColorLerp::space &&
+               (has(PrimitiveKind::line) || has(PrimitiveKind::outline) ||
+                (has(PrimitiveKind::triangle) && method.fill == Fill::fan));
+    }
+
     /// True if colors of vertices are mixed in perspective.
     bool mixes_in_perspective() const {
+        const bool mixes_triangles = has(PrimitiveKind::triangle) && method.fill != Fill::fan;
         return shade() == Shade::interpolate && is_perspective(projection.type) &&
-               has(PrimitiveKind::triangle);
+               (mixes_triangles || mixes_lines_in_space());
     }
 
     /// True if pixels are tested against a depth buffer: never those of a fill without depths.
