@@ -156,6 +156,20 @@ TEST(ClipSpace, IsTheSameForAnyMultiple) {
     EXPECT_TRUE(picture("e250") == plain);
 }
 
+/// However near to 0 a w is, exact numbers can divide by it.
+TEST(ClipSpace, ExactNumbersHaveNoLeastW) {
+    for (const std::string scalar : {"exact", "adaptive"})
+        for (const std::string w : {"1", "1e-307", "1e-309", "5e-324"}) {
+            const Trace trace = trace_of(scene_in(fmt::format(
+                R"({{"canvas":{{"width":16,"height":16,"origin":"top-left"}},)"
+                R"("viewport":{{"pixels":"edges"}},"vertices":{{"A":["-{0}","-{0}",0,"{0}"],)"
+                R"("B":[1,-1,0,1],"C":[0,1,0,1]}},"triangles":["ABC"],)"
+                R"("method":{{"scalar":"{1}","fill":"top-left","sample":"center"}}}})",
+                w, scalar)));
+            EXPECT_EQ(frame_after(trace, trace.size()).image.drawn(), 128U) << scalar << w;
+        }
+}
+
 /// The line from a place to its opposite leads through (0, 0, 0, 0), where every plane cuts it: it is one place on
 /// the screen.
 TEST(ClipSpace, ALineToTheOppositePlaceIsAPoint) {

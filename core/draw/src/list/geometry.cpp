@@ -8,6 +8,7 @@
 #include <rastertrace/core/numbers/irrational.h>
 
 #include <limits>
+#include <utility>
 
 namespace rastertrace {
 
@@ -60,7 +61,13 @@ template <typename Scalar> Transforms<Scalar> transforms_of(const Scene& scene) 
         result.planes.push_back({plane.name,
                                  {nearest(plane.factors.x), nearest(plane.factors.y),
                                   nearest(plane.factors.z), nearest(plane.factors.w)},
-                                 nearest(plane.constant)});
+                                 nearest(plane.constant),
+                                 plane.is_open});
+    // Floats and doubles begin at the least w that 1 can be divided by.
+    if constexpr (std::floating_point<Scalar>)
+        for (ClipPlane<Scalar>& plane : result.planes)
+            if (std::exchange(plane.is_open, false))
+                plane.constant = -std::numeric_limits<Scalar>::min();
     result.snap = scene.method.snap;
     result.ties = scene.method.ties.value_or(Ties::up);
     return result;

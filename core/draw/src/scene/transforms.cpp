@@ -7,7 +7,6 @@
 #include <rastertrace/core/transform/viewport.h>
 
 #include <algorithm>
-#include <limits>
 
 namespace rastertrace {
 
@@ -211,8 +210,9 @@ std::vector<ClipPlane<Rational>> clip_planes(const Projection& projection,
         planes.push_back({"bottom", {0, 1, 0, guard * half_height}, 0});
         planes.push_back({"top", {0, -1, 0, guard * half_height}, 0});
     }
-    if (projection.type == ProjectionType::clip_space) // the least w that 1 can be divided by
-        planes.push_back({"w", {0, 0, 0, 1}, -Rational(std::numeric_limits<double>::min())});
+    if (projection.type ==
+        ProjectionType::clip_space) // cuts off (0, 0, 0, 0), which all others let in
+        planes.push_back({"w", {0, 0, 0, 1}, 0, true});
     return planes;
 }
 
