@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // What is fast draws what the book's page draws.
 
+#include <rastertrace/core/draw/paint/exact_depth_buffer.h>
 #include <rastertrace/core/draw/paint/fill_top_left.h>
 #include <rastertrace/core/draw/paint/row_painter.h>
 #include <rastertrace/core/numbers/interval.h>
@@ -17,6 +18,8 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <map>
+#include <optional>
 
 namespace rastertrace {
 namespace {
@@ -117,6 +120,40 @@ TYPED_TEST(PlaneOfDepths, IsPaintedByPlanePainterAsByRowPainter) {
         RC_ASSERT(std::equal(fast_tests.row_from(canvas.left(), 0),
                              fast_tests.row_from(canvas.left(), 0) + region.area(),
                              plain_tests.row_from(canvas.left(), 0)));
+    });
+    EXPECT_TRUE(holds);
+}
+
+TEST(DepthBuffers, OfExactDepthsKeepTheNearestOfAnySize) {
+    const bool holds = rc::check([](bool larger_passes, bool is_cleared) {
+        const DepthRegion region{.left = -1, .top_row = 2, .width = 3, .height = 2};
+        DepthRule<Rational> rule{.larger_passes = larger_passes, .cleared = {}};
+        if (is_cleared)
+            rule.cleared = Rational(1, 2);
+        ExactDepthBuffer buffer(region, rule);
+        std::map<std::size_t, Rational> nearest; // not turned
+        const Rational huge(mpz_class("123456789012345678901234567890"));
+        for (int i = 0; i < 40; ++i) {
+            const int x = *rc::gen::inRange(-1, 2);
+            const int row = *rc::gen::inRange(2, 4);
+            Rational depth(*rc::gen::inRange(-9, 10), *rc::gen::inRange(1, 9));
+            depth.canonicalize();
+            if (*rc::gen::arbitrary<bool>()) // in numerator and denominator no machine word has
+                depth = (depth * huge + 1) / huge;
+            auto& cell = *buffer.row_from(x, row);
+            const auto known = nearest.find(buffer.index_of(cell));
+            const auto stored =
+                known != nearest.end() ? std::optional(known->second) : rule.cleared;
+            RC_ASSERT(buffer.stored(cell) == stored);
+            const bool is_nearer = !stored || (larger_passes ? depth > *stored : depth < *stored);
+            const bool is_hidden = stored && depth != *stored && !is_nearer;
+            const Rational turned = buffer.turned(depth);
+            RC_ASSERT(buffer.hides(cell, turned) == is_hidden);
+            RC_ASSERT(buffer.is_nearer(cell, turned) == is_nearer);
+            RC_ASSERT(buffer.keep_if_nearer(cell, turned) == is_nearer);
+            if (is_nearer)
+                nearest[buffer.index_of(cell)] = depth;
+        }
     });
     EXPECT_TRUE(holds);
 }

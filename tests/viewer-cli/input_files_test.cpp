@@ -278,6 +278,50 @@ TEST_F(ProgramTest, ALargeCanvasTakesBytesForItsPixelsAndNotForItsSteps) {
     }
 }
 
+// Each took gigabytes, or half a minute.
+TEST_F(ProgramTest, ASmallFileTakesLittleMemoryOrIsRefusedWithWhatIsTooLarge) {
+    if (is_sanitized)
+        GTEST_SKIP() << "the sanitizer needs memory and time of its own";
+    constexpr long most_bytes = 1'300'000'000;
+    const std::string within = "ulimit -t 20; $rastertrace ";
+    // An exact depth takes memory where something is drawn.
+    write("depths.json", R"({"canvas":{"width":16384,"height":4096,"origin":"top-left"},
+        "vertices":{"A":[1,1,2],"B":[6,1,2],"C":[1,5,2]},"triangles":["ABC"],
+        "method":{"scalar":"exact","depth":"inverse-z"},"keep":["depth"]})");
+    const Outcome few = shell(within + "trace depths.json");
+    EXPECT_EQ(few.status, 0) << few.err;
+    EXPECT_LT(few.peak_memory, 200'000'000);
+    // Pixels of a row are held as one step, and played one by one.
+    std::string triangles = R"("ABC")";
+    for (int i = 1; i < 4000; ++i)
+        triangles += R"(,"ABC")";
+    write("layers.json", R"({"canvas":{"width":600,"height":600,"origin":"top-left"},
+        "vertices":{"A":[0,0],"B":[599,0],"C":[300,599]},"triangles":[)" +
+                             triangles + "]}");
+    const std::string hint = "hint: --max-steps N, above 10 million, holds more; `trace` writes "
+                             "any number of steps\n";
+    for (const std::string command : {"show layers.json --bare", "stats layers.json"}) {
+        const Outcome layers = shell(within + command);
+        EXPECT_THAT(layers, Refused("rastertrace: layers.json: expected steps to hold of at most "
+                                    "200000000 pixels, found more\n" +
+                                    hint))
+            << command;
+        EXPECT_LT(layers.peak_memory, most_bytes);
+    }
+    // Steps with weights of all digits are long.
+    std::string far = R"({"canvas":{"width":600,"height":600,"origin":"top-left"},"triangles":[)";
+    for (int i = 0; i < 100; ++i)
+        far += i == 0 ? R"("ABC")" : R"(,"ABC")";
+    write("long.json", far + R"(],"vertices":{"A":[0.1,0.3],"B":[599.7,598.9],"C":[598.3,599.1]},
+        "colors":{"A":"#ff0000","B":"#00ff00","C":"#0000ff"},
+        "method":{"fill":"barycentric","scalar":"double"}})");
+    const Outcome steps = shell(within + "show long.json");
+    EXPECT_THAT(steps, Refused("rastertrace: long.json: expected steps to hold of at most "
+                               "1000000000 bytes, found more\n" +
+                               hint));
+    EXPECT_LT(steps.peak_memory, most_bytes);
+}
+
 // A scene from somewhere else cannot look around.
 TEST_F(ProgramTest, AnObjFileLiesInTheFolderOfItsScene) {
     shell("mkdir -p scenes/models; ln -s ../../outside.obj scenes/models/link.obj; "

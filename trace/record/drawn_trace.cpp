@@ -47,7 +47,10 @@ std::optional<Pixel> pixel_in(std::string_view line) {
 /// Takes the lines of a trace as they are written, and keeps what is held of them.
 class DrawnSteps {
 public:
-    DrawnSteps(std::string name, std::size_t most) : name_(std::move(name)), most_(most) {}
+    DrawnSteps(std::string name, std::size_t most) : name_(std::move(name)), most_(most) {
+        // Doubled from here, the text has room for what may be held by default, and is not moved once more.
+        held_.source_.text.reserve(std::size_t{1} << 16);
+    }
 
     void take_line(std::string_view line) {
         if (header_.empty())
@@ -82,6 +85,8 @@ private:
             run_ = pixel;
         }
         ++pixels_in_run_;
+        if (++pixels_ > most_pixels_)
+            throw too_much_to_hold(name_, most_pixels_, "pixels");
     }
 
     void add(std::string_view line) {
@@ -105,16 +110,21 @@ private:
     void count_line() {
         if (lines_++ >= most_)
             throw too_many_steps(name_, most_);
+        if (held_.source_.text.size() > most_bytes_)
+            throw too_much_to_hold(name_, most_bytes_, "bytes");
     }
 
     std::string name_;
     std::size_t most_;
+    std::size_t most_bytes_ = most_held(most_, held_bytes_of_step);
+    std::size_t most_pixels_ = most_held(most_, held_pixels_of_step); ///< without a color
     std::string header_;
     std::string end_;
     Trace held_;
     std::size_t lines_ = 0; ///< of its text
     Pixel run_;             ///< the first of the pixels that are not in it yet
     std::size_t pixels_in_run_ = 0;
+    std::size_t pixels_ = 0; ///< without a color, so far
 };
 
 Trace drawn_trace(const Scene& scene, const Plan& plan, const std::string& name,

@@ -174,11 +174,14 @@ public:
         // One stands before each step, three around the end record.
         if (newlines_ > 3 && newlines_ - 3 > most_)
             throw too_many_steps(source_.name, most_);
+        if (source_.text.size() > most_bytes_)
+            throw too_much_to_hold(source_.name, most_bytes_, "bytes");
     }
 
 private:
     Source& source_;
     std::size_t most_;
+    std::size_t most_bytes_ = most_held(most_, held_bytes_of_step);
     std::size_t newlines_ = 0;
 };
 

@@ -7,8 +7,11 @@
 
 #include "problem.h"
 
+#include <algorithm>
 #include <cstddef>
+#include <limits>
 #include <string>
+#include <string_view>
 
 namespace rastertrace {
 
@@ -21,6 +24,18 @@ struct InputLimits {
 
 /// Why a trace is not held that has more steps than that.
 Problem too_many_steps(const std::string& name, std::size_t most);
+
+/// How many bytes of text, or pixels, the steps of a scene may have that are held: so many for each step that may be held,
+/// and for InputLimits::steps at least.
+inline std::size_t most_held(std::size_t most_steps, std::size_t of_step) {
+    const std::size_t steps = std::max(most_steps, InputLimits().steps);
+    return steps > std::numeric_limits<std::size_t>::max() / of_step ? steps : steps * of_step;
+}
+inline constexpr std::size_t held_bytes_of_step = 100;
+inline constexpr std::size_t held_pixels_of_step = 20;
+
+/// Why steps are not held that have more of them; `unit` is "bytes" or "pixels".
+Problem too_much_to_hold(const std::string& name, std::size_t most, std::string_view unit);
 
 /// Reads a scene or a trace; "-" is standard input. One that is too large, that has too long a line
 /// for a trace, or that is no text, is left alone as soon as that is known.

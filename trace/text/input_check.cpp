@@ -57,6 +57,13 @@ Problem too_many_steps(const std::string& name, std::size_t most) {
                       "number of them");
 }
 
+Problem too_much_to_hold(const std::string& name, std::size_t most, std::string_view unit) {
+    return problem_of(
+        name, fmt::format("expected steps to hold of at most {} {}, found more", most, unit),
+        "--max-steps N, above 10 million, holds more; `trace` writes any number of "
+        "steps");
+}
+
 bool InputCheck::holds_trace(const Source& source) {
     if (!is_trace_)
         is_trace_ = kind_ != Kind::other && kind_ != Kind::bytes && is_trace(source);

@@ -3,6 +3,8 @@
 
 #include "plan/unfit.h"
 
+#include <rastertrace/core/draw/paint/exact_depth_buffer.h>
+
 #include <bit>
 #include <cstdlib>
 #include <limits>
@@ -175,7 +177,7 @@ std::size_t depth_size_of(NumberType number) {
     case NumberType::binary32:
         return sizeof(DepthOf<float>);
     case NumberType::rational:
-        return sizeof(DepthOf<Rational>);
+        return sizeof(ExactDepthBuffer::Cell);
     case NumberType::interval: // the depth, and the number of a piece
         return sizeof(double) + sizeof(std::uint32_t);
     case NumberType::binary64:

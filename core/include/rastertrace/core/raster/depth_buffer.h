@@ -75,8 +75,11 @@ struct DepthRegion {
 };
 
 /// One number per pixel of its region, the turned depth of what is nearest.
+/// Of fractions: draw/paint/exact_depth_buffer.h.
 template <typename Scalar> class DepthBuffer {
 public:
+    using Cell = Scalar;
+
     DepthBuffer(const DepthRegion& region, const DepthRule<Scalar>& rule)
         : region_(region), rule_(rule), cells_(region.area(), clear_cell()),
           is_clear_(has_clear_cells() ? cells_.size() : 0, true) {}
@@ -98,6 +101,11 @@ public:
     /// True if a turned depth is nearer than a cell of row_from(...) has it.
     bool is_nearer(const Scalar& cell, const Scalar& depth) const {
         return is_clear(cell) || depth < cell;
+    }
+
+    /// True if what a cell has is nearer than a turned depth.
+    bool hides(const Scalar& cell, const Scalar& depth) const {
+        return !is_clear(cell) && cell < depth;
     }
 
     /// Tests a turned depth, and keeps it if it is nearer.

@@ -8,6 +8,7 @@
 //     tests.begin(3);  // the depths that follow are of primitive 3 of the list
 //     tests.keep_if_nearer(*tests.row_from(x, row), tests.turned(0.25));
 
+#include <rastertrace/core/draw/paint/exact_depth_buffer.h>
 #include <rastertrace/core/draw/paint/thin_depths.h>
 #include <rastertrace/core/raster/canvas.h>
 #include <rastertrace/core/raster/depth_buffer.h>
@@ -16,10 +17,12 @@
 #include <rastertrace/core/raster/span.h>
 #include <rastertrace/core/raster/steps.h>
 
+#include <concepts>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
 #include <optional>
+#include <type_traits>
 #include <vector>
 
 namespace rastertrace {
@@ -27,14 +30,18 @@ namespace rastertrace {
 /// Of a picture in one kind of number. See also numbered_depths.h.
 template <typename Depth> class DepthTests {
 public:
+    using Buffer =
+        std::conditional_t<std::same_as<Depth, Rational>, ExactDepthBuffer, DepthBuffer<Depth>>;
+    using Cell = typename Buffer::Cell;
+
     DepthTests(const DepthRegion& region, const DepthRule<Depth>& rule, bool has_lines = false)
         : buffer_(region, rule), owners_(has_lines ? region.area() : 0, no_owner) {}
 
     bool larger_passes() const { return buffer_.larger_passes(); }
     Depth turned(const Depth& depth) const { return buffer_.turned(depth); }
     bool has(int x, int row) const { return buffer_.region().has(x, row); }
-    Depth* row_from(int x, int row) { return buffer_.row_from(x, row); }
-    bool is_nearer(const Depth& cell, const Depth& depth) const {
+    Cell* row_from(int x, int row) { return buffer_.row_from(x, row); }
+    bool is_nearer(const Cell& cell, const Depth& depth) const {
         return buffer_.is_nearer(cell, depth);
     }
 
@@ -47,19 +54,17 @@ public:
 
     /// The face whose depth is in a cell of row_from(...). `nullopt` if no face has been drawn
     /// there.
-    std::optional<std::uint32_t> owner_of(const Depth& cell) const {
+    std::optional<std::uint32_t> owner_of(const Cell& cell) const {
         const std::uint32_t owner = owners_[buffer_.index_of(cell)];
         return owner == no_owner ? std::nullopt : std::optional(owner);
     }
 
     /// True if a face in the cell is nearer than a turned depth.
-    bool hides(const Depth& cell, const Depth& depth) const {
-        return !buffer_.is_clear(cell) && cell < depth;
-    }
+    bool hides(const Cell& cell, const Depth& depth) const { return buffer_.hides(cell, depth); }
 
     /// Tests a turned depth of a face, and keeps it if it is nearer than the cell. Returns true if
     /// it is also nearer than the point or line of the cell.
-    bool keep_if_nearer(Depth& cell, const Depth& depth) {
+    bool keep_if_nearer(Cell& cell, const Depth& depth) {
         if (!buffer_.keep_if_nearer(cell, depth))
             return false;
         if (!has_owners()) [[likely]]
@@ -70,40 +75,40 @@ public:
 
     /// True if the point or line of a cell is nearer than a turned depth, or as near and no
     /// thicker.
-    bool is_behind_thin(const Depth& cell, const Depth& depth, Thickness thickness) const {
+    bool is_behind_thin(const Cell& cell, const Depth& depth, Thickness thickness) const {
         const auto* const thin = thin_.find(buffer_.index_of(cell));
         return thin && (thickness < thin->thickness ? thin->depth < depth : !(depth < thin->depth));
     }
 
     /// The point or line of a cell, if there is one.
-    std::optional<std::uint32_t> thin_owner_of(const Depth& cell) const {
+    std::optional<std::uint32_t> thin_owner_of(const Cell& cell) const {
         const auto* const thin = thin_.find(buffer_.index_of(cell));
         return thin ? std::optional(thin->owner) : std::nullopt;
     }
 
     /// Keeps the turned depth of a point or a line that is drawn.
-    void keep_thin(const Depth& cell, const Depth& depth, Thickness thickness) {
+    void keep_thin(const Cell& cell, const Depth& depth, Thickness thickness) {
         thin_.keep(buffer_.index_of(cell), {depth, thickness, owner_});
     }
 
     /// The depth that is told of the face, or of the point or line, in a cell; not turned.
-    template <typename> std::optional<Depth> stored_face(const Depth& cell) const {
+    template <typename> std::optional<Depth> stored_face(const Cell& cell) const {
         return buffer_.stored(cell);
     }
-    template <typename> std::optional<Depth> stored_thin(const Depth& cell) const {
+    template <typename> std::optional<Depth> stored_thin(const Cell& cell) const {
         const auto* const thin = thin_.find(buffer_.index_of(cell));
         return thin ? std::optional(turned(thin->depth)) : std::nullopt;
     }
 
     /// True if the face in a cell is nearer than the point or line, which there must be.
-    bool hides_thin(const Depth& cell) const {
-        return owner_of(cell) && cell < thin_.find(buffer_.index_of(cell))->depth;
+    bool hides_thin(const Cell& cell) const {
+        return owner_of(cell) && hides(cell, thin_.find(buffer_.index_of(cell))->depth);
     }
 
 protected:
     static constexpr std::uint32_t no_owner = std::numeric_limits<std::uint32_t>::max();
 
-    DepthBuffer<Depth> buffer_;
+    Buffer buffer_;
     std::vector<std::uint32_t> owners_; ///< of the cells, if points or lines are tested
     std::uint32_t owner_ = no_owner;
     ThinDepths<Depth> thin_;
