@@ -24,7 +24,7 @@
 namespace {
 
 std::size_t held = 0;
-std::size_t most_held = 0;
+std::size_t peak_held = 0;
 
 } // namespace
 
@@ -37,7 +37,7 @@ void __real_free(void* place);                            // NOLINT
 [[gnu::noinline]] void* __wrap_calloc(std::size_t count, std::size_t size) { // NOLINT
     void* const place = __real_calloc(count, size);
     held += malloc_usable_size(place);
-    most_held = std::max(most_held, held);
+    peak_held = std::max(peak_held, held);
     return place;
 }
 [[gnu::noinline]] void __wrap_free(void* place) { // NOLINT
@@ -50,7 +50,7 @@ void __real_free(void* place);                            // NOLINT
     if (place == nullptr)
         throw std::bad_alloc();
     held += malloc_usable_size(place);
-    most_held = std::max(most_held, held);
+    peak_held = std::max(peak_held, held);
     return place;
 }
 [[gnu::noinline]] void operator delete(void* place) noexcept {
@@ -158,9 +158,9 @@ public:
 
 void stages(benchmark::State& state, const Scene& scene) {
     held = 0;
-    most_held = 0;
+    peak_held = 0;
     benchmark::DoNotOptimize(draw_planned(scene));
-    state.counters["memory"] = static_cast<double>(most_held);
+    state.counters["memory"] = static_cast<double>(peak_held);
     CountedOutput output;
     write_trace(scene, {}, output);
     state.counters["trace"] = static_cast<double>(output.count);

@@ -31,14 +31,14 @@ const std::string flat_shapes =
 const std::string triangle = flat_shapes + R"(,"triangles":["ABC","BEC"],"method":{)";
 const std::string colored =
     flat_shapes + R"(,"colors":{"A":"red","B":"lime","C":"blue"},"triangles":["ABC"],"method":{)";
-const std::string line = flat_shapes + R"(,"lines":["AB","DE","CA"],"method":{)";
+const std::string line_scene = flat_shapes + R"(,"lines":["AB","DE","CA"],"method":{)";
 const std::string outline = flat_shapes + R"(,"outlines":["ABC"],"method":{)";
 const std::string polygon = flat_shapes + R"(,"polygons":["ABEDC","ABCBE"],"method":{)";
 const std::string deep =
     R"({"canvas":{"width":8,"height":8,"origin":"top-left"},"vertices":{"A":[0,0.5,3],"B":[7,1,5],
        "C":[1,6.5,4],"D":[6,7,2],"E":[0,4,6]},"triangles":["ABC","ADE"],"lines":["AD","EB"],
        "points":["C"],"keep":["depth"],"method":{"depth":"linear-z",)";
-const std::string seen =
+const std::string seen_scene =
     R"({"canvas":{"width":14,"height":12},"meshes":[{"name":"m","vertices":{"A":[-1,-1,0],"B":[1,-1,0.5],
        "C":[0,1,0],"D":[0.25,0,2]},"faces":["ABC","ABD","BCD","CAD"],"color":"#8090a0",
        "model":[{"rotate":{"axis":"x","degrees":30}},{"scale":[1,2,1]}],"draw":")";
@@ -58,11 +58,11 @@ const std::vector<std::string> scenes{
     colored + R"("fill":"scanline","scalar":"fixed"}})",
     colored + R"("fill":"barycentric","scalar":"exact"}})",
     colored + R"("fill":"fan"}})",
-    line + R"("line":"bresenham"}})",
-    line + R"("line":"bresenham","ties":"step","ends":"first"}})",
-    line + R"("line":"naive"}})",
-    line + R"("line":"dda","scalar":"exact"}})",
-    line + R"("line":"diamond-exit","sample":"center","scalar":"float"}})",
+    line_scene + R"("line":"bresenham"}})",
+    line_scene + R"("line":"bresenham","ties":"step","ends":"first"}})",
+    line_scene + R"("line":"naive"}})",
+    line_scene + R"("line":"dda","scalar":"exact"}})",
+    line_scene + R"("line":"diamond-exit","sample":"center","scalar":"float"}})",
     outline + R"("line":"bresenham"}})",
     outline + R"("line":"naive","scalar":"fixed"}})",
     polygon + R"("scalar":"exact"}})",
@@ -75,12 +75,12 @@ const std::vector<std::string> scenes{
     R"({"canvas":{"width":8,"height":8},"vertices":{"A":[-3,-2.5,3],"B":[3,-2,5],"C":[0.25,3.5,4],
        "D":[3,3,2]},"triangles":["ABC","BCD"],"keep":["depth"],"method":{"depth":"linear-z",
        "fill":"top-left","scalar":"adaptive","depth_compare":"greater"}})",
-    seen + "triangles" + camera + R"("cull":"back","shade":"lambert","scalar":"exact"}})",
-    seen + "triangles" + camera + R"("cull":"front","shade":"lambert","fill":"top-left"}})",
-    seen + "triangles" + camera + R"("cull":"light","scalar":"adaptive"}})",
-    seen + "triangles" + camera + R"("depth":"painter","snap":"nearest","scalar":"float"}})",
-    seen + "hidden-lines" + camera + R"("cull":"none","scalar":"exact"}})",
-    seen + "hidden-lines" + camera + R"("line":"naive"}})",
+    seen_scene + "triangles" + camera + R"("cull":"back","shade":"lambert","scalar":"exact"}})",
+    seen_scene + "triangles" + camera + R"("cull":"front","shade":"lambert","fill":"top-left"}})",
+    seen_scene + "triangles" + camera + R"("cull":"light","scalar":"adaptive"}})",
+    seen_scene + "triangles" + camera + R"("depth":"painter","snap":"nearest","scalar":"float"}})",
+    seen_scene + "hidden-lines" + camera + R"("cull":"none","scalar":"exact"}})",
+    seen_scene + "hidden-lines" + camera + R"("line":"naive"}})",
     R"({"canvas":{"width":9,"height":9},"vertices":{"A":[-1,-1,-3],"B":[1,-1,-3],"C":[0,1,0.5]},
        "triangles":["ABC"],"outlines":["ACB"],"projection":{"type":"frustum","fov_y":90,"near":1,"far":9},
        "method":{"depth":"none","scalar":"exact"}})",

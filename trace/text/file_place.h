@@ -11,7 +11,6 @@ namespace rastertrace {
 
 /// For refuse_opened: a file was opened by a path, or written.
 void note_opened(const FileId& file, const std::string& path);
-void note_written(const FileId& file);
 
 /// The path by which a file that is open can be named once more.
 std::string path_of_open(const Descriptor& file);

@@ -150,7 +150,7 @@ FileOutput::FileOutput(const std::string& path) : path_(path) {
         fail(path_, not_created, errno);
     if (exists && S_ISDIR(status.st_mode))
         throw problem_of(path_, "expected a file to write, found a folder");
-    const std::string& elsewhere = folder_of_outputs();
+    const std::string elsewhere = folder_of_outputs();
     if (exists && !S_ISREG(status.st_mode) && elsewhere.empty()) {
         file_ = Descriptor(::open(path_.c_str(), O_WRONLY | O_NOCTTY | O_CLOEXEC));
         if (!file_.is_open())
@@ -231,9 +231,6 @@ void FileOutput::take_name() {
         return;
     if (older_)
         refuse_opened(*older_, path_);
-    struct stat status {};
-    ::fstat(file_.number(), &status);
-    note_written(older_ && !folder_of_outputs().empty() ? *older_ : id_of(status));
 
     // An unnamed file takes its name at once, or, where an older one has it, another one first. In
     // that moment only SIGKILL can leave a file behind.
@@ -262,7 +259,7 @@ void make_folder(const std::string& path) {
     const fs::path place = fs::weakly_canonical(fs::absolute(path, error), error);
     const std::string from_here =
         (place.lexically_relative(fs::canonical(".", error)) / "").string();
-    if (shares_opened_files() && !fs::exists(place, error) && from_here.starts_with("../"))
+    if (runs_for_page() && !fs::exists(place, error) && from_here.starts_with("../"))
         throw problem_of(path,
                          "expected a folder below the one that the commands of the page run in, "
                          "found one outside");

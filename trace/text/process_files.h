@@ -37,14 +37,10 @@ struct BytesDone {
 BytesDone bytes_done();
 void add_bytes_done(const BytesDone& more);
 
-/// The runs for which this is called with one path are as one process: what one of them has opened, none of them writes,
-/// unless one of them has written it. A list in that file tells it.
-void share_opened_files(const std::string& path);
-bool shares_opened_files();
-
-/// From then on files are written below this folder instead, under the whole path that they would have; "": at their
-/// place.
-void write_files_below(std::string folder);
-const std::string& folder_of_outputs();
+/// This process runs a command of a page: from then on it makes folders below the current one only, and writes files below
+/// `folder` instead, under the whole path that they would have; "": at their place.
+void run_for_page(std::string folder);
+bool runs_for_page();
+std::string folder_of_outputs();
 
 } // namespace rastertrace

@@ -122,6 +122,6 @@ int main(int count, char** arguments) {
     keep_freed_memory();
     prepare_for_signals();
     fill_closed_descriptors();
-    rastertrace::take_folder_of_caller();
+    rastertrace::take_folder_of_run();
     return rastertrace::run_command_line(count, arguments);
 }

@@ -66,7 +66,8 @@ Problem problem_of_exit(const Source& page, const PageCommand& command, const Fi
     return problem;
 }
 
-/// Runs a command, which shares a folder with the others (run_self.h); returns its output for the page.
+/// Runs a command, which writes its files below a folder, or, if that is "", where they belong; returns its output for
+/// the page.
 std::string output_of(const Source& page, const PageCommand& command, const std::string& folder) {
     if (!command.words.empty() && command.words.front() == "renew")
         throw problem_at(page, command.begin,
@@ -105,16 +106,17 @@ std::vector<std::string> stale_files(const std::filesystem::path& folder) {
 }
 
 /// Runs the commands of a page. One that is only checked leaves all files as they are.
-RenewedPage renew_page(const std::string& path, bool is_checked, const std::string& folder) {
+RenewedPage renew_page(const std::string& path, bool is_checked) {
     RenewedPage renewed{.page = load_page(path)};
     renewed.commands = commands_on(renewed.page);
-    const auto files = std::filesystem::path(folder) / folder_of_files;
     for (const PageCommand& command : renewed.commands) {
-        std::filesystem::remove_all(files);
+        std::optional<TemporaryFolder> files;
         if (is_checked)
-            std::filesystem::create_directory(files);
-        renewed.outputs.push_back(output_of(renewed.page, command, folder));
-        for (const std::string& file : is_checked ? stale_files(files) : std::vector<std::string>())
+            files.emplace("rastertrace-page");
+        renewed.outputs.push_back(
+            output_of(renewed.page, command, files ? files->path().string() : ""));
+        for (const std::string& file :
+             files ? stale_files(files->path()) : std::vector<std::string>())
             renewed.stale_files.push_back(problem_at(
                 renewed.page, command.begin,
                 fmt::format("expected {} as this command writes it, found another file, or none",
@@ -189,12 +191,8 @@ void write(const std::vector<RenewedPage>& pages) {
 int run(const RenewCommand& command) {
     // A page with a mistake leaves all of them as they were.
     std::vector<RenewedPage> pages;
-    {
-        const TemporaryFolder folder("rastertrace-page");
-        take_folder_of_runs(folder.path().string());
-        for (const std::string& path : command.pages)
-            pages.push_back(renew_page(path, command.check, folder.path().string()));
-    }
+    for (const std::string& path : command.pages)
+        pages.push_back(renew_page(path, command.check));
     if (command.check)
         return check(pages);
     write(pages);

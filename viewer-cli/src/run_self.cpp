@@ -12,16 +12,14 @@
 
 #include <algorithm>
 #include <cstdlib>
-#include <filesystem>
-#include <system_error>
 #include <utility>
 
 namespace rastertrace {
 
 namespace {
 
-/// Tells a run the folder that it shares with others, and that it is one.
-constexpr const char* folder_variable = "RASTERTRACE_RUN";
+/// Tells a run where to write its files, and that it is one.
+constexpr const char* folder_variable = "RASTERTRACE_FILES_TO";
 
 /// This program's environment, but for what its output depends on.
 std::vector<std::string> environment(const std::string& folder) {
@@ -54,20 +52,11 @@ FinishedRun run_self(const std::vector<std::string>& arguments, const std::strin
     return run_program(std::move(program));
 }
 
-void take_folder_of_runs(const std::string& folder) {
-    share_opened_files(folder + "/opened");
-}
-
-void take_folder_of_caller() {
+void take_folder_of_run() {
     if (std::getenv(folder_variable) == nullptr)
         return;
     ::prctl(PR_SET_PDEATHSIG, SIGTERM);
-    const std::string folder(environment_variable(folder_variable));
-    take_folder_of_runs(folder);
-    const std::string files = fmt::format("{}/{}", folder, folder_of_files);
-    std::error_code error;
-    if (std::filesystem::is_directory(files, error))
-        write_files_below(files);
+    run_for_page(std::string(environment_variable(folder_variable)));
 }
 
 } // namespace rastertrace
