@@ -524,7 +524,8 @@ std::vector<Plot> plots_of(const Trace& trace, std::optional<Index> y = {}) {
                         .parts = {},
                         .view = View::plotted,
                         .groups = groups,
-                        .against = nullptr});
+                        .against = nullptr,
+                        .subject = subject_of(replay, steps.first)});
 }
 
 TEST(Figures, APlotIsAlongOneSide) {

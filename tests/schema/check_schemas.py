@@ -210,7 +210,7 @@ SCENES = [
     with_parts(projection={"type": "frustum", "fov_y": 60, "near": 1, "far": 9},
                viewport={"pixels": "edges", "y": "down", "depth_range": ["1/4", 0]}, method={"depth": "ndc-z"}),
     {"canvas": {"width": 9, "height": 7}, "vertices": {"A": [2, 5, 0, 6], "B": [-4, -3, 1, "-3/2"], "C": [5, -3, 0, 5]},
-     "triangles": ["ABC"], "projection": {"type": "clip-space", "z": "zero-to-one"}},
+     "colors": {"A": "red", "B": "lime", "C": "blue"}, "triangles": ["ABC"], "projection": {"type": "clip-space", "z": "zero-to-one"}},
     {"canvas": {"width": 9, "height": 7}, "vertices": {"A": [0, 0], "B": [4, -3], "C": [3, 3]}, "triangles": ["ABC"],
      "convention": "cs418", "method": {"rows": "half-open", "rounding": "inside", "horizontal_edge": "bottom", "mistake": "weights-permuted"}},
 ]

@@ -83,7 +83,7 @@ TEST(Conventions, WhatTheSceneSaysItselfWins) {
 
     // What the convention sets for another fill goes with it.
     const Scene other = scene_in(square("cs418", R"(,"method":{"fill":"top-left"})"));
-    EXPECT_EQ(other.method.rows, RowRule::closed);
+    EXPECT_EQ(rows_of_triangles(other.method), RowRule::closed);
     EXPECT_EQ(other.method.fill, Fill::top_left);
 
     const Scene fitted = scene_in(square("opengl", R"(,"viewport":"fit")"));

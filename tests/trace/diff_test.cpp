@@ -555,9 +555,12 @@ TEST(Diff, StepsThatOneTraceLeavesOutAreNotMissed) {
         for (const StepFilter& filter : filters) {
             if (filter.primitive && filter.primitive->empty())
                 continue;
-            const TraceDiff found = diff_of(whole, random_trace.text(filter));
+            const std::string part = random_trace.text(filter);
+            if (sound_trace(part).size() == 0) // nothing would be compared
+                continue;
+            const TraceDiff found = diff_of(whole, part);
             EXPECT_TRUE(found.is_same) << diff_text(found);
-            EXPECT_TRUE(diff_of(random_trace.text(filter), whole).is_same);
+            EXPECT_TRUE(diff_of(part, whole).is_same);
         }
     });
 }

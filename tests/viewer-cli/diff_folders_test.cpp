@@ -63,7 +63,7 @@ TEST_F(DiffFoldersTest, TheFirstDifferenceIsToldBelowTheNameOfItsFile) {
 TEST_F(DiffFoldersTest, OptionsAreThoseOfEachPair) {
     change("first.jsonl");
     EXPECT_EQ(diff("a b --ignore header").status, 1);
-    EXPECT_EQ(diff("a b --ignore header --only edge").status, 0);
+    EXPECT_EQ(diff("a b --ignore header --only primitive").status, 0);
     EXPECT_EQ(diff("a b --ignore header,pixel --tolerance scanline.from=1").status, 0);
     EXPECT_EQ(diff("a b --ignore pixl").status, 2);
     EXPECT_THAT(diff("a b --color always").out, HasSubstr("\x1b["));

@@ -79,7 +79,7 @@ TEST_F(ProgramTest, ReportRefusesBeforeItMeasures) {
     EXPECT_EQ(run("report point.json -o r.pdf").err,
               "rastertrace: r.pdf: expected a name that ends in .svg, .html, .json, .csv or .txt, "
               "found .pdf\n"
-              "hint: --format says what to write\n");
+              "hint: of an .svg: rsvg-convert -f pdf r.svg -o r.pdf\n");
     EXPECT_EQ(run("report point.json --jobs edges").err,
               "rastertrace: --jobs: expected jobs out of edge,coverage,depth,color, found "
               "\"edges\"\nhint: did you mean edge?\n");

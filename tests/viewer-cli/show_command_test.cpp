@@ -145,11 +145,11 @@ TEST_F(ProgramTest, SentencesShortenWhatTheTraceHasWhole) {
     write(
         "long.json",
         R"({"rastertrace":1,"canvas":{"width":3,"height":3,"origin":"center"},"method":{"cull":"back"},"steps":[
-{"step":"face","name":"ABC","normal":["49977918000000000000000000001/10141204000000000000000000003",0,"1/3"],"view":[0,0,1],"dot":1,"cosine":-0.57735026918962573,"culled":false}
+{"step":"face","name":"ABC","normal":["49977918000000000000000000001/10141204000000000000000000003",0,"1/3"],"view":[0,0,3],"dot":1,"cosine":0.067483709301797742,"culled":false}
 ]})");
     EXPECT_THAT(run("show long.json --step last").out,
                 HasSubstr("\nface ABC: normal (49977918.../10141204... = 4.928204, 0, 1/3) . to "
-                          "eye (0, 0, 1) = 1, cosine -0.57735 (125.26 degrees): drawn\n"));
+                          "eye (0, 0, 3) = 1, cosine 0.0674837 (86.13 degrees): drawn\n"));
 }
 
 TEST_F(ProgramTest, AdaptiveWritesJsonBeyondTheDoubles) {

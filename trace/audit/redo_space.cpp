@@ -451,7 +451,8 @@ void SpaceAgain::finish() {
 }
 
 void SpaceAgain::redo_name(const TracedText& name, const char* what) {
-    expect(primitive_.name.text(), name.text(), what);
+    if (primitive_.name)
+        expect(primitive_.name.text(), name.text(), what);
 }
 
 /// The corners of the current primitive in the world.

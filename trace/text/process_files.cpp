@@ -11,8 +11,10 @@
 
 #include <algorithm>
 #include <atomic>
+#include <filesystem>
 #include <mutex>
 #include <optional>
+#include <system_error>
 #include <utility>
 #include <vector>
 
@@ -44,9 +46,10 @@ std::optional<FileId> file_at(const std::string& path) {
 void note_opened(const FileId& file, const std::string& path) {
     const std::scoped_lock lock(opened_mutex);
     const auto is_it = [&file](const OpenedFile& one) { return one.file == file; };
-    if (std::any_of(opened.begin(), opened.end(), is_it))
-        return;
-    opened.push_back({file, path});
+    const auto known = std::find_if(opened.begin(), opened.end(), is_it);
+    OpenedFile& it = known == opened.end() ? opened.emplace_back() : *known;
+    std::error_code error;
+    it = {file, std::filesystem::absolute(path, error)}; // the current folder may change
 }
 
 void refuse_opened(const FileId& file, const std::string& name) {
@@ -77,8 +80,11 @@ void add_bytes_done(const BytesDone& more) {
     bytes_written += more.written;
 }
 
-void run_for_page(std::string folder) {
+void run_for_page(std::string folder, std::span<const std::string> pages) {
     page_outputs = std::move(folder);
+    for (const std::string& page : pages)
+        if (const auto file = file_at(page))
+            note_opened(*file, page);
 }
 
 bool runs_for_page() {

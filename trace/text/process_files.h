@@ -9,6 +9,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <string>
 
 namespace rastertrace {
@@ -38,8 +39,9 @@ BytesDone bytes_done();
 void add_bytes_done(const BytesDone& more);
 
 /// This process runs a command of a page: from then on it makes folders below the current one only, and writes files below
-/// `folder` instead, under the whole path that they would have; "": at their place.
-void run_for_page(std::string folder);
+/// `folder` instead, under the whole path that they would have; "": at their place. `pages` count as opened: the program that
+/// has started this one reads them.
+void run_for_page(std::string folder, std::span<const std::string> pages);
 bool runs_for_page();
 std::string folder_of_outputs();
 

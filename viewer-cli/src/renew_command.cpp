@@ -68,11 +68,12 @@ Problem problem_of_exit(const Source& page, const PageCommand& command, const Fi
 
 /// Runs a command, which writes its files below a folder, or, if that is "", where they belong; returns its output for
 /// the page.
-std::string output_of(const Source& page, const PageCommand& command, const std::string& folder) {
+std::string output_of(const Source& page, const PageCommand& command, const std::string& folder,
+                      const std::vector<std::string>& pages) {
     if (!command.words.empty() && command.words.front() == "renew")
         throw problem_at(page, command.begin,
                          "expected a command that shows something, found renew");
-    const FinishedRun run = run_self(command.words, folder);
+    const FinishedRun run = run_self(command.words, folder, pages);
     if (run.is_too_long)
         throw problem_at(page, command.begin,
                          fmt::format("expected a command that ends within {} min, found one that "
@@ -106,15 +107,15 @@ std::vector<std::string> stale_files(const std::filesystem::path& folder) {
 }
 
 /// Runs the commands of a page. One that is only checked leaves all files as they are.
-RenewedPage renew_page(const std::string& path, bool is_checked) {
+RenewedPage renew_page(const std::string& path, const RenewCommand& all) {
     RenewedPage renewed{.page = load_page(path)};
     renewed.commands = commands_on(renewed.page);
     for (const PageCommand& command : renewed.commands) {
         std::optional<TemporaryFolder> files;
-        if (is_checked)
+        if (all.check)
             files.emplace("rastertrace-page");
         renewed.outputs.push_back(
-            output_of(renewed.page, command, files ? files->path().string() : ""));
+            output_of(renewed.page, command, files ? files->path().string() : "", all.pages));
         for (const std::string& file :
              files ? stale_files(files->path()) : std::vector<std::string>())
             renewed.stale_files.push_back(problem_at(
@@ -192,7 +193,7 @@ int run(const RenewCommand& command) {
     // A page with a mistake leaves all of them as they were.
     std::vector<RenewedPage> pages;
     for (const std::string& path : command.pages)
-        pages.push_back(renew_page(path, command.check));
+        pages.push_back(renew_page(path, command));
     if (command.check)
         return check(pages);
     write(pages);

@@ -6,7 +6,6 @@
 //     MixedColors<double> colors{corners, barycentric, 0.5};
 //     colors.at<false>({3, 4});
 
-#include <rastertrace/core/numbers/conversion.h>
 #include <rastertrace/core/numbers/scalar.h>
 #include <rastertrace/core/raster/barycentric.h>
 #include <rastertrace/core/raster/canvas.h>
@@ -45,13 +44,14 @@ template <typename Weight, std::size_t n, typename LevelOf>
 Color mixed_levels(const std::array<Levels<Weight>, n>& corners,
                    const std::array<Weight, n>& weights, LevelOf&& level_of) {
     const auto mix = [&](std::size_t channel) {
+        const Weight& first = corners[0].of[channel];
         bool is_same = true;
         Weight mixture = scalar_from<Weight>(0);
         for (std::size_t i = 0; i < n; ++i) {
-            is_same = is_same && !may_differ(corners[i].of[channel], corners[0].of[channel]);
+            is_same = is_same && !are_not_all_equal(first, first, corners[i].of[channel]);
             mixture += weights[i] * corners[i].of[channel];
         }
-        return level_of(is_same ? corners[0].of[channel] : mixture);
+        return level_of(is_same ? first : mixture);
     };
     return {mix(0), mix(1), mix(2), std::max<std::uint8_t>(mix(3), 1)};
 }
@@ -66,7 +66,7 @@ template <typename Depth> struct MixedOnLine {
     /// divided by its w, then by the sum of both.
     Color at(const Depth& way) const {
         std::array<Depth, 2> shares{Depth(scalar_from<Depth>(1) - way), way};
-        if (may_differ(inverse_w[0], inverse_w[1])) {
+        if (are_not_all_equal(inverse_w[0], inverse_w[0], inverse_w[1])) {
             const Depth first = shares[0] * inverse_w[0];
             const Depth second = shares[1] * inverse_w[1];
             const Depth sum = first + second;
