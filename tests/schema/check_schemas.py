@@ -101,8 +101,8 @@ assert len(EXAMPLES) > 50
 
 
 def sample(steps):
-    """All steps of a short trace; of a long one some of each kind, and some from everywhere."""
-    taken = steps[:100] + steps[100::max(1, len(steps) // 50)]
+    """All steps of a short trace; of a long one some of each kind and with each set of fields, and some from everywhere."""
+    taken = steps[:100] + steps[100::max(1, len(steps) // 50)] + list({tuple(step): step for step in steps}.values())
     for kind in {step["step"] for step in steps}:
         of_kind = [step for step in steps if step["step"] == kind]
         taken += of_kind[:3] + of_kind[-3:]
@@ -210,7 +210,7 @@ SCENES = [
     with_parts(projection={"type": "frustum", "fov_y": 60, "near": 1, "far": 9},
                viewport={"pixels": "edges", "y": "down", "depth_range": ["1/4", 0]}, method={"depth": "ndc-z"}),
     {"canvas": {"width": 9, "height": 7}, "vertices": {"A": [2, 5, 0, 6], "B": [-4, -3, 1, "-3/2"], "C": [5, -3, 0, 5]},
-     "colors": {"A": "red", "B": "lime", "C": "blue"}, "triangles": ["ABC"], "projection": {"type": "clip-space", "z": "zero-to-one"}},
+     "triangles": ["ABC"], "projection": {"type": "clip-space", "z": "zero-to-one"}},
     {"canvas": {"width": 9, "height": 7}, "vertices": {"A": [0, 0], "B": [4, -3], "C": [3, 3]}, "triangles": ["ABC"],
      "convention": "cs418", "method": {"rows": "half-open", "rounding": "inside", "horizontal_edge": "bottom", "mistake": "weights-permuted"}},
 ]

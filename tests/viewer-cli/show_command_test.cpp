@@ -149,7 +149,7 @@ TEST_F(ProgramTest, SentencesShortenWhatTheTraceHasWhole) {
 ]})");
     EXPECT_THAT(run("show long.json --step last").out,
                 HasSubstr("\nface ABC: normal (49977918.../10141204... = 4.928204, 0, 1/3) . to "
-                          "eye (0, 0, 3) = 1, cosine 0.0674837 (86.13 degrees): drawn\n"));
+                          "eye (0, 0, 3) = 1, cosine 0.067484 (86.13 degrees): drawn\n"));
 }
 
 TEST_F(ProgramTest, AdaptiveWritesJsonBeyondTheDoubles) {

@@ -179,7 +179,8 @@ template <typename Scalar> DrawnAgain::Draw DrawnAgain::drawing_in() {
                              const TracedNumber& w) { // `fixed` moves vertices in doubles
         return is_fixed ? D(1 / number_of<double>(w)) : D(D(1) / number_of<D>(w));
     };
-    return [drawing, inverse](const ToldPiece& told, const Listener& listener) {
+    return [drawing, inverse, rounding = scene_.method.color_rounding](const ToldPiece& told,
+                                                                       const Listener& listener) {
         const auto corners = told.step.at.values();
         const std::string name = told.step.name.text();
         Piece<Scalar> piece{
@@ -212,6 +213,8 @@ template <typename Scalar> DrawnAgain::Draw DrawnAgain::drawing_in() {
             for (std::size_t i = 0; auto& channel : piece.levels.emplace_back().of)
                 channel = told_at(channels, i++);
         }
+        for (std::size_t i = 0; i < std::min<std::size_t>(piece.count, piece.levels.size()); ++i)
+            piece.colors[i] = piece.levels[i].rounded(rounding);
         return drawing->draw({.piece = std::move(piece),
                               .name = name,
                               .corners = {told.names.begin(), told.names.end()},
@@ -453,8 +456,8 @@ bool DrawnAgain::compare_steps(const StepView& again, std::size_t n, StepKind ki
     bool are_reasons_right = true;
     bool is_right = true;
     for (const StepField& field : fields_of(kind)) {
-        if (kind == StepKind::primitive && field.name != "octant")
-            continue; // what it is drawn from
+        if (kind == StepKind::primitive && field.name != "octant" && field.name != "colors")
+            continue; // what it is drawn from; colors are rounded levels
         if (!is_tested && field.role != FieldRole::key && field.name != "depth")
             continue;
         if (field.role == FieldRole::decision && !are_reasons_right)

@@ -29,6 +29,7 @@ struct OpenedFile {
 };
 std::vector<OpenedFile> opened;
 std::mutex opened_mutex; // several threads may open files
+std::atomic<int> read_to_replace = 0;
 std::optional<std::string> page_outputs;
 std::atomic<std::uint64_t> bytes_read = 0;
 std::atomic<std::uint64_t> bytes_written = 0;
@@ -44,6 +45,8 @@ std::optional<FileId> file_at(const std::string& path) {
 } // namespace
 
 void note_opened(const FileId& file, const std::string& path) {
+    if (read_to_replace > 0)
+        return;
     const std::scoped_lock lock(opened_mutex);
     const auto is_it = [&file](const OpenedFile& one) { return one.file == file; };
     const auto known = std::find_if(opened.begin(), opened.end(), is_it);
@@ -62,13 +65,11 @@ void refuse_opened(const FileId& file, const std::string& name) {
 }
 
 ReadToReplace::ReadToReplace() {
-    const std::scoped_lock lock(opened_mutex);
-    before_ = opened.size();
+    ++read_to_replace;
 }
 
 ReadToReplace::~ReadToReplace() {
-    const std::scoped_lock lock(opened_mutex);
-    opened.resize(std::min(opened.size(), before_));
+    --read_to_replace;
 }
 
 BytesDone bytes_done() {

@@ -7,7 +7,6 @@
 
 #include "descriptor.h"
 
-#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <string>
@@ -24,9 +23,6 @@ public:
     ReadToReplace(const ReadToReplace&) = delete;
     ReadToReplace& operator=(const ReadToReplace&) = delete;
     ~ReadToReplace();
-
-private:
-    std::size_t before_ = 0;
 };
 
 /// How many bytes of traces the process has gone through, and how many bytes of files it has written; another thread may
