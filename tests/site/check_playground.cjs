@@ -26,7 +26,7 @@ const server = http.createServer((request, answer) => {
 });
 
 /** Waits until something holds in the page. */
-const until = (page, holds, argument) => page.waitForFunction(holds, argument, {timeout: 5000}).catch(() => fail(`it never became so: ${holds}`));
+const until = (page, holds, argument) => page.waitForFunction(holds, argument, {timeout: 20000}).catch(() => fail(`it never became so: ${holds}`));
 let browser, address;
 async function open(hash, options) {
   const context = await browser.newContext({viewport: {width: 1400, height: 1000}, ...options}), page = await context.newPage();

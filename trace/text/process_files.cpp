@@ -28,8 +28,8 @@ struct OpenedFile {
     std::string path; ///< that has led to it
 };
 std::vector<OpenedFile> opened;
-std::mutex opened_mutex; // several threads may open files
-std::atomic<int> read_to_replace = 0;
+std::vector<OpenedFile> opened_before; // a ReadToReplace
+std::mutex opened_mutex;               // several threads may open files
 std::optional<std::string> page_outputs;
 std::atomic<std::uint64_t> bytes_read = 0;
 std::atomic<std::uint64_t> bytes_written = 0;
@@ -45,8 +45,6 @@ std::optional<FileId> file_at(const std::string& path) {
 } // namespace
 
 void note_opened(const FileId& file, const std::string& path) {
-    if (read_to_replace > 0)
-        return;
     const std::scoped_lock lock(opened_mutex);
     const auto is_it = [&file](const OpenedFile& one) { return one.file == file; };
     const auto known = std::find_if(opened.begin(), opened.end(), is_it);
@@ -65,11 +63,13 @@ void refuse_opened(const FileId& file, const std::string& name) {
 }
 
 ReadToReplace::ReadToReplace() {
-    ++read_to_replace;
+    const std::scoped_lock lock(opened_mutex);
+    opened_before = opened;
 }
 
 ReadToReplace::~ReadToReplace() {
-    --read_to_replace;
+    const std::scoped_lock lock(opened_mutex);
+    opened = std::move(opened_before);
 }
 
 BytesDone bytes_done() {

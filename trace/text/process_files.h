@@ -16,7 +16,8 @@ namespace rastertrace {
 /// Throws a Problem if a file that is to be written has been opened to be read since the process began, whoever named it.
 void refuse_opened(const FileId& file, const std::string& name);
 
-/// While it lives, files are read to be replaced: that they were opened does not count.
+/// The files that are opened while it lives are read to be replaced: once it is gone, that they were opened does not count.
+/// There is one at a time.
 class ReadToReplace {
 public:
     ReadToReplace();
