@@ -252,7 +252,7 @@ TEST(CutColors, AreToldAndDoneAgain) {
     const std::size_t levels = text.find(R"("levels":)");
     ASSERT_NE(levels, std::string::npos);
     text.replace(text.find(R"("0")", levels), 3, R"("9")");
-    EXPECT_EQ(redo(readable_trace(text)).first.what, "pixel: color");
+    EXPECT_EQ(redo(readable_trace(text)).first.what, "primitive: colors");
 }
 
 } // namespace

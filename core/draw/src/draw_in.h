@@ -117,11 +117,13 @@ LineColors line_colors(const DirectedLine<Scalar>& line, EdgeName side,
                        const Piece<Scalar>& primitive, const SampleOffset<Scalar>& offset,
                        const Scene& scene) {
     using D = DepthOf<Scalar>;
-    const ColorLerp lerp = scene.color_lerp();
     const bool is_cut = !primitive.levels.empty();
+    if (!is_cut && primitive.colors[side.from] == primitive.colors[side.to])
+        return {};
+    const ColorLerp lerp = scene.color_lerp();
     const bool is_in_space = lerp == ColorLerp::space && scene.mixes_colors();
     const auto [from, to] = is_in_space ? side : line.ends; // in space either way is the same
-    if (!is_cut && (!is_in_space || primitive.colors[from] == primitive.colors[to]))
+    if (!is_cut && !is_in_space)
         return {};
     const bool divides = is_in_space && scene.mixes_in_perspective();
     const D one = scalar_from<D>(1);

@@ -187,6 +187,7 @@ struct PixelStageCounts {
 PixelStageCounts counts_of(const Scene& scene, const std::vector<PrimitiveSurvey>& surveys,
                            const std::vector<PixelStages>& stages, const PixelBox& canvas) {
     PixelStageCounts counts;
+    const bool mixes_lines = scene.mixes_lines_in_space();
     for (std::size_t i = 0; i < surveys.size(); ++i) {
         const PrimitiveSurvey& survey = surveys[i];
         if (survey.pieces == 0)
@@ -197,7 +198,7 @@ PixelStageCounts counts_of(const Scene& scene, const std::vector<PrimitiveSurvey
         if (tests_depth && !box.is_empty())
             counts.tested = counts.tested.joined(box);
         counts.depth.add(false, tests_depth, is_filled(survey.kind) ? box.area() : 0);
-        if (scene.mixes_lines_in_space() &&
+        if (mixes_lines &&
             (survey.kind == PrimitiveKind::line || survey.kind == PrimitiveKind::outline)) {
             ++counts.lines;
             counts.perspective.add(survey.w_differs, colors == ColorStage::perspective, 0);
