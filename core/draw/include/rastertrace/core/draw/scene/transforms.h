@@ -171,9 +171,9 @@ MatrixFactors<Rational> factors_of(const Projection& projection, const Canvas& c
 
 /// The planes of a projection. Near and far are distances from the eye, which in a perspective are
 /// a multiple of w, so that the rounding of z does not matter; of vertices typed in clip space they
-/// are -w <= z <= w, and what is left is w > 0: all other planes let in (0, 0, 0, 0), which is no place. The four sides stand `guard` x (half
-/// the canvas) away from the middle: the fill drops what lies nearer pixel by pixel; what lies
-/// beyond would be too far out for it.
+/// are -w <= z <= w and w > 0, as the other planes also accept (0, 0, 0, 0), which is no point. The
+/// four sides stand `guard` x (half the canvas) away from the middle: the fill drops what lies
+/// nearer pixel by pixel; what lies beyond would be too far out for it.
 std::vector<ClipPlane<Rational>> clip_planes(const Projection& projection,
                                              const Rational& half_width,
                                              const Rational& half_height, const Rational& guard);
