@@ -848,7 +848,8 @@ TEST(Slips, NoneGivesTheRightResult) {
         {LineForm{{2, 5}, {-4, -3}}},
         {LineForm{{2, 5}, {-4, -3}, true}},
         {InclusiveCount{-1, 3}},
-        {MixedColor{{{0, 0, 0}, {255, 0, 0}}, {Rational(1, 2), Rational(1, 2)}, false, {0, 1}}},
+        {MixedColor{
+            {Color(0, 0, 0), Color(255, 0, 0)}, {Rational(1, 2), Rational(1, 2)}, false, {0, 1}}},
         {InTriangle{{{{{0, 0}, {6, 0}, {0, 6}}}, {3, 3}}, true}},
     };
     for (const Formula& formula : formulas)

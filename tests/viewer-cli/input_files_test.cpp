@@ -320,6 +320,30 @@ TEST_F(ProgramTest, ASmallFileTakesLittleMemoryOrIsRefusedWithWhatIsTooLarge) {
                                "1000000000 bytes, found more\n" +
                                hint));
     EXPECT_LT(steps.peak_memory, most_bytes);
+    // Every exact depth is kept.
+    write("planes.json",
+          R"({"canvas":{"width":600,"height":600,"origin":"top-left"},"triangles":[)" +
+              triangles.substr(0, 40 * 6 - 1) + R"(],
+        "vertices":{"A":[0,0,1],"B":[599,0,2],"C":[0,599,3]},
+        "method":{"scalar":"exact","depth":"inverse-z"}})");
+    const Outcome planes = shell(within + "show planes.json --bare");
+    EXPECT_EQ(planes.status, 0) << planes.err;
+    EXPECT_LT(planes.peak_memory, 400'000'000);
+    // A face is cut into triangles, each of which tells its names.
+    for (const int corners : {27'000, 81'000}) {
+        std::string vertices;
+        std::string face = "f";
+        for (int i = 1; i <= corners; ++i) {
+            vertices += fmt::format("v {} {} 0\n", i, static_cast<double>(i) * i);
+            face += fmt::format(" {}", i);
+        }
+        write("face.obj", vertices + face + "\n");
+        write("face.json", R"({"meshes":[{"obj":"face.obj"}]})");
+        const Outcome cut = shell(within + "stats face.json");
+        EXPECT_EQ(cut.status, corners == 27'000 ? 0 : 2) << cut.err;
+        EXPECT_THAT(cut.err, corners == 27'000 ? IsEmpty() : HasSubstr("expected "));
+        EXPECT_LT(cut.peak_memory, most_bytes);
+    }
 }
 
 // A scene from somewhere else cannot look around.

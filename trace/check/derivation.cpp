@@ -334,22 +334,21 @@ public:
                 const Rational share = line->share_by(lerp);
                 return std::vector<Rational>{1 - share, share};
             };
-            return {{MixedColor{
-                .colors = {},
-                .weights = weights(line->lerp),
-                .is_cut = is_cut,
-                .other_weights =
-                    weights(line->lerp == ColorLerp::axis ? ColorLerp::distance : ColorLerp::axis),
-                .levels = {line->from, line->to}}}};
+            return {{MixedColor{.corners = {line->from, line->to},
+                                .weights = weights(line->lerp),
+                                .is_cut = is_cut,
+                                .other_weights =
+                                    weights(line->lerp == ColorLerp::axis ? ColorLerp::distance
+                                                                          : ColorLerp::axis)}}};
         }
         const auto triangle = corners();
         const auto sample = sample_of(numbers_.trace(), view_);
         if (!triangle || !sample || primitive.colors.values().size() != 3)
             return {};
         MixedColor mixed{
-            .colors = {}, .weights = value_of({Weights{*triangle, *sample}}), .is_cut = is_cut};
+            .corners = {}, .weights = value_of({Weights{*triangle, *sample}}), .is_cut = is_cut};
         for (std::size_t i = 0; i < 3; ++i)
-            mixed.levels.push_back(primitive.color_of(i).value_or(Color()));
+            mixed.corners.push_back(primitive.color_of(i).value_or(Color()));
         if (const auto divisors = divisors_of(replay, primitive))
             if (auto in_space = shares_in_space(mixed.weights, *divisors))
                 mixed.other_weights = std::exchange(mixed.weights, std::move(in_space->shares));

@@ -136,15 +136,11 @@ Values value(const InclusiveCount& count) {
 }
 
 Values value(const MixedColor& mixed) {
-    const std::vector<Levels<Rational>> corners =
-        mixed.levels.empty()
-            ? std::vector<Levels<Rational>>(mixed.colors.begin(), mixed.colors.end())
-            : mixed.levels;
     Values levels;
     for (std::size_t channel = 0; channel < 3; ++channel) {
         Rational level = mixed.is_cut ? Rational(0) : Rational(1, 2);
-        for (std::size_t i = 0; i < corners.size(); ++i)
-            level += mixed.weights[i] * corners[i].of[channel];
+        for (std::size_t i = 0; i < mixed.corners.size(); ++i)
+            level += mixed.weights[i] * mixed.corners[i].of[channel];
         levels.emplace_back(mpz_class(level.get_num() / level.get_den()));
     }
     return levels;

@@ -241,12 +241,11 @@ struct InclusiveCount {
 
 /// Red, green and blue of colors, each by its weight, which become whole levels.
 struct MixedColor {
-    std::vector<Color> colors;
+    std::vector<Levels<Rational>> corners;
     std::vector<Rational> weights;
     bool is_cut = false; ///< to the level below; otherwise rounded
     std::vector<Rational> other_weights =
         {}; ///< by distance in the place of steps, or the other way round; on the screen for in space
-    std::vector<Levels<Rational>> levels = {}; ///< in the place of `colors`, of cut edges
 };
 
 /// A depth between others, by their weights: those of a triangle's corners, or of the ends of a row.

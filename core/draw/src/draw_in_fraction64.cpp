@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-#include "draw_in.h"
 #include "draw_scalar.h"
+#include "screen_drawing_in.h"
 
 namespace rastertrace {
 
