@@ -112,16 +112,16 @@ const Row& row_of_role(Role role) {
     return all[static_cast<std::size_t>(role)];
 }
 
-constexpr std::array<std::string_view, 3> names{"auto", "light", "dark"};
+constexpr std::array<std::string_view, 3> names_of_themes{"auto", "light", "dark"};
 
 } // namespace
 
 std::vector<std::string_view> theme_names() {
-    return {names.begin(), names.end()};
+    return {names_of_themes.begin(), names_of_themes.end()};
 }
 
 std::optional<Theme> theme_named(std::string_view name) {
-    return value_named<Theme>(names, name);
+    return value_named<Theme>(names_of_themes, name);
 }
 
 Paint paint_of(Role role, Theme theme) {
