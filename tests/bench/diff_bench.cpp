@@ -12,7 +12,7 @@
 #include <fstream>
 #include <iterator>
 #include <string>
-#include <variant>
+#include <utility>
 #include <vector>
 
 namespace rastertrace {
@@ -63,8 +63,8 @@ void diff_lines(benchmark::State& state) {
         benchmark::DoNotOptimize(lines_by_memchr(a) + lines_by_memchr(b));
 }
 
-TraceText opened(const std::string& path) {
-    return std::get<TraceText>(open_trace_text(path, {}));
+Trace opened(const std::string& path) {
+    return std::move(read_trace(read_source(path).value()).value());
 }
 
 void diff_traces(benchmark::State& state, bool is_changed) {

@@ -1,19 +1,16 @@
 // SPDX-License-Identifier: MIT
-// A pixel explained from a trace that is read step by step and not kept, against counting the lines of its file:
+// A pixel explained from a trace, which is read for that, against counting the lines of its file:
 // `explain/lines` and `explain/pixel`, on a head of 38,080 triangles.
 
 #include "trace_file.h"
 
 #include <rastertrace/trace/explain/explain.h>
-#include <rastertrace/trace/explain/steps_of_pixel.h>
-#include <rastertrace/trace/record/step_stream.h>
+#include <rastertrace/trace/record/trace.h>
 
 #include <benchmark/benchmark.h>
 
 #include <filesystem>
 #include <string>
-#include <utility>
-#include <variant>
 
 namespace rastertrace {
 namespace {
@@ -30,12 +27,8 @@ void explain_pixel(benchmark::State& state) {
     const std::string& path = head_trace_path();
     const Question question{.about = Topic::pixel, .pixel = {10, 20}};
     for (auto _ : state) {
-        auto opened = open_steps(path, {});
-        auto& stream = std::get<StepStream>(opened);
-        StepsOfPixel chosen(stream.header(), question.pixel);
-        while (stream.next())
-            chosen.take(stream.step(), stream.kind(), stream.number());
-        benchmark::DoNotOptimize(explain(std::move(chosen).finish(), question));
+        const Result<Trace> trace = read_trace(read_source(path).value());
+        benchmark::DoNotOptimize(explain(trace.value(), question));
     }
     state.SetBytesProcessed(static_cast<std::int64_t>(state.iterations()) *
                             static_cast<std::int64_t>(std::filesystem::file_size(path)));

@@ -13,7 +13,6 @@
 #include <filesystem>
 #include <string>
 #include <utility>
-#include <variant>
 
 namespace rastertrace {
 namespace {
@@ -57,9 +56,8 @@ const std::string& long_trace_path() {
     return path;
 }
 
-std::unique_ptr<Playback> opened() {
-    auto trace = GrowingTrace::open(long_trace_path(), {});
-    return std::make_unique<Playback>(std::get<GrowingTrace>(std::move(trace)), picture_bytes);
+Trace long_trace() {
+    return std::move(read_trace(read_source(long_trace_path()).value()).value());
 }
 
 void play_lines(benchmark::State& state) {
@@ -73,7 +71,7 @@ void play_lines(benchmark::State& state) {
 void play_read(benchmark::State& state) {
     long_trace_path();
     for (auto _ : state) {
-        const auto playback = opened();
+        const auto playback = std::make_unique<Playback>(long_trace(), picture_bytes);
         while (playback->read_on()) {
         }
         state.counters["steps"] = static_cast<double>(playback->trace().size());
@@ -89,22 +87,13 @@ void play_read(benchmark::State& state) {
 void play_first_frame(benchmark::State& state) {
     long_trace_path();
     for (auto _ : state) {
-        Player player({.open =
-                           [](std::size_t) {
-                               return std::get<GrowingTrace>(
-                                   GrowingTrace::open(long_trace_path(), {}));
-                           }},
-                      {});
+        Player player({.open = [](std::size_t) { return long_trace(); }}, {});
         benchmark::DoNotOptimize(player_screen(player, {80, 24}, {}));
     }
 }
 
 Player player_at_end() {
-    Player player({.open =
-                       [](std::size_t) {
-                           return std::get<GrowingTrace>(GrowingTrace::open(long_trace_path(), {}));
-                       }},
-                  {.bytes = picture_bytes});
+    Player player({.open = [](std::size_t) { return long_trace(); }}, {.bytes = picture_bytes});
     while (player.work()) {
     }
     return player;

@@ -6,7 +6,7 @@
 
 #include <rastertrace/testing.h>
 #include <rastertrace/trace/compare/diff.h>
-#include <rastertrace/trace/record/trace_text.h>
+#include <rastertrace/trace/record/trace.h>
 #include <rastertrace/trace/record/write_trace.h>
 
 #include <gmock/gmock.h>
@@ -112,8 +112,7 @@ TEST_F(MatchesTrace, AFailureIsTheDiffAndTheRenewingCommand) {
         matchers::MatchesTrace("golden.json", {.kinds = {"primitive", "scanline", "pixel"}});
     ASSERT_EQ(renew(triangle(), matcher), "");
     const TraceDiff found =
-        diff(std::get<TraceText>(open_trace_text("golden.json", {})),
-             TraceText(Source{"A triangle", triangle("4").text}),
+        diff(read_trace(read_source("golden.json").value()).value(), triangle("4").trace.value(),
              {.ignored = {"header"}, .only = {"primitive", "scanline", "pixel"}});
     ASSERT_THAT(diff_text(found), HasSubstr("4 pixels differ because of it"));
     EXPECT_EQ(failures_of([&] { EXPECT_THAT(triangle("4"), matcher); }),

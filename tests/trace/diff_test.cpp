@@ -37,7 +37,13 @@ using ::testing::IsEmpty;
 using Json = nlohmann::ordered_json;
 
 TraceDiff diff_of(const std::string& a, const std::string& b, const DiffOptions& options = {}) {
-    return diff(TraceText({"a.json", a, {}}), TraceText({"b.json", b, {}}), options);
+    const auto read = [](const char* name, const std::string& text) {
+        Result<Trace> trace = read_trace({name, text});
+        if (!trace)
+            throw trace.problem();
+        return std::move(trace.value());
+    };
+    return diff(read("a.json", a), read("b.json", b), options);
 }
 
 /// All that differs, as `scanline 1 0 0 0`: changed, only in a, only in b, moved.

@@ -28,7 +28,6 @@
 #include <set>
 #include <string>
 #include <utility>
-#include <variant>
 #include <vector>
 
 namespace rastertrace {
@@ -37,8 +36,7 @@ namespace {
 using ::testing::HasSubstr;
 
 Player player_of(const Scene& scene, const PlayerOptions& options = {}) {
-    return Player({.open = [scene](std::size_t) { return GrowingTrace(trace_of(scene)); }},
-                  options);
+    return Player({.open = [scene](std::size_t) { return trace_of(scene); }}, options);
 }
 
 Scene titled_triangle() {
@@ -233,7 +231,7 @@ TEST(Player, ShowsEveryFrameOfASequence) {
                    .open =
                        [&](std::size_t frame) {
                            opened.push_back(frame);
-                           return GrowingTrace(trace_of(scene));
+                           return trace_of(scene);
                        },
                    .label = [](std::size_t frame) { return std::to_string(frame) + " of 3"; }},
                   {});
@@ -320,10 +318,10 @@ TEST(Player, WritesNothingThatATerminalObeys) {
     Player player(
         {.open =
              [](std::size_t) {
-                 return GrowingTrace(readable_trace(
+                 return readable_trace(
                      "{\"rastertrace\":1,\"title\":\"\\u001b]0;x\",\"canvas\":{\"width\":3,"
                      "\"height\":3}}\n{\"step\":\"\\u001b[2J\",\"name\":\"\\u202e\"}\n{\"end\":{}}"
-                     "\n"));
+                     "\n");
              }},
         {});
     press(player, {"Right"});
@@ -671,7 +669,7 @@ TEST_F(PlayerInPortuguese, SamplesAndFaces) {
 TEST_F(PlayerInPortuguese, Frames) {
     Player frames({.first_frame = 1,
                    .last_frame = 2,
-                   .open = [](std::size_t) { return GrowingTrace(trace_of(first_triangle())); },
+                   .open = [](std::size_t) { return trace_of(first_triangle()); },
                    .label = [](std::size_t frame) { return std::to_string(frame) + " de 2"; }},
                   {});
     hear(frames, {"F"});
@@ -681,37 +679,23 @@ TEST_F(PlayerInPortuguese, Frames) {
     EXPECT_THAT(screen_text(frames), HasSubstr("  quadro 2 de 2"));
 }
 
-TEST_F(PlayerInPortuguese, WhatGoesOnWhileAFileIsReadAndWhatBecameOfIt) {
-    const std::string path = testing::TempDir() + "player-in-portuguese.jsonl";
+TEST_F(PlayerInPortuguese, WhatGoesOnInALongTrace) {
     std::string text =
         "{\"rastertrace\":1,\"title\":\"T\",\"canvas\":{\"width\":3,\"height\":3}}\n";
     for (int i = 0; i < 60'000; ++i)
         text += "{\"step\":\"pixel\",\"x\":0,\"y\":0}\n";
-    std::ofstream(path) << text;
-    Player player(
-        {.open =
-             [path](std::size_t) { return std::get<GrowingTrace>(GrowingTrace::open(path, {})); }},
-        {});
+    text += "{\"end\":{}}\n";
+    Player player({.open = [text](std::size_t) { return readable_trace(text); }}, {});
     const auto press_only = [&player](const std::vector<std::string>& keys) {
         for (const std::string& key : keys)
-            player.press({key}); // and nothing is read
+            player.press({key}); // and nothing is gone through
         hear(player);
     };
-    EXPECT_THAT(screen_text(player), HasSubstr("  lendo, "));
     press_only({"c"});
     EXPECT_THAT(screen_text(player), HasSubstr("pixel (0, 0): vistos "));
-    press_only({"G", "Right"});
-    EXPECT_EQ(player.message(), "a leitura ainda não acabou");
     press_only({"g", "/", "q", "q", "Enter"});
     EXPECT_THAT(screen_text(player), HasSubstr("  busca, 2 %, uma tecla encerra"));
     press_only({"Escape"});
-
-    std::filesystem::resize_file(path, 100);
-    EXPECT_TRUE(player.look_for_change());
-    EXPECT_EQ(player.lost(), path + " foi encurtado");
-    hear(player);
-    EXPECT_THAT(screen_text(player), HasSubstr("r o lê de novo, q sai\n"));
-    std::filesystem::remove(path);
 }
 
 } // namespace

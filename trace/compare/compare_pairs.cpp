@@ -4,6 +4,7 @@
 
 #include "trace_comparison.h"
 
+#include <rastertrace/trace/record/traced_steps.h>
 #include <rastertrace/trace/tell/step_text.h>
 
 #include <algorithm>
@@ -16,26 +17,19 @@ namespace {
 /// The primitives that are left of a trace, which is drawn meanwhile.
 std::vector<PrimitivePlace> primitives_from_here(DiffSide& side) {
     std::vector<PrimitivePlace> primitives;
-    const auto add = [&](std::string_view line, LinePlace place) {
-        const SeenStep step = seen_in(line);
-        const std::string_view json = step_of_line(line);
-        side.see(step, line, place);
-        if (step.what == SeenStep::What::primitive && !side.tells_part(json)) {
+    for (; !side.steps.is_behind(); side.pass()) {
+        const std::size_t n = side.steps.next();
+        if (side.trace.kind_of(n) == StepKind::primitive && !side.tells_part(n)) {
             if (!primitives.empty())
-                primitives.back().end = place;
-            primitives.push_back(primitive_place(std::string(json), place));
+                primitives.back().end = n;
+            primitives.push_back(primitive_place(side.trace.step(n).as<PrimitiveStep>(), n));
         } else if (!primitives.empty()) {
-            primitives.back().content =
-                primitives.back().content * 31 + std::hash<std::string_view>()(json);
+            primitives.back().content = primitives.back().content * 31 +
+                                        std::hash<std::string_view>()(side.trace.step(n).json());
         }
-    };
-    while (const StepLine* const ahead = side.lines.front()) {
-        add(ahead->json, ahead->place);
-        side.lines.pass();
-        side.lines.pass_all_lines(add);
     }
     if (!primitives.empty())
-        primitives.back().end = side.lines.place();
+        primitives.back().end = side.steps.next();
     return primitives;
 }
 
@@ -61,20 +55,20 @@ void TraceComparison::compare_pairs() {
 
     // Both lists together: what only one has, what has moved, and what is in the same order in both.
     const auto is_broken = [&](std::size_t in_list_a, std::size_t in_list_b) {
-        return (in_list_a + 1 == of_a.size() && a_.lines.is_cut_off()) ||
-               (in_list_b + 1 == of_b.size() && b_.lines.is_cut_off());
+        return (in_list_a + 1 == of_a.size() && a_.breaks_off) ||
+               (in_list_b + 1 == of_b.size() && b_.breaks_off);
     };
     std::size_t i = 0;
     std::size_t j = 0;
     while (i < of_a.size() || j < of_b.size()) {
         ++gap_;
         if (i < of_a.size() && in_b[i] == nowhere) {
-            if (!b_.lines.is_cut_off())
-                add_primitive(a_.text, of_a[i], true);
+            if (!b_.breaks_off)
+                add_primitive(a_, of_a[i]);
             ++i;
         } else if (j < of_b.size() && in_a[j] == nowhere) {
-            if (!a_.lines.is_cut_off())
-                add_primitive(b_.text, of_b[j], false);
+            if (!a_.breaks_off)
+                add_primitive(b_, of_b[j]);
             ++j;
         } else if (i < of_a.size() && !stays[i]) {
             compare_primitives(of_a[i], of_b[in_b[i]], true, is_broken(i, in_b[i]));
@@ -90,39 +84,29 @@ void TraceComparison::compare_pairs() {
 }
 
 /// A primitive that only one trace has, with all its steps.
-void TraceComparison::add_primitive(const TraceText& text, const PrimitivePlace& primitive,
-                                    bool is_in_a) {
+void TraceComparison::add_primitive(const DiffSide& side, const PrimitivePlace& primitive) {
     if (!compared_.has_primitive(primitive.name))
         return;
-    StepLines lines(text, primitive.begin, primitive.end.offset);
     DiffSection section;
-    if (const StepLine* const first = lines.front())
-        (is_in_a ? section.json_a : section.json_b) = first->json;
-    (is_in_a ? section.begin_a : section.begin_b) = primitive.begin;
-    tally_.begin_section(std::move(section));
-    for (; const StepLine* const step = lines.front(); lines.pass())
+    (side.is_a ? section.a : section.b) = primitive.begin;
+    tally_.begin_section(section);
+    StepsAhead steps(side.trace, primitive.begin, primitive.end - 1, options_.keys);
+    for (; const KeyedStep* const step = steps.front(); steps.pass())
         if (compared_.has(*step))
-            tally_.add_alone(gap_, is_in_a, *step);
+            tally_.add_alone(gap_, side.is_a, *step);
 }
 
 /// A primitive that both traces have, perhaps at another place.
 void TraceComparison::compare_primitives(const PrimitivePlace& of_a, const PrimitivePlace& of_b,
                                          bool has_moved, bool breaks_off) {
-    DiffSide a(a_, of_a, options_.keys);
-    DiffSide b(b_, of_b, options_.keys);
-    const StepLine* const step_a = a.lines.front();
-    const StepLine* const step_b = b.lines.front();
-    if (step_a == nullptr || step_b == nullptr)
-        return;
-    a_.json = step_a->json;
-    b_.json = step_b->json;
-    a_.begin = of_a.begin;
-    b_.begin = of_b.begin;
-    if (has_moved && compared_.has(*step_a)) {
+    DiffSide a(a_, of_a, breaks_off, options_.keys);
+    DiffSide b(b_, of_b, breaks_off, options_.keys);
+    a_.primitive_step = of_a.begin;
+    b_.primitive_step = of_b.begin;
+    if (const KeyedStep* const step = a.steps.front(); has_moved && compared_.has(*step)) {
         begin_section();
-        tally_.add_moved(gap_, *step_a, *step_b);
+        tally_.add_moved(gap_, *step, *b.steps.front());
     }
-    a.breaks_off = b.breaks_off = breaks_off;
     begin_primitive(a, b);
     compare_section(a, b);
 }

@@ -36,10 +36,10 @@ bool meet(Index from, Index to, Index low, Index high) {
 }
 
 /// False for a step about pixels that a region leaves out.
-bool is_told(const StepLine& step, const std::optional<Region>& region) {
+bool is_told(const KeyedStep& step, const std::optional<Region>& region) {
     if (!region || !step.kind)
         return true;
-    const StepView view(step.json);
+    const StepView view = step.view();
     switch (*step.kind) {
     case StepKind::scanline: {
         const auto row = view.as<ScanlineStep>();
@@ -77,12 +77,10 @@ std::string kind_with_space(const StepView& step) {
 }
 
 /// The kinds of step that a trace has.
-std::set<std::string, std::less<>> kinds_in(const TraceText& text) {
+std::set<std::string, std::less<>> kinds_in(const Trace& trace) {
     std::set<std::string, std::less<>> kinds;
-    StepLines(text).pass_all_lines([&kinds](std::string_view line, LinePlace) {
-        if (!StepLines::is_blank(line))
-            kinds.insert(kind_with_space(StepView(step_of_line(line))));
-    });
+    for (std::size_t n = 1; n <= trace.size(); ++n)
+        kinds.insert(kind_with_space(trace.step(n)));
     return kinds;
 }
 
@@ -93,8 +91,8 @@ bool is_told(const std::string& primitive, const Trace& trace) {
 
 } // namespace
 
-ComparedSteps::ComparedSteps(const TraceText& a, const TraceText& b, const DiffOptions& options)
-    : a_(a.header()), b_(b.header()), options_(options) {
+ComparedSteps::ComparedSteps(const Trace& a, const Trace& b, const DiffOptions& options)
+    : a_(a), b_(b), options_(options) {
     if (!options.compares_common)
         return;
     common_ = kinds_in(a);
@@ -119,8 +117,8 @@ bool ComparedSteps::has_primitives() const {
            (!common_ || common_->contains("primitive"));
 }
 
-bool ComparedSteps::has(const StepLine& step) const {
-    return has_kind(common_ ? kind_with_space(StepView(step.json)) : step.kind_name) &&
+bool ComparedSteps::has(const KeyedStep& step) const {
+    return has_kind(common_ ? kind_with_space(step.view()) : step.kind_name) &&
            is_told(step, region_of(a_)) && is_told(step, region_of(b_));
 }
 

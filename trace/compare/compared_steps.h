@@ -7,8 +7,8 @@
 //     if (compared.has(step)) ...
 
 #include "diff.h"
+#include "steps_ahead.h"
 
-#include <rastertrace/trace/record/step_lines.h>
 #include <rastertrace/trace/record/trace_options.h>
 
 #include <functional>
@@ -22,7 +22,7 @@ namespace rastertrace {
 
 class ComparedSteps {
 public:
-    ComparedSteps(const TraceText& a, const TraceText& b, const DiffOptions& options);
+    ComparedSteps(const Trace& a, const Trace& b, const DiffOptions& options);
 
     /// True if steps of a kind are compared; of vertices in a space, `vertex in world`.
     bool has_kind(std::string_view with_space) const;
@@ -30,7 +30,7 @@ public:
     /// True if both traces say where a primitive begins.
     bool has_primitives() const;
 
-    bool has(const StepLine& step) const;
+    bool has(const KeyedStep& step) const;
 
     /// True if the steps of a primitive, or those in front of the first ("") are compared.
     bool has_primitive(const std::string& name) const;

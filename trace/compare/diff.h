@@ -13,7 +13,7 @@
 #include <rastertrace/core/numbers/number.h>
 #include <rastertrace/core/raster/canvas.h>
 #include <rastertrace/core/raster/image.h>
-#include <rastertrace/trace/record/trace_text.h>
+#include <rastertrace/trace/record/trace.h>
 #include <rastertrace/trace/text/language.h>
 #include <rastertrace/trace/text/problem.h>
 
@@ -171,10 +171,8 @@ struct TraceDiff {
     std::string explanation{};          ///< of the first pixel that differs, where it is asked for
 };
 
-/// Compares two traces. Memory grows with the canvas and the number of primitives, not with the steps. If primitives
-/// come in another order, the steps from there on are read once more. Throws a Problem if a step that differs is none
-/// that can be understood, or an option names what neither trace has.
-TraceDiff diff(const TraceText& a, const TraceText& b, const DiffOptions& options);
+/// Compares two traces. Throws a Problem if an option names what neither trace has, or leaves nothing to compare.
+TraceDiff diff(const Trace& a, const Trace& b, const DiffOptions& options);
 
 /// How many steps differ, or have moved; and how many pixels of the final pictures differ.
 std::uint64_t count_steps(const TraceDiff& found);

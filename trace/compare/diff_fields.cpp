@@ -57,13 +57,15 @@ const DiffTolerance* tolerance_for(const std::vector<DiffTolerance>& tolerances,
 
 } // namespace
 
-std::vector<FieldDifference> FieldComparison::differing(const StepLine& a,
-                                                        const StepLine& b) const {
+std::vector<FieldDifference> FieldComparison::differing(const KeyedStep& a,
+                                                        const KeyedStep& b) const {
     std::vector<FieldDifference> differences;
-    if (a.json == b.json)
+    const StepView step_a = a.view();
+    const StepView step_b = b.view();
+    if (step_a.json() == step_b.json())
         return differences;
-    const std::vector<Field> of_a = fields_in(a.json);
-    const std::vector<Field> of_b = fields_in(b.json);
+    const std::vector<Field> of_a = fields_in(step_a.json());
+    const std::vector<Field> of_b = fields_in(step_b.json());
     const auto is_compared = [&](std::string_view name) {
         return name != key_of_code && !options_.ignores(fmt::format("{}.{}", a.kind_name, name));
     };

@@ -7,8 +7,7 @@
 //     fields.differing(a, b);  // {{.name = "left", .a = ..., .b = ...}}
 
 #include "diff.h"
-
-#include <rastertrace/trace/record/step_lines.h>
+#include "steps_ahead.h"
 
 #include <string_view>
 #include <vector>
@@ -21,7 +20,7 @@ public:
     FieldComparison(const DiffOptions& options, int floats) : options_(options), floats_(floats) {}
 
     /// The fields that are not alike, in the order of a's.
-    std::vector<FieldDifference> differing(const StepLine& a, const StepLine& b) const;
+    std::vector<FieldDifference> differing(const KeyedStep& a, const KeyedStep& b) const;
 
 private:
     const DiffOptions& options_;

@@ -21,23 +21,21 @@ namespace {
 constexpr std::string_view header_name = "header";
 constexpr std::string_view end_name = "end";
 
-/// True if a trace has a text somewhere behind its header.
-bool mentions(const TraceText& text, const std::string& wanted) {
-    std::size_t most = text.size();
-    return text.find(wanted, text.begin(), most).has_value();
-}
-
-/// True if a step of one of the traces is of this kind, or has this field.
-bool have_kind(const TraceText& a, const TraceText& b, std::string_view kind) {
-    for (const TraceText* const text : {&a, &b})
-        for (const std::string_view blank : {"", " "})
-            if (mentions(*text, fmt::format(R"("step":{}"{}")", blank, kind)))
+/// True if some step of the traces is as `is_meant` says.
+template <typename IsMeant>
+bool have_step(const Trace& a, const Trace& b, const IsMeant& is_meant) {
+    for (const Trace* const trace : {&a, &b})
+        for (std::size_t n = 1; n <= trace->size(); ++n)
+            if (is_meant(trace->step(n)))
                 return true;
     return false;
 }
-bool have_field(const TraceText& a, const TraceText& b, std::string_view field) {
-    const std::string key = fmt::format(R"("{}":)", field);
-    return mentions(a, key) || mentions(b, key);
+
+bool have_kind(const Trace& a, const Trace& b, std::string_view kind) {
+    return have_step(a, b, [kind](const StepView& step) { return step.kind_name() == kind; });
+}
+bool have_field(const Trace& a, const Trace& b, std::string_view field) {
+    return have_step(a, b, [field](const StepView& step) { return step.field(field).has_value(); });
 }
 
 /// What is wrong with a field of a kind that we know, for an option: it is a key, which steps are found by, or no
@@ -57,7 +55,7 @@ std::string_view fault_of_field(std::string_view option, StepKind kind, std::str
 
 /// One name of an option, `scanline` or `scanline.left`.
 void check_name(std::string_view option, std::string_view kind, std::string_view field,
-                const TraceText& a, const TraceText& b) {
+                const Trace& a, const Trace& b) {
     const auto known = step_kind_named(kind);
     if (!known && !have_kind(a, b, kind)) {
         std::vector<std::string_view> names = step_kind_names();
@@ -139,7 +137,7 @@ void add_step_key(DiffOptions& options, const std::string& text) {
     options.keys[kind] = std::move(fields);
 }
 
-void check_names(const DiffOptions& options, const TraceText& a, const TraceText& b) {
+void check_names(const DiffOptions& options, const Trace& a, const Trace& b) {
     for (const DiffTolerance& one : options.tolerances)
         if (!one.kind.empty())
             check_name("--tolerance", one.kind, one.field, a, b);

@@ -10,6 +10,6 @@
 namespace rastertrace {
 
 /// Throws a Problem if an option names a kind or a field that no trace can have, or that neither of these two has.
-void check_names(const DiffOptions& options, const TraceText& a, const TraceText& b);
+void check_names(const DiffOptions& options, const Trace& a, const Trace& b);
 
 } // namespace rastertrace

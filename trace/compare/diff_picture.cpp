@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cstdlib>
 #include <unordered_map>
 #include <utility>
@@ -18,34 +17,6 @@ namespace {
 constexpr int widest = 60;
 constexpr int highest = 30;
 constexpr int margin = 2;
-
-/// Takes a text off the front, and says if it was there.
-bool take(std::string_view& text, std::string_view front) {
-    if (!text.starts_with(front))
-        return false;
-    text.remove_prefix(front.size());
-    return true;
-}
-
-bool take(std::string_view& text, Index& number) {
-    const auto read = std::from_chars(text.data(), text.data() + text.size(), number);
-    text.remove_prefix(static_cast<std::size_t>(read.ptr - text.data()));
-    return read.ec == std::errc{};
-}
-
-SeenStep seen_thoroughly(const StepView& step) {
-    const auto kind = step.kind();
-    if (kind == StepKind::pixel && x_in(step) && y_in(step)) {
-        const auto pixel = step.as<PixelStep>();
-        return {.what = SeenStep::What::pixel,
-                .x = pixel.x,
-                .y = pixel.y,
-                .color = pixel.color.color()};
-    }
-    if (kind == StepKind::primitive)
-        return {.what = SeenStep::What::primitive, .color = step.as<PrimitiveStep>().color.color()};
-    return {};
-}
 
 /// Both canvases: every pixel that one of them has.
 struct BothCanvases {
@@ -274,18 +245,19 @@ bool are_near(Color a, Color b, int tolerance) {
                       near(a.blue(), b.blue()) && near(a.alpha(), b.alpha()));
 }
 
-SeenStep seen_in(std::string_view line) {
-    std::string_view rest = line;
-    if (take(rest, R"({"step":")")) {
-        const bool is_pixel = rest.starts_with("pixel\"");
-        if (!is_pixel && !rest.starts_with("primitive\""))
-            return {};
-        SeenStep seen{.what = SeenStep::What::pixel};
-        if (is_pixel && take(rest, R"(pixel","x":)") && take(rest, seen.x) &&
-            take(rest, R"(,"y":)") && take(rest, seen.y) && take(rest, "}"))
-            return seen;
+SeenStep seen_in(const Trace& trace, std::size_t n) {
+    const auto kind = trace.kind_of(n);
+    if (kind == StepKind::pixel) {
+        const auto pixel = trace.step(n).as<PixelStep>();
+        return {.what = SeenStep::What::pixel,
+                .x = pixel.x,
+                .y = pixel.y,
+                .color = pixel.color.color()};
     }
-    return seen_thoroughly(StepView(step_of_line(line)));
+    if (kind == StepKind::primitive)
+        return {.what = SeenStep::What::primitive,
+                .color = trace.step(n).as<PrimitiveStep>().color.color()};
+    return {};
 }
 
 std::pair<PictureDifference, Consequences> difference_between(const OwnedPicture& a,

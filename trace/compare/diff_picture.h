@@ -4,27 +4,26 @@
 // The pictures of two traces, with the primitive that has drawn each pixel, and how they differ.
 //
 //     OwnedPicture picture(canvas);
-//     picture.see(seen_in(line));
+//     picture.see(seen_in(trace, n));
 //     difference_between(a, b, owners, {});
 
 #include "diff.h"
 #include "diff_reach.h"
 
 #include <rastertrace/core/raster/image.h>
-#include <rastertrace/trace/record/step_lines.h>
+#include <rastertrace/trace/record/trace.h>
 #include <rastertrace/trace/record/trace_options.h>
 
 #include <cstdint>
 #include <functional>
 #include <optional>
 #include <string>
-#include <string_view>
 #include <utility>
 #include <vector>
 
 namespace rastertrace {
 
-/// What a line has to do with a picture.
+/// What a step has to do with a picture.
 struct SeenStep {
     enum class What : std::uint8_t { other, pixel, primitive };
     What what = What::other;
@@ -33,8 +32,8 @@ struct SeenStep {
     std::optional<Color> color = {}; ///< of a primitive, or of a pixel that has its own
 };
 
-/// Looks at a line of a step; quickly, if it is written as this program writes it.
-SeenStep seen_in(std::string_view line);
+/// The same of step n.
+SeenStep seen_in(const Trace& trace, std::size_t n);
 
 /// A picture, and which primitive drew each pixel: 1 is the first, 0 stands for none.
 class OwnedPicture {

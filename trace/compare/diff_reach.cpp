@@ -15,29 +15,29 @@ bool has_name(const std::vector<std::string>& names, const std::string& name) {
 
 } // namespace
 
-OwnerOfPixels owner_in(const std::string& primitive_json) {
-    const auto primitive = StepView(primitive_json).as<PrimitiveStep>();
+OwnerOfPixels owner_in(const Trace& trace, std::size_t n) {
+    if (n == 0)
+        return {};
+    const auto primitive = trace.step(n).as<PrimitiveStep>();
     return {.name = primitive.name.text(),
             .face = name_of_whole(primitive),
             .vertices = primitive.vertices.texts()};
 }
 
-DiffReach::DiffReach(const FirstDifference& first) : first_(first) {
-    for (const std::string* const json : {&first.section.json_a, &first.section.json_b})
-        faces_.push_back(owner_in(*json).face);
-}
+DiffReach::DiffReach(const FirstDifference& first, const Trace& a, const Trace& b)
+    : first_(first), faces_{owner_in(a, first.section.a).face, owner_in(b, first.section.b).face} {}
 
 bool DiffReach::has(Pixel pixel, const OwnerOfPixels& owner) const {
     return (first_.a && reaches(*first_.a, pixel, owner)) ||
            (first_.b && reaches(*first_.b, pixel, owner));
 }
 
-bool DiffReach::reaches(const StepLine& line, Pixel pixel, const OwnerOfPixels& owner) const {
+bool DiffReach::reaches(const KeyedStep& keyed, Pixel pixel, const OwnerOfPixels& owner) const {
     const bool is_of_face = has_name(faces_, owner.face);
-    if (!line.kind)
+    if (!keyed.kind)
         return is_of_face;
-    const StepView step(line.json);
-    switch (*line.kind) {
+    const StepView step = keyed.view();
+    switch (*keyed.kind) {
     case StepKind::matrix:
     case StepKind::order:
     case StepKind::triangulate:

@@ -22,19 +22,20 @@ struct OwnerOfPixels {
     std::vector<std::string> vertices{}; ///< of the face
 };
 
-/// The owner that a `primitive` step begins, if it is no part.
-OwnerOfPixels owner_in(const std::string& primitive_json);
+/// The owner that step n, a `primitive`, begins, if it is no part; one without a name for 0.
+OwnerOfPixels owner_in(const Trace& trace, std::size_t n);
 
 class DiffReach {
 public:
-    explicit DiffReach(const FirstDifference& first);
+    /// The first difference of two traces.
+    DiffReach(const FirstDifference& first, const Trace& a, const Trace& b);
 
     /// True if a pixel that is an owner's, in one of the traces, differs because of the first difference: one of the
     /// same row, pixel or primitive; of a vertex, one of its primitives; of a matrix or the painter's order, any.
     bool has(Pixel pixel, const OwnerOfPixels& owner) const;
 
 private:
-    bool reaches(const StepLine& step, Pixel pixel, const OwnerOfPixels& owner) const;
+    bool reaches(const KeyedStep& step, Pixel pixel, const OwnerOfPixels& owner) const;
 
     const FirstDifference& first_;
     std::vector<std::string> faces_; ///< of the first difference, in a and in b

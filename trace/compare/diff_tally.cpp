@@ -5,13 +5,13 @@
 
 namespace rastertrace {
 
-KindDifference& DiffTally::of_kind(const StepLine& step) {
+KindDifference& DiffTally::of_kind(const KeyedStep& step) {
     KindDifference& kind = kinds_[step.kind_name];
     kind.kind = step.kind_name;
     return kind;
 }
 
-void DiffTally::add_changed(std::size_t gap, const StepLine& a, const StepLine& b,
+void DiffTally::add_changed(std::size_t gap, const KeyedStep& a, const KeyedStep& b,
                             std::vector<FieldDifference> fields) {
     KindDifference& kind = of_kind(a);
     ++kind.changed;
@@ -28,20 +28,20 @@ void DiffTally::add_changed(std::size_t gap, const StepLine& a, const StepLine& 
     note_first(gap, &a, &b, std::move(fields), false);
 }
 
-void DiffTally::add_alone(std::size_t gap, bool is_in_a, const StepLine& step) {
+void DiffTally::add_alone(std::size_t gap, bool is_in_a, const KeyedStep& step) {
     KindDifference& kind = of_kind(step);
     ++(is_in_a ? kind.only_a : kind.only_b);
     note_first(gap, is_in_a ? &step : nullptr, is_in_a ? nullptr : &step, {}, false);
 }
 
-void DiffTally::add_moved(std::size_t gap, const StepLine& a, const StepLine& b) {
+void DiffTally::add_moved(std::size_t gap, const KeyedStep& a, const KeyedStep& b) {
     if (!counts_moved_)
         return;
     ++of_kind(a).moved;
     note_first(gap, &a, &b, {}, true);
 }
 
-void DiffTally::note_first(std::size_t gap, const StepLine* a, const StepLine* b,
+void DiffTally::note_first(std::size_t gap, const KeyedStep* a, const KeyedStep* b,
                            std::vector<FieldDifference> fields, bool is_moved) {
     if (first_ && first_->gap < gap)
         return;

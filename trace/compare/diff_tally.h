@@ -8,8 +8,7 @@
 //     tally.kinds();
 
 #include "diff.h"
-
-#include <rastertrace/trace/record/step_lines.h>
+#include "steps_ahead.h"
 
 #include <cstddef>
 #include <map>
@@ -22,18 +21,15 @@ namespace rastertrace {
 
 /// The steps of a primitive, or those in front of the first one.
 struct DiffSection {
-    std::string
-        json_a{}; ///< of the `primitive` step; "" in front of the first, and where a has none
-    std::string json_b{};
-    LinePlace begin_a{};
-    LinePlace begin_b{};
+    std::size_t a = 0; ///< its `primitive` step; 0 in front of the first, and where a has none
+    std::size_t b = 0;
 };
 
 /// The first step that differs, with where its primitive begins.
 struct FirstDifference {
     std::size_t gap = 0;
-    std::optional<StepLine> a{};
-    std::optional<StepLine> b{};
+    std::optional<KeyedStep> a{};
+    std::optional<KeyedStep> b{};
     std::vector<FieldDifference> fields{};
     bool is_moved = false;
     DiffSection section{};
@@ -47,12 +43,12 @@ public:
     /// Without `counts_moved` steps that stand elsewhere are none.
     explicit DiffTally(bool counts_moved) : counts_moved_(counts_moved) {}
 
-    void begin_section(DiffSection section) { section_ = std::move(section); }
+    void begin_section(const DiffSection& section) { section_ = section; }
 
-    void add_changed(std::size_t gap, const StepLine& a, const StepLine& b,
+    void add_changed(std::size_t gap, const KeyedStep& a, const KeyedStep& b,
                      std::vector<FieldDifference> fields);
-    void add_alone(std::size_t gap, bool is_in_a, const StepLine& step);
-    void add_moved(std::size_t gap, const StepLine& a, const StepLine& b);
+    void add_alone(std::size_t gap, bool is_in_a, const KeyedStep& step);
+    void add_moved(std::size_t gap, const KeyedStep& a, const KeyedStep& b);
 
     bool is_empty() const { return kinds_.empty(); }
     const std::optional<FirstDifference>& first() const { return first_; }
@@ -61,8 +57,8 @@ public:
     std::vector<KindDifference> kinds() const;
 
 private:
-    KindDifference& of_kind(const StepLine& step);
-    void note_first(std::size_t gap, const StepLine* a, const StepLine* b,
+    KindDifference& of_kind(const KeyedStep& step);
+    void note_first(std::size_t gap, const KeyedStep* a, const KeyedStep* b,
                     std::vector<FieldDifference> fields, bool is_moved);
 
     bool counts_moved_;

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "primitive_pairs.h"
 
-#include <rastertrace/trace/record/traced_steps.h>
-
 #include <algorithm>
 #include <cmath>
 #include <functional>
@@ -163,8 +161,7 @@ bool are_near_numbers(const TracedNumber& a, const TracedNumber& b) {
 
 } // namespace
 
-PrimitivePlace primitive_place(const std::string& primitive_json, LinePlace begin) {
-    const auto step = StepView(primitive_json).as<PrimitiveStep>();
+PrimitivePlace primitive_place(const PrimitiveStep& step, std::size_t begin) {
     PrimitivePlace place{.name = step.name.text(), .begin = begin};
     for (const TracedList<TracedNumber>& corner : step.at.values()) {
         std::uint64_t hash = mixed(std::hash<std::string_view>()(step.kind.json()),
@@ -176,18 +173,16 @@ PrimitivePlace primitive_place(const std::string& primitive_json, LinePlace begi
     return place;
 }
 
-bool begin_same_primitive(const std::string& a, const std::string& b) {
-    const auto of_a = StepView(a).as<PrimitiveStep>();
-    const auto of_b = StepView(b).as<PrimitiveStep>();
-    if (of_a.kind.text() != of_b.kind.text() || of_a.name.text() != of_b.name.text() ||
-        (of_a.vertices && of_b.vertices && of_a.vertices.texts() != of_b.vertices.texts()))
+bool begin_same_primitive(const PrimitiveStep& a, const PrimitiveStep& b) {
+    if (a.kind.text() != b.kind.text() || a.name.text() != b.name.text() ||
+        (a.vertices && b.vertices && a.vertices.texts() != b.vertices.texts()))
         return false;
-    if (!of_a.at || !of_b.at)
+    if (!a.at || !b.at)
         return true;
     const auto all_near = [](const auto& one, const auto& other, const auto& are_alike) {
         return std::equal(one.begin(), one.end(), other.begin(), other.end(), are_alike);
     };
-    return all_near(of_a.at.values(), of_b.at.values(), [&](const auto& corner, const auto& other) {
+    return all_near(a.at.values(), b.at.values(), [&](const auto& corner, const auto& other) {
         return all_near(corner.values(), other.values(), are_near_numbers);
     });
 }

@@ -7,7 +7,7 @@
 //     const PrimitivePairs pairs = pair_primitives(of_a, of_b);  // pairs.in_b[0]: where the first one of a is in b
 //     const auto stays = in_common_order(pairs.in_b);
 
-#include <rastertrace/trace/record/step_lines.h>
+#include <rastertrace/trace/record/traced_steps.h>
 
 #include <cstddef>
 #include <cstdint>
@@ -22,16 +22,16 @@ struct PrimitivePlace {
     std::string name{};
     std::vector<std::uint64_t> corners{}; ///< a hash of the coordinates of each; none if not told
     std::uint64_t content = 0;            ///< a hash of its other steps
-    LinePlace begin{};
-    LinePlace end{};
+    std::size_t begin = 0;                ///< its first step
+    std::size_t end = 0;                  ///< the one behind its last
 };
 
 /// The primitive that a step begins.
-PrimitivePlace primitive_place(const std::string& primitive_json, LinePlace begin);
+PrimitivePlace primitive_place(const PrimitiveStep& step, std::size_t begin);
 
 /// True if two steps begin the same primitive: of one kind and name, with vertices of the same names, each within 0.001
 /// (of its size, if that is larger) of the other.
-bool begin_same_primitive(const std::string& a, const std::string& b);
+bool begin_same_primitive(const PrimitiveStep& a, const PrimitiveStep& b);
 
 /// Stands for a place in the other list that there is not.
 inline constexpr std::size_t nowhere = static_cast<std::size_t>(-1);

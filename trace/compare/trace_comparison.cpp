@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "trace_comparison.h"
 
-#include <rastertrace/trace/record/trace_lines.h>
 #include <rastertrace/trace/record/traced_steps.h>
 #include <rastertrace/trace/tell/step_text.h>
 
 #include <algorithm>
-#include <cstring>
 #include <string>
 #include <string_view>
 #include <unordered_map>
@@ -18,105 +16,81 @@ namespace {
 /// How far ahead a step is looked for before it counts as one that the other trace does not have here.
 constexpr std::size_t farthest_look = 16384;
 
-/// So many bytes are taken at most by steps that have not been found in the other trace, but may be farther on.
-constexpr std::size_t most_waiting = 24'000'000;
-
 /// The primitives that a trace tells in parts.
-std::set<std::string> cut_in(const TraceText& text) {
+std::set<std::string> cut_in(const Trace& trace) {
     std::set<std::string> cut;
-    const auto& stages = text.header().stages;
-    const bool may_clip = text.header_json().find("\"stages\"") == std::string::npos ||
-                          std::find(stages.begin(), stages.end(), "clip") != stages.end();
-    if (may_clip)
-        StepLines(text).pass_all_lines([&cut](std::string_view line, LinePlace) {
-            if (seen_in(line).what != SeenStep::What::primitive)
-                return;
-            const auto step = StepView(step_of_line(line)).as<PrimitiveStep>();
-            if (step.part.is_true())
-                cut.insert(name_of_whole(step));
-        });
+    for (const std::size_t n : trace.steps_of({StepKind::primitive}))
+        if (const auto step = trace.step(n).as<PrimitiveStep>(); step.part.is_true())
+            cut.insert(name_of_whole(step));
     return cut;
+}
+
+/// "" for 0.
+std::string name_of_primitive(const Trace& trace, std::size_t n) {
+    return n == 0 ? "" : name_in(trace.step(n)).text();
 }
 
 /// Finds the primitives that one side tells in parts, and the other draws whole.
 void find_wholes(DiffSide& side, const std::set<std::string>& cut, const DiffSide& other,
                  const std::set<std::string>& cut_in_other) {
     std::string name;
-    StepLines(other.text).pass_all_lines([&](std::string_view line, LinePlace) {
-        const SeenStep seen = seen_in(line);
-        const StepView step(step_of_line(line));
-        if (seen.what == SeenStep::What::primitive)
-            name = name_in(step).text();
+    const Trace& trace = other.trace;
+    for (const std::size_t n :
+         trace.steps_of({StepKind::primitive, StepKind::clip, StepKind::pixel})) {
+        const auto kind = trace.kind_of(n);
+        if (kind == StepKind::primitive)
+            name = name_in(trace.step(n)).text();
         if (!cut.contains(name) || cut_in_other.contains(name))
-            return;
+            continue;
         // Clipped there, too, and not drawn, it has lost its parts.
-        if (step.kind() == StepKind::clip)
+        if (kind == StepKind::clip)
             side.whole_in_other.erase(name);
-        else if (seen.what != SeenStep::What::other)
+        else
             side.whole_in_other.insert(name);
-    });
+    }
 }
 
-/// True if what follows the last step of a side is not known.
-bool breaks_off(const DiffSide& side) {
-    return side.breaks_off || side.lines.is_cut_off();
-}
-
-/// The bytes that two texts have in common at their front.
-std::size_t common_front(std::string_view a, std::string_view b) {
-    const std::size_t size = std::min(a.size(), b.size());
-    if (size == 0 || std::memcmp(a.data(), b.data(), size) == 0)
-        return size;
-    const auto end = a.begin() + static_cast<std::ptrdiff_t>(size);
-    return static_cast<std::size_t>(std::mismatch(a.begin(), end, b.begin()).first - a.begin());
+/// True if two traces tell the same at two steps.
+bool are_same(const DiffSide& a, std::size_t in_a, const DiffSide& b, std::size_t in_b) {
+    return a.trace.kind_of(in_a) == b.trace.kind_of(in_b) &&
+           a.trace.step(in_a).json() == b.trace.step(in_b).json();
 }
 
 } // namespace
 
-bool DiffSide::tells_part(std::string_view line) const {
+bool DiffSide::tells_part(std::size_t n) const {
     if (whole_in_other.empty())
         return false;
-    const StepView step(step_of_line(line));
-    if (step.kind() == StepKind::vertex) {
+    const auto kind = trace.kind_of(n);
+    const StepView step = trace.step(n);
+    if (kind == StepKind::vertex) {
         const std::string name = name_in(step).text();
         const std::size_t colon = name.rfind(':');
         return colon != std::string::npos && whole_in_other.contains(name.substr(0, colon));
     }
-    return step.kind() == StepKind::primitive && step.as<PrimitiveStep>().part.is_true() &&
+    return kind == StepKind::primitive && step.as<PrimitiveStep>().part.is_true() &&
            whole_in_other.contains(name_of_whole(step.as<PrimitiveStep>()));
 }
 
-void DiffSide::see(const SeenStep& step, std::string_view line, LinePlace place) {
+void DiffSide::pass() {
+    const std::size_t n = steps.next();
+    steps.pass();
+    const SeenStep step = seen_in(trace, n);
     const bool is_primitive = step.what == SeenStep::What::primitive;
-    const bool is_part = is_primitive && tells_part(line);
+    const bool is_part = is_primitive && tells_part(n);
     if (picture)
         picture->see(step, is_part);
     tells_colors = tells_colors || step.color.has_value();
     if (!is_primitive || is_part)
         return;
-    primitives.push_back(place);
-    begin = place;
-    json = step_of_line(line);
-}
-
-void DiffSide::pass(const StepLine& line) {
-    see(seen_in(line.json), line.json, line.place);
-    lines.pass();
-}
-
-std::string DiffSide::step_at(LinePlace place, std::size_t end) const {
-    StepLines from(text, place, end);
-    const StepLine* const step = from.front();
-    return step == nullptr ? "" : step->json;
+    primitives.push_back(n);
+    primitive_step = n;
 }
 
 OwnerOfPixels DiffSide::primitive(std::uint32_t number) const {
     if (number == 0)
         return {};
-    const auto owner_at = [this](std::size_t i) {
-        const bool is_last = i + 1 == primitives.size();
-        return owner_in(step_at(primitives[i], is_last ? nowhere : primitives[i + 1].offset));
-    };
+    const auto owner_at = [this](std::size_t i) { return owner_in(trace, primitives[i]); };
     OwnerOfPixels owner = owner_at(number - 1);
     // What is cut is told in front of its parts, with the vertices that it has in the scene.
     if (owner.face != owner.name)
@@ -129,12 +103,12 @@ OwnerOfPixels DiffSide::primitive(std::uint32_t number) const {
     return owner;
 }
 
-TraceComparison::TraceComparison(const TraceText& a, const TraceText& b, const DiffOptions& options)
+TraceComparison::TraceComparison(const Trace& a, const Trace& b, const DiffOptions& options)
     : options_(options), compared_(a, b, options), has_primitives_(compared_.has_primitives()),
-      fields_(options, (a.header().method_value("scalar") == "float" ? 1 : 0) +
-                           (b.header().method_value("scalar") == "float" ? 1 : 0)),
+      fields_(options, (a.method_value("scalar") == "float" ? 1 : 0) +
+                           (b.method_value("scalar") == "float" ? 1 : 0)),
       a_(a, true, options.keys), b_(b, false, options.keys), tally_(options.compares_order),
-      bytes_to_search_(a.size() + b.size()), remarks_(compared_.remarks()) {
+      steps_to_search_(a.size() + b.size()), remarks_(compared_.remarks()) {
     if (!has_primitives_)
         return;
     const std::set<std::string> cut_in_a = cut_in(a);
@@ -156,13 +130,12 @@ void TraceComparison::run() {
 
 std::vector<Problem> TraceComparison::damage() const {
     std::vector<Problem> damage;
-    for (const DiffSide* const side : {&a_, &b_}) {
-        if (!side->lines.is_cut_off())
+    for (const Trace* const trace : {&a_.trace, &b_.trace}) {
+        if (!trace->cut_short)
             continue;
-        const LinePlace end = side->lines.place();
-        damage.push_back(problem_of(side->text.name(), truncation_after(end.steps)));
-        if (side->text.has_lines()) {
-            damage.back().line = end.lines + 2;
+        damage.push_back(problem_of(trace->source().name, trace->cut_short->message));
+        if (trace->source().is_read) {
+            damage.back().line = trace->cut_short->line;
             damage.back().column = 1;
         }
     }
@@ -181,7 +154,7 @@ std::optional<std::pair<PictureDifference, Consequences>> TraceComparison::pictu
                        .has_owners = has_primitives_,
                        .has_colors = has_primitives_ && tell_colors};
     if (const auto& first = tally_.first())
-        scope.reach.emplace(*first);
+        scope.reach.emplace(*first, a_.trace, b_.trace);
     return difference_between(*a_.picture, *b_.picture, owners, scope);
 }
 
@@ -198,13 +171,15 @@ bool TraceComparison::compare_in_order() {
     begin_section();
     for (;;) {
         compare_section(a_, b_);
-        if (is_cut_off())
+        if ((a_.steps.is_behind() && a_.breaks_off) || (b_.steps.is_behind() && b_.breaks_off))
             return true;
-        const StepLine* const a = a_.lines.front();
-        const StepLine* const b = b_.lines.front();
-        if (a == nullptr && b == nullptr)
+        const bool has_a = !a_.steps.is_behind();
+        const bool has_b = !b_.steps.is_behind();
+        if (!has_a && !has_b)
             return true;
-        if (a == nullptr || b == nullptr || !begin_same_primitive(a->json, b->json)) {
+        if (!has_a || !has_b ||
+            !begin_same_primitive(a_.trace.step(a_.steps.next()).as<PrimitiveStep>(),
+                                  b_.trace.step(b_.steps.next()).as<PrimitiveStep>())) {
             common_primitives_ = static_cast<std::uint32_t>(a_.primitives.size());
             return false;
         }
@@ -214,21 +189,20 @@ bool TraceComparison::compare_in_order() {
 
 /// Goes past the steps that begin a primitive in both traces, and compares them.
 void TraceComparison::begin_primitive(DiffSide& a, DiffSide& b) {
-    const StepLine of_a = *a.lines.front();
-    const StepLine of_b = *b.lines.front();
-    a.pass(of_a);
-    b.pass(of_b);
+    const KeyedStep of_a = *a.steps.front();
+    const KeyedStep of_b = *b.steps.front();
+    a.pass();
+    b.pass();
     begin_section();
     compare(of_a, of_b);
 }
 
 void TraceComparison::begin_section() {
-    tally_.begin_section(
-        {.json_a = a_.json, .json_b = b_.json, .begin_a = a_.begin, .begin_b = b_.begin});
-    is_compared_ = compared_.has_primitive(name_in(StepView(a_.json)).text());
+    tally_.begin_section({.a = a_.primitive_step, .b = b_.primitive_step});
+    is_compared_ = compared_.has_primitive(name_of_primitive(a_.trace, a_.primitive_step));
 }
 
-void TraceComparison::compare(const StepLine& a, const StepLine& b) {
+void TraceComparison::compare(const KeyedStep& a, const KeyedStep& b) {
     ++gap_;
     if (!compared_.has(a) || !is_compared_)
         return;
@@ -240,12 +214,15 @@ void TraceComparison::compare(const StepLine& a, const StepLine& b) {
 /// Compares the steps up to the next primitive.
 void TraceComparison::compare_section(DiffSide& a, DiffSide& b) {
     for (;;) {
-        pass_equal_lines(a, b);
-        const StepLine* const of_a = next_compared(a);
-        const StepLine* const of_b = next_compared(b);
+        pass_equal_steps(a, b);
+        const KeyedStep* const of_a = next_compared(a);
+        const KeyedStep* const of_b = next_compared(b);
         if (of_a == nullptr && of_b == nullptr)
             break;
-        if ((of_a == nullptr && breaks_off(a)) || (of_b == nullptr && breaks_off(b))) {
+        const auto is_broken = [](const KeyedStep* next, const DiffSide& side) {
+            return next == nullptr && side.breaks_off && side.steps.is_behind();
+        };
+        if (is_broken(of_a, a) || is_broken(of_b, b)) {
             give_up_waiting(true);
             break;
         }
@@ -254,42 +231,36 @@ void TraceComparison::compare_section(DiffSide& a, DiffSide& b) {
             put_aside(of_a != nullptr ? a : b, 1);
         } else if (of_a->key == of_b->key) {
             compare(*of_a, *of_b);
-            a.pass(*of_a);
-            b.pass(*of_b);
+            a.pass();
+            b.pass();
         } else {
             realign(a, b);
         }
-        if (waiting_a_.bytes() + waiting_b_.bytes() > most_waiting)
-            give_up_waiting();
     }
     give_up_waiting();
 }
 
 /// The next step of this primitive that is compared; those before are passed.
-const StepLine* TraceComparison::next_compared(DiffSide& side) {
-    while (const StepLine* const step = ahead(side, 0)) {
+const KeyedStep* TraceComparison::next_compared(DiffSide& side) {
+    while (const KeyedStep* const step = ahead(side, 0)) {
         if (is_compared_ && has(side, *step))
             return step;
-        side.pass(*step);
+        side.pass();
     }
     return nullptr;
 }
 
 /// The i-th step ahead, if it is of this primitive.
-const StepLine* TraceComparison::ahead(DiffSide& side, std::size_t i) const {
-    const StepLine* const step = side.lines.at(i);
-    return step == nullptr || begins_section(side, *step) ? nullptr : step;
+const KeyedStep* TraceComparison::ahead(DiffSide& side, std::size_t i) const {
+    const KeyedStep* const step = side.steps.at(i);
+    return step == nullptr || begins_section(side, step->number) ? nullptr : step;
 }
 
 /// The next steps are not alike.
 void TraceComparison::begin_gap(const DiffSide& a, const DiffSide& b) {
     ++gap_;
-    const auto here = [](const DiffSide& side) {
-        const StepLine* const step = side.lines.ahead();
-        return step == nullptr ? side.lines.place() : step->place;
-    };
     if (!first_gap_)
-        first_gap_ = DiffGap{gap_, here(a), here(b)};
+        first_gap_ = DiffGap{gap_, a.steps.next(), b.steps.next()};
 }
 
 /// Puts as few steps aside as it takes to have the same step next in both traces.
@@ -298,8 +269,8 @@ void TraceComparison::realign(DiffSide& a, DiffSide& b) {
     std::unordered_map<std::string_view, std::size_t> places_a;
     std::unordered_map<std::string_view, std::size_t> places_b;
     for (std::size_t i = 0; i < farthest_look; ++i) {
-        const StepLine* const of_a = ahead(a, i);
-        const StepLine* const of_b = ahead(b, i);
+        const KeyedStep* const of_a = ahead(a, i);
+        const KeyedStep* const of_b = ahead(b, i);
         if (of_a != nullptr && has(a, *of_a))
             places_a.emplace(of_a->key, i);
         if (of_b != nullptr && has(b, *of_b))
@@ -327,24 +298,28 @@ void TraceComparison::realign(DiffSide& a, DiffSide& b) {
     put_aside(b, farthest_look);
 }
 
-/// Passes the steps that one side has in front of what comes next in the other, if that stands there byte for byte.
+/// Passes the steps that one side has in front of what comes next in the other, if that stands there just so.
 bool TraceComparison::pass_gap(DiffSide& side, DiffSide& other) {
-    constexpr std::size_t lines_alike = 16;
-    const StepLine* const first = ahead(other, 0);
-    const StepLine* const behind = ahead(other, lines_alike);
-    const StepLine* const last_seen = ahead(side, farthest_look - 1);
-    if (first == nullptr || behind == nullptr || last_seen == nullptr)
+    constexpr std::size_t steps_alike = 16;
+    if (ahead(other, steps_alike) == nullptr || ahead(side, farthest_look - 1) == nullptr)
         return false;
-    std::string next(behind->place.offset - first->place.offset, '\0');
-    next.resize(other.text.read(first->place.offset, next));
-    const auto end = side.text.find("\n" + next, last_seen->place.offset, bytes_to_search_);
-    if (!end)
-        return false;
-    while (const StepLine* const step = ahead(side, 0)) {
-        if (step->place.offset > *end)
+    const auto goes_on_at = [&](std::size_t n) {
+        for (std::size_t i = 0; i < steps_alike; ++i)
+            if (!are_same(side, n + i, other, other.steps.next() + i))
+                return false;
+        return true;
+    };
+    std::size_t end = side.steps.next() + farthest_look;
+    for (;; ++end) {
+        if (end + steps_alike > side.trace.size() + 1 || steps_to_search_ == 0)
+            return false;
+        --steps_to_search_;
+        if (goes_on_at(end))
             break;
-        const StepLine one = *step;
-        side.pass(one);
+    }
+    while (side.steps.next() < end && ahead(side, 0) != nullptr) {
+        const KeyedStep one = *ahead(side, 0);
+        side.pass();
         if (has(side, one) && !finds_elsewhere(side, one))
             tally_.add_alone(gap_, side.is_a, one);
     }
@@ -355,24 +330,24 @@ bool TraceComparison::pass_gap(DiffSide& side, DiffSide& other) {
 void TraceComparison::put_aside(DiffSide& side, std::size_t steps) {
     WaitingSteps& own = side.is_a ? waiting_a_ : waiting_b_;
     for (; steps > 0 && ahead(side, 0) != nullptr; --steps) {
-        StepLine step = *ahead(side, 0);
-        side.pass(step);
+        KeyedStep step = *ahead(side, 0);
+        side.pass();
         if (has(side, step) && !finds_elsewhere(side, step))
             own.add(std::move(step), gap_);
     }
 }
 
 /// True if a step of one side waits in the other trace: it stands elsewhere there.
-bool TraceComparison::finds_elsewhere(const DiffSide& side, const StepLine& step) {
-    WaitingSteps::Step other;
-    if (!(side.is_a ? waiting_b_ : waiting_a_).take(step.key, other))
+bool TraceComparison::finds_elsewhere(const DiffSide& side, const KeyedStep& step) {
+    const auto other = (side.is_a ? waiting_b_ : waiting_a_).take(step.key);
+    if (!other)
         return false;
-    const StepLine& a = side.is_a ? step : other.line;
-    const StepLine& b = side.is_a ? other.line : step;
-    tally_.add_moved(other.gap, a, b);
+    const KeyedStep& a = side.is_a ? step : other->step;
+    const KeyedStep& b = side.is_a ? other->step : step;
+    tally_.add_moved(other->gap, a, b);
     auto fields = fields_.differing(a, b);
     if (!fields.empty())
-        tally_.add_changed(other.gap, a, b, std::move(fields));
+        tally_.add_changed(other->gap, a, b, std::move(fields));
     return true;
 }
 
@@ -381,49 +356,27 @@ void TraceComparison::give_up_waiting(bool breaks_off) {
     for (WaitingSteps* const waiting : {&waiting_a_, &waiting_b_})
         waiting->take_all([&](const WaitingSteps::Step& one) {
             if (!breaks_off || one.gap != gap_)
-                tally_.add_alone(one.gap, waiting == &waiting_a_, one.line);
+                tally_.add_alone(one.gap, waiting == &waiting_a_, one.step);
         });
 }
 
-/// Passes lines that are the same in both texts, without a look at what they say, but for the pictures.
-void TraceComparison::pass_equal_lines(DiffSide& a, DiffSide& b) {
-    for (;;) {
-        const std::string_view in_a = a.lines.unread_lines();
-        const std::size_t same = common_front(in_a, b.lines.unread_lines());
-        const std::size_t passed = pass_lines(a, b, in_a.substr(0, same));
-        if (passed == 0 || passed < same)
-            return;
-    }
-}
-
-/// Passes whole lines that are the same in both, to the next primitive if steps wait to be found. Returns how many
-/// bytes they have.
-std::size_t TraceComparison::pass_lines(DiffSide& a, DiffSide& b, std::string_view text) {
+/// Passes steps that are the same in both traces, to the next primitive if steps wait to be found.
+void TraceComparison::pass_equal_steps(DiffSide& a, DiffSide& b) {
     const bool waits = !waiting_a_.is_empty() || !waiting_b_.is_empty();
-    const LinePlace from_a = a.lines.place();
-    const LinePlace from_b = b.lines.place();
-    const auto in_b = [&](LinePlace in_a) {
-        return LinePlace{in_a.offset - from_a.offset + from_b.offset,
-                         in_a.steps - from_a.steps + from_b.steps,
-                         in_a.lines - from_a.lines + from_b.lines};
-    };
-    const LinePlace behind = a.lines.go_through(text, [&](std::string_view line, LinePlace place) {
-        const SeenStep step = seen_in(line);
-        const bool is_primitive = step.what == SeenStep::What::primitive && has_primitives_;
+    bool has_passed = false;
+    while (!a.steps.is_behind() && !b.steps.is_behind() &&
+           are_same(a, a.steps.next(), b, b.steps.next())) {
+        const bool is_primitive =
+            has_primitives_ && a.trace.kind_of(a.steps.next()) == StepKind::primitive;
         if (is_primitive && waits)
-            return false;
-        a.see(step, line, place);
-        b.see(step, line, in_b(place));
+            break;
+        a.pass();
+        b.pass();
+        has_passed = true;
         if (is_primitive)
             begin_section();
-        return true;
-    });
-    const std::size_t bytes = behind.offset - from_a.offset;
-    if (bytes > 0)
-        ++gap_;
-    b.lines.pass_lines(in_b(behind));
-    a.lines.pass_lines(behind);
-    return bytes;
+    }
+    gap_ += has_passed ? 1 : 0;
 }
 
 } // namespace rastertrace

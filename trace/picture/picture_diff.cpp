@@ -4,7 +4,6 @@
 #include "picture_trace.h"
 
 #include <rastertrace/trace/compare/diff_picture.h>
-#include <rastertrace/trace/record/step_lines.h>
 #include <rastertrace/trace/tell/step_text.h>
 #include <rastertrace/trace/text/color_text.h>
 #include <rastertrace/trace/text/language.h>
@@ -24,20 +23,20 @@ namespace {
 
 /// A trace's picture, and the step that begins each primitive.
 struct DrawnTrace {
+    const Trace& trace;
     OwnedPicture picture;
-    std::vector<std::string> primitives{};
+    std::vector<std::size_t> primitives{};
 
-    explicit DrawnTrace(const TraceText& trace) : picture(trace.header().canvas) {
-        StepLines(trace).pass_all_lines([this](std::string_view line, LinePlace) {
-            const SeenStep seen = seen_in(line);
-            picture.see(seen);
-            if (seen.what == SeenStep::What::primitive)
-                primitives.emplace_back(step_of_line(line));
-        });
+    explicit DrawnTrace(const Trace& of) : trace(of), picture(of.canvas) {
+        for (const std::size_t n : of.steps_of({StepKind::primitive, StepKind::pixel})) {
+            picture.see(seen_in(of, n));
+            if (of.kind_of(n) == StepKind::primitive)
+                primitives.push_back(n);
+        }
     }
 
     OwnerOfPixels owner(std::uint32_t number) const {
-        return number == 0 ? OwnerOfPixels{} : owner_in(primitives[number - 1]);
+        return owner_in(trace, number == 0 ? 0 : primitives[number - 1]);
     }
 };
 
@@ -203,7 +202,7 @@ PictureDiffOptions picture_options(const DiffOptions& options) {
     return of_pictures;
 }
 
-TraceDiff diff_with_picture(const TraceText& trace, const Picture& picture,
+TraceDiff diff_with_picture(const Trace& trace, const Picture& picture,
                             const PictureDiffOptions& options) {
     const DrawnTrace drawn(trace);
     const Canvas& canvas = drawn.picture.canvas();
@@ -211,11 +210,11 @@ TraceDiff diff_with_picture(const TraceText& trace, const Picture& picture,
         throw problem_of(options.name,
                          fmt::format("expected a picture of {}x{} pixels, as the canvas of {} has, "
                                      "found one of {}x{}",
-                                     canvas.width, canvas.height, trace.name(), picture.width,
-                                     picture.height));
+                                     canvas.width, canvas.height, trace.source().name,
+                                     picture.width, picture.height));
     PictureDiffOptions how = options;
     if (!how.background)
-        how.background = trace.header().background;
+        how.background = trace.background;
     const PictureHeldAgainst held(drawn.picture, picture, how);
     const OwnedPicture shown = held.on_canvas();
     const bool is_first = options.is_picture_first;
@@ -228,8 +227,8 @@ TraceDiff diff_with_picture(const TraceText& trace, const Picture& picture,
                              .has_colors = held.has_colors(),
                              .color_tolerance = options.color_tolerance,
                              .tells_owners = true};
-    TraceDiff found{.name_a = is_first ? options.name : trace.name(),
-                    .name_b = is_first ? trace.name() : options.name};
+    TraceDiff found{.name_a = is_first ? options.name : trace.source().name,
+                    .name_b = is_first ? trace.source().name : options.name};
     found.picture = difference_between(is_first ? shown : drawn.picture,
                                        is_first ? drawn.picture : shown, owners, scope)
                         .first;

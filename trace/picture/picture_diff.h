@@ -8,7 +8,7 @@
 #include "picture.h"
 
 #include <rastertrace/trace/compare/diff.h>
-#include <rastertrace/trace/record/trace_text.h>
+#include <rastertrace/trace/record/trace.h>
 
 #include <optional>
 #include <string>
@@ -30,7 +30,7 @@ PictureDiffOptions picture_options(const DiffOptions& options);
 
 /// Compares the final picture of a trace with another one, which has to be of its size. A remark says where another
 /// place or direction of the picture would explain (nearly) all. Throws a Problem.
-TraceDiff diff_with_picture(const TraceText& trace, const Picture& picture,
+TraceDiff diff_with_picture(const Trace& trace, const Picture& picture,
                             const PictureDiffOptions& options);
 
 } // namespace rastertrace

@@ -47,7 +47,6 @@ public:
         : kinds_(kinds), output_(output), is_document_(layout == TraceLayout::json) {
         Json head = Json::parse(header);
         head.erase("steps"); // of a document
-        head.erase("end");
         if (!kinds.empty())
             head["only"] = kinds;
         std::string text = head.dump();
@@ -98,15 +97,15 @@ private:
 
 } // namespace
 
-void write_excerpt(const Trace& trace, std::string_view header,
-                   const std::vector<std::string>& kinds, TraceLayout layout, Output& output) {
+void write_excerpt(const Trace& trace, const std::vector<std::string>& kinds, TraceLayout layout,
+                   Output& output) {
     if (!trace.damage.empty())
         throw trace.damage.front();
     for (const std::string& kind : kinds)
         if (const auto known = step_kind_named(kind); known && trace.lacks(*known))
             throw problem_of("", fmt::format("{} steps were left out of the trace", kind));
 
-    Excerpt excerpt(header, kinds, layout, output);
+    Excerpt excerpt(trace.header_json, kinds, layout, output);
     for (std::size_t n = 1; n <= trace.size(); ++n)
         excerpt.add(trace.step(n), trace.kind_of(n));
     excerpt.finish(trace.end);

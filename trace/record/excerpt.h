@@ -4,7 +4,7 @@
 // A part of a trace as a trace of its own: the steps of some kinds, as `rastertrace trace --only` writes them of a
 // scene. Whose trace it is does not matter, nor which layout it has.
 //
-//     write_excerpt(trace, text.header_json(), {"scanline", "pixel"}, TraceLayout::jsonl, output);
+//     write_excerpt(trace, {"scanline", "pixel"}, TraceLayout::jsonl, output);
 
 #include "trace.h"
 #include "trace_options.h"
@@ -12,14 +12,12 @@
 #include <rastertrace/trace/text/output.h>
 
 #include <string>
-#include <string_view>
 #include <vector>
 
 namespace rastertrace {
 
-/// Writes the steps of these kinds, or of all if none is named, one a line. `header` is the trace's own, as JSON. Throws
-/// a Problem if the trace is damaged, if it has left out steps of such a kind, or if the output cannot be written.
-void write_excerpt(const Trace& trace, std::string_view header,
-                   const std::vector<std::string>& kinds, TraceLayout layout, Output& output);
+/// Writes the steps of these kinds, or of all if none is named, one a line. Throws a Problem if the trace is damaged, if it has left out steps of such a kind, or if the output cannot be written.
+void write_excerpt(const Trace& trace, const std::vector<std::string>& kinds, TraceLayout layout,
+                   Output& output);
 
 } // namespace rastertrace

@@ -2,7 +2,7 @@
 #include "flat_steps.h"
 
 #include "step_kind.h"
-#include "step_lines.h"
+#include "trace.h"
 
 #include <rastertrace/trace/text/trace_layout.h>
 
@@ -27,7 +27,7 @@ void FlatSteps::take_line(std::string_view line) {
     const bool is_header = !std::exchange(is_behind_header_, true);
     if (is_header || is_end_line(line))
         return;
-    if (StepView(step_of_line(line)).kind() == StepKind::primitive)
+    if (StepView(line).kind() == StepKind::primitive)
         in_ = StepView(line).field("name").value_or("");
     text_ += fmt::format(R"({{"n":{},)", ++steps_);
     if (!in_.empty())

@@ -81,6 +81,13 @@ std::size_t Trace::offset_of(std::size_t n) const {
     return place_of(n).offset;
 }
 
+std::size_t Trace::line_of(std::size_t n) const {
+    if (!has_lines_ || !source_.is_read)
+        return 0;
+    const std::string_view before = text().substr(0, offset_of(n));
+    return static_cast<std::size_t>(std::count(before.begin(), before.end(), '\n')) + 1;
+}
+
 std::optional<StepKind> Trace::kind_of(std::size_t n) const {
     assert(n > 0 && n <= size());
     return steps_->kind(n, text());
@@ -111,6 +118,7 @@ Trace Trace::without_steps() const {
     excerpt.is_partial = is_partial;
     excerpt.left_out = left_out;
     excerpt.end = end;
+    excerpt.header_json = header_json;
     excerpt.numbers_give = numbers_give;
     if (text_of_file_.data() != nullptr) {
         excerpt.source_ = source_;

@@ -127,6 +127,10 @@ public:
     bool is_partial = false; ///< the header says that steps were left out: only, region, primitive
     LeftOut left_out;
     std::optional<EndRecord> end;
+    std::string header_json; ///< as it stands in front of the steps, an object of its own
+
+    /// Where the trace breaks off, if it does; among its damage too.
+    std::optional<Problem> cut_short;
 
     /// What is wrong with the trace though its whole steps can be used: cut short, pixels off the
     /// canvas, counts that do not agree. Empty for a sound trace.
@@ -154,8 +158,14 @@ public:
     /// Step n, from 1 to size().
     StepView step(std::size_t n) const;
 
+    /// What it was read from; of a trace that was drawn, the name of its scene.
+    const Source& source() const { return source_; }
+
     /// Where step n begins in the text that it was read from, in bytes. Not of a trace that was drawn.
     std::size_t offset_of(std::size_t n) const;
+
+    /// The line of the file that step n is in, from 1; 0 if it was read from no file, or has not one step a line.
+    std::size_t line_of(std::size_t n) const;
 
     /// The kind of step n, if we know it.
     std::optional<StepKind> kind_of(std::size_t n) const;
@@ -199,7 +209,6 @@ public:
 
 private:
     friend class TraceReader;
-    friend class GrowingTrace;
     friend class DrawnSteps;
 
     std::string_view text() const {
@@ -209,7 +218,8 @@ private:
 
     Source source_;
     std::string_view
-        text_of_file_; ///< of `source_`, if its file is mapped: as far as it has been read
+        text_of_file_;       ///< of `source_`, if its file is mapped: as far as it has been read
+    bool has_lines_ = false; ///< one step a line
     std::unique_ptr<StepPlaces> steps_;
     mutable std::unique_ptr<ReplayState> end_state_;
     std::vector<std::size_t> numbers_; ///< of an excerpt: those of its steps in the whole trace
@@ -259,7 +269,7 @@ inline StepNumbers Trace::steps_of(StepKindSet kinds, std::size_t first, std::si
 /// be shown: no header, a newer version, a line that is no step, or more steps than are wanted.
 Result<Trace> read_trace(Source source, std::size_t most_steps = any_number);
 
-/// The most steps of a trace, or of a block of one, that are told to be of no use before the reading ends.
+/// The most steps of a trace that are told to be of no use before the reading ends.
 inline constexpr std::size_t most_useless_steps = 100;
 
 /// The same for who wants to know all that is wrong: a step that cannot be used is damage, has no kind, and the rest is

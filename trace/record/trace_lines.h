@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// What is checked of a step, of a block of lines, and of the end record. The reader is in trace_reader.cpp.
+// What is checked of a step, and of the end record. The reader is in trace_reader.cpp.
 
-#include "frame.h"
-#include "step_counts.h"
 #include "step_kind.h"
 #include "trace.h"
 #include "traced_steps.h"
@@ -33,17 +31,6 @@ std::string truncation_after(std::size_t steps);
 
 /// That there are not as many as the end record says: `expected 62 steps as the end record says, found 61`.
 std::string disagreement(std::string_view told, std::string_view what, std::string_view found);
-
-/// What the blocks of a trace add up to, and what one tells the next.
-struct BlockSums {
-    StepCounts counts = {};
-    std::optional<ReplayState> state = {}; ///< that the steps lead to, if it is wanted
-    bool has_stray_pixel = false;          ///< one that the canvas has not; the first is told
-};
-
-/// Reads a part of a trace, with the header in front of it: who asks holds the whole against the end record. Takes the
-/// text of the source; if it fails, gives it back.
-Result<Trace> read_block(Source& source, bool to_tell, BlockSums& sums);
 
 /// True if an end record says something about the picture.
 bool tells_picture(const EndRecord& end);

@@ -2,10 +2,13 @@
 #include "trace_lines.h"
 
 #include "field_type.h"
+#include "frame.h"
 #include "header_check.h"
+#include "step_counts.h"
 #include "step_decoder.h"
 #include "step_places.h"
 #include "trace_keys.h"
+#include "traced_steps.h"
 #include "write_trace.h"
 
 #include <rastertrace/trace/text/byte_order_mark.h>
@@ -29,6 +32,27 @@
 
 namespace rastertrace {
 
+namespace {
+
+/// JSON without the blanks between its tokens.
+std::string compact(std::string_view json) {
+    std::string text;
+    bool is_in_string = false;
+    for (std::size_t i = 0; i < json.size(); ++i) {
+        const char c = json[i];
+        if (!is_in_string && (c == ' ' || c == '\t' || c == '\r' || c == '\n'))
+            continue;
+        text += c;
+        if (is_in_string && c == '\\')
+            text += json[++i];
+        else if (c == '"')
+            is_in_string = !is_in_string;
+    }
+    return text;
+}
+
+} // namespace
+
 /// Reads one trace. What makes the rest useless is thrown as a Problem; what does not is damage.
 class TraceReader {
 public:
@@ -39,19 +63,16 @@ public:
         to_tell, ///< such a step is damage, and the rest is read
     };
 
-    /// Of a block, what it adds is added to `sums`.
-    TraceReader(Source source, Care care, std::size_t most_steps, BlockSums* sums)
-        : care_(care), most_steps_(most_steps), is_block_(sums != nullptr),
-          sums_(sums != nullptr ? *sums : own_sums_) {
+    TraceReader(Source source, Care care, std::size_t most_steps)
+        : care_(care), most_steps_(most_steps) {
         trace_.source_ = std::move(source);
         if (trace_.source_.mapped)
             trace_.text_of_file_ = trace_.source_.view();
         trace_.steps_->set_file(trace_.source_.mapped);
     }
 
-    /// Reads what may be a trace, or a part of one.
-    static Result<Trace> read_with(Source& source, Care care, std::size_t most_steps = any_number,
-                                   BlockSums* sums = nullptr);
+    /// Reads what may be a trace.
+    static Result<Trace> read_with(Source source, Care care, std::size_t most_steps = any_number);
 
     Trace read() {
         const std::string_view first_line = line_at(0);
@@ -72,8 +93,8 @@ public:
         for (WrongForm& wrong : wrong_forms_)
             trace_.passed_over.push_back(
                 problem_at(source(), wrong.offset, std::move(wrong.message)));
-        if (own_sums_.state)
-            trace_.end_state_ = std::make_unique<ReplayState>(*std::move(own_sums_.state));
+        if (state_)
+            trace_.end_state_ = std::make_unique<ReplayState>(*std::move(state_));
         return std::move(trace_);
     }
 
@@ -102,6 +123,11 @@ private:
             throw document.problem();
         const JsonValue root = document.value().root();
         read_header(root);
+        for (const auto& [key, value] : root.members())
+            if (key.text != "steps" && key.text != "end")
+                trace_.header_json.append(trace_.header_json.empty() ? "{" : ",")
+                    .append(compact(text().substr(key.begin, value.end() - key.begin)));
+        trace_.header_json += "}";
         const auto steps = root.find("steps");
         if (!steps || steps->kind != JsonValue::Kind::array)
             fail(root.begin, R"(expected the key "steps" with an array, found none)");
@@ -119,6 +145,8 @@ private:
         if (!parsed)
             throw parsed.problem();
         read_header(parsed.value().root());
+        trace_.header_json = alone.text;
+        trace_.has_lines_ = true;
 
         const std::size_t last_byte = text().find_last_not_of(" \t\r\n");
         std::size_t offset = text().find('\n');
@@ -236,9 +264,10 @@ private:
     }
 
     void cut_short(std::size_t offset) {
-        if (!was_cut_short_)
-            trace_.damage.push_back(problem_at(source(), offset, truncation_after(trace_.size())));
-        was_cut_short_ = true;
+        if (trace_.cut_short)
+            return;
+        trace_.cut_short = problem_at(source(), offset, truncation_after(trace_.size()));
+        trace_.damage.push_back(*trace_.cut_short);
     }
 
     void read_header(const JsonValue& header) {
@@ -291,8 +320,8 @@ private:
                 read_stage(stage);
         read_left_out(header);
         note_wrong_forms(header, header_keys);
-        if (care_ != Care::none && !is_block_)
-            sums_.state.emplace(trace_.canvas, FrameParts{.writes = true, .depths = true});
+        if (care_ != Care::none)
+            state_.emplace(trace_.canvas, FrameParts{.writes = true, .depths = true});
     }
 
     /// A named set stands for all that it sets, as in a scene. What the header says itself wins; the numbers
@@ -385,8 +414,8 @@ private:
             if (const auto* const pixel = std::get_if<PixelStep>(&step_);
                 pixel != nullptr && care_ != Care::none)
                 check_pixel(lines_.end, pixel->x, pixel->y);
-            sums_.counts.add(static_cast<StepKind>(step_.index()));
-            if (sums_.state)
+            counts_.add(static_cast<StepKind>(step_.index()));
+            if (state_)
                 play_step();
             lines_.kinds.push_back(static_cast<std::uint8_t>(step_.index()));
             lines_.sizes.push_back(static_cast<std::uint16_t>(size));
@@ -413,7 +442,7 @@ private:
 
     void play_step() {
         std::visit(
-            [&state = *sums_.state](const auto& step) {
+            [&state = *state_](const auto& step) {
                 if constexpr (requires { state.take(step); })
                     state.take(step);
                 else
@@ -449,7 +478,7 @@ private:
     void add_usable_step(std::size_t begin, std::size_t size) {
         const std::string_view json = text().substr(begin, size);
         if (care_ == Care::none) {
-            sums_.counts.add(kind_of_plain_step(json));
+            counts_.add(kind_of_plain_step(json));
             trace_.steps_->add({.offset = begin,
                                 .length = static_cast<std::uint32_t>(size),
                                 .kind = kind_of_plain_step(json),
@@ -467,15 +496,15 @@ private:
         if (kind)
             note_not_finite(trace_.not_finite, source(), begin, json, *kind);
         if (!kind)
-            sums_.counts.add(StepView(json), kind);
+            counts_.add(StepView(json), kind);
         add_place(begin, size, kind);
     }
 
     void add_place(std::size_t begin, std::size_t size, std::optional<StepKind> kind) {
         if (kind)
-            sums_.counts.add(*kind);
-        if (sums_.state)
-            sums_.state->take(StepView(text().substr(begin, size)), kind);
+            counts_.add(*kind);
+        if (state_)
+            state_->take(StepView(text().substr(begin, size)), kind);
         trace_.steps_->add(
             {.offset = begin, .length = static_cast<std::uint32_t>(size), .kind = kind});
         constexpr std::size_t seldom = 4096;
@@ -489,9 +518,9 @@ private:
 
     /// The first pixel that is off the canvas is told.
     void check_pixel(std::size_t begin, Index x, Index y) {
-        if (sums_.has_stray_pixel || trace_.canvas.contains(x, y))
+        if (has_stray_pixel_ || trace_.canvas.contains(x, y))
             return;
-        sums_.has_stray_pixel = true;
+        has_stray_pixel_ = true;
         trace_.damage.push_back(problem_at(
             source(), begin,
             fmt::format("expected pixels on the canvas (x {}..{}, y {}..{}), found ({}, {})",
@@ -530,7 +559,7 @@ private:
     /// Says what is missing at the end, or does not agree with it.
     void compare_with_end() {
         if (!trace_.end) {
-            if (!was_cut_short_)
+            if (!trace_.cut_short)
                 trace_.damage.push_back(
                     problem_at(source(), text().size(),
                                "expected an end record, found none: the trace may be truncated"));
@@ -550,7 +579,7 @@ private:
             return; // nobody knows what they should have been
         if (!trace_.end->count.empty()) {
             for (const auto& [name, told] : trace_.end->count) {
-                if (const std::uint64_t steps = sums_.counts.of(name); steps != told)
+                if (const std::uint64_t steps = counts_.of(name); steps != told)
                     disagree(fmt::format("{}", told), name + " steps", steps);
             }
         }
@@ -559,20 +588,19 @@ private:
 
     /// The picture that the steps draw against the end record. A pixel off the canvas has been told already.
     void compare_picture_with_end() {
-        if (!sums_.state || sums_.has_stray_pixel || !tells_picture(*trace_.end))
+        if (!state_ || has_stray_pixel_ || !tells_picture(*trace_.end))
             return;
-        if (auto message = disagreement_of_picture(trace_, *trace_.end, sums_.state->frame().image))
+        if (auto message = disagreement_of_picture(trace_, *trace_.end, state_->frame().image))
             trace_.damage.push_back(problem_at(source(), end_offset_, *std::move(message)));
     }
 
     Trace trace_;
     Care care_;
     std::size_t most_steps_;
-    bool is_block_;
-    bool was_cut_short_ = false;
     std::size_t counted_ = 0; ///< of the bytes, see add_bytes_done
-    BlockSums own_sums_;
-    BlockSums& sums_; ///< the picture of its state is that of the end record
+    StepCounts counts_;
+    std::optional<ReplayState> state_; ///< that the steps lead to; its picture is the end record's
+    bool has_stray_pixel_ = false;     ///< one that the canvas has not; the first is told
     std::size_t end_offset_ = 0;
     std::size_t useless_steps_ = 0; ///< that are damage
     std::vector<WrongForm> wrong_forms_;
@@ -582,40 +610,32 @@ private:
 
 Result<Trace> read_written_trace(Source source) {
     try {
-        return TraceReader::read_with(source, TraceReader::Care::none);
+        return TraceReader::read_with(std::move(source), TraceReader::Care::none);
     } catch (const Problem& problem) {
         return problem;
     }
 }
 
-Result<Trace> TraceReader::read_with(Source& source, Care care, std::size_t most_steps,
-                                     BlockSums* sums) {
+Result<Trace> TraceReader::read_with(Source source, Care care, std::size_t most_steps) {
     // The mark that some editors put in front of UTF-8 says nothing.
     const std::size_t mark = size_of_mark(source.text);
     source.text.replace(0, mark, mark, ' ');
-    TraceReader reader(std::move(source), care, most_steps, sums);
+    TraceReader reader(std::move(source), care, most_steps);
     try {
         return reader.read();
     } catch (const Problem& problem) {
         // A zero byte is told first, wherever it is.
         auto zero = zero_byte_in(reader.source());
-        source = std::move(reader.trace_.source_);
         return zero ? *std::move(zero) : problem;
     }
 }
 
 Result<Trace> read_trace(Source source, std::size_t most_steps) {
-    return TraceReader::read_with(source, TraceReader::Care::to_use, most_steps);
-}
-
-Result<Trace> read_block(Source& source, bool to_tell, BlockSums& sums) {
-    return TraceReader::read_with(source,
-                                  to_tell ? TraceReader::Care::to_tell : TraceReader::Care::to_use,
-                                  any_number, &sums);
+    return TraceReader::read_with(std::move(source), TraceReader::Care::to_use, most_steps);
 }
 
 Result<Trace> read_trace_to_tell(Source source) {
-    return TraceReader::read_with(source, TraceReader::Care::to_tell);
+    return TraceReader::read_with(std::move(source), TraceReader::Care::to_tell);
 }
 
 } // namespace rastertrace

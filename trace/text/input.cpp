@@ -75,7 +75,8 @@ Result<Source> read_path(const std::string& path, InputFile::Kind kind, InputChe
     auto file = InputFile::open(path, kind);
     if (!file)
         return file.problem();
-    Source source{.name = file.value().name(), .text = {}, .file = file.value().id()};
+    Source source{
+        .name = file.value().name(), .text = {}, .file = file.value().id(), .is_read = true};
     try {
         std::size_t block = 0;
         if (kind == InputFile::Kind::any) // what another file names is no trace

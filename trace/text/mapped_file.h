@@ -15,10 +15,8 @@ namespace rastertrace {
 /// Somebody may cut the file short meanwhile: who looks at a byte that is gone is sent SIGBUS.
 class MappedFile {
 public:
-    /// Maps a regular file. Room for what may be added is set aside, if `may_grow`: those bytes may be looked at once
-    /// they are there. Throws a Problem that calls it by its name.
-    static std::shared_ptr<const MappedFile> of(int descriptor, const std::string& name,
-                                                bool may_grow = false);
+    /// Maps a regular file. Throws a Problem that calls it by its name.
+    static std::shared_ptr<const MappedFile> of(int descriptor, const std::string& name);
 
     MappedFile(const MappedFile&) = delete;
     MappedFile& operator=(const MappedFile&) = delete;
@@ -30,16 +28,11 @@ public:
     /// Gives back the memory of the bytes that have been looked at. Looked at again, they come from the file.
     void forget() const;
 
-    /// The first of its bytes, with what has been added since.
-    std::string_view first(std::size_t size) const { return {begin_, size}; }
-
 private:
-    MappedFile(const char* begin, std::size_t size, std::size_t room)
-        : begin_(begin), size_(size), room_(room) {}
+    MappedFile(const char* begin, std::size_t size) : begin_(begin), size_(size) {}
 
     const char* begin_;
     std::size_t size_;
-    std::size_t room_;
 };
 
 } // namespace rastertrace

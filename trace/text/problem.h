@@ -29,6 +29,7 @@ struct Source {
     std::string text;
     std::optional<FileId> file = {};               ///< which one it was, if it was a regular file
     std::shared_ptr<const MappedFile> mapped = {}; ///< of a large trace: in the place of `text`
+    bool is_read = false; ///< from a file or a pipe, whose lines can be named
 
     /// All that it says.
     std::string_view view() const;

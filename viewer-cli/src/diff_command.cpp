@@ -16,6 +16,7 @@
 #include <rastertrace/trace/picture/picture_diff.h>
 #include <rastertrace/trace/tell/step_text.h>
 #include <rastertrace/trace/text/text.h>
+#include <rastertrace/trace/text/trace_layout.h>
 
 #include <fmt/core.h>
 
@@ -42,18 +43,13 @@ SceneOptions options_of(const DiffCommand& command) {
 }
 
 /// Marks, on one side, the sentences of steps that tell something else than their numbers give, as `show` does.
-void mark_wrong_sentences(const TraceText& text, std::vector<DiffStep>& before,
+void mark_wrong_sentences(Trace& trace, std::vector<DiffStep>& before,
                           std::optional<DiffStep>& differing, std::vector<DiffStep>& after) {
-    if (text.size() > largest_marked_trace)
+    if (trace.source().view().size() > largest_marked_trace)
         return;
-    std::string json(text.size(), '\0');
-    json.resize(text.read(0, json));
-    Result<Trace> trace = read_trace(Source{text.name(), std::move(json)});
-    if (!trace)
-        return;
-    mark_wrong_steps(trace.value());
+    mark_wrong_steps(trace);
     const auto mark = [&trace](DiffStep& step) {
-        step.sentence += what_numbers_give(trace.value(), step.number);
+        step.sentence += what_numbers_give(trace, step.number);
     };
     std::for_each(before.begin(), before.end(), mark);
     if (differing)
@@ -69,12 +65,13 @@ TraceDiff diff_of_picture(const std::string& path, const Picture& picture,
     how.name = picture_path;
     how.is_picture_first = is_picture_first;
     how.background = command.background;
-    OpenedTrace opened = open_trace(path, command.input);
+    Source source = load_input(path, command.input);
     SceneOptions options = options_of(command);
-    const bool is_drawn = is_scene(opened);
+    const bool is_drawn = !is_trace(source);
     if (!is_drawn)
-        refuse_scene_options({path, {}, {}}, options);
-    TraceDiff found = diff_with_picture(trace_text(std::move(opened), path, options), picture, how);
+        refuse_scene_options(source, options);
+    TraceDiff found =
+        diff_with_picture(trace_to_compare(std::move(source), path, options), picture, how);
     const std::uint64_t differing = count_pixels(found);
     if (differing == 0)
         return found;
@@ -88,7 +85,7 @@ TraceDiff diff_of_picture(const std::string& path, const Picture& picture,
         SceneOptions other = options;
         other.method.emplace_back("sample", sample);
         const TraceDiff moved = diff_with_picture(
-            trace_text(open_trace(path, command.input), path, other), picture, how);
+            trace_to_compare(load_input(path, command.input), path, other), picture, how);
         if (const std::uint64_t left = count_pixels(moved); left * explains <= differing)
             found.remarks.push_back(
                 said({"with --sample {}: then {}", "com --sample {}: então {}"}, sample,
@@ -103,27 +100,28 @@ TraceDiff diff_of_traces(const std::string& path_a, const std::string& path_b,
                          const DiffCommand& command) {
     if (path_a == "-" && path_b == "-")
         throw problem_of("standard input", "expected one of the two there, found both");
-    OpenedTrace a = open_trace(path_a, command.input);
-    OpenedTrace b = open_trace(path_b, command.input);
+    Source source_a = load_input(path_a, command.input);
+    Source source_b = load_input(path_b, command.input);
     const SceneOptions options = options_of(command);
-    if (!is_scene(a) && !is_scene(b))
-        refuse_scene_options({path_a, {}, {}}, options);
-    const bool draws_a = is_scene(a);
-    const bool draws_b = is_scene(b);
-    TraceText given = trace_text(std::move(draws_a ? b : a), draws_a ? path_b : path_a, options);
+    const bool draws_a = !is_trace(source_a);
+    const bool draws_b = !is_trace(source_b);
+    if (!draws_a && !draws_b)
+        refuse_scene_options(source_a, options);
+    Trace given = trace_to_compare(std::move(draws_a ? source_b : source_a),
+                                   draws_a ? path_b : path_a, options);
     // A foreign trace, which says nothing of stages, may tell what the scene does not need.
     SceneOptions other_options = options;
     if (command.options.compares_common && draws_a != draws_b &&
-        given.header_json().find("\"stages\"") == std::string::npos)
+        given.header_json.find("\"stages\"") == std::string::npos)
         std::ranges::copy(every_stage_kept(), std::back_inserter(other_options.method));
-    TraceText other =
-        trace_text(std::move(draws_a ? a : b), draws_a ? path_a : path_b, other_options);
-    const TraceText& text_a = draws_a ? other : given;
-    const TraceText& text_b = draws_a ? given : other;
-    TraceDiff found = diff(text_a, text_b, command.options);
+    Trace other = trace_to_compare(std::move(draws_a ? source_a : source_b),
+                                   draws_a ? path_a : path_b, other_options);
+    Trace& a = draws_a ? other : given;
+    Trace& b = draws_a ? given : other;
+    TraceDiff found = diff(a, b, command.options);
     if (found.first) {
-        mark_wrong_sentences(text_a, found.before_a, found.first->a, found.after_a);
-        mark_wrong_sentences(text_b, found.before_b, found.first->b, found.after_b);
+        mark_wrong_sentences(a, found.before_a, found.first->a, found.after_a);
+        mark_wrong_sentences(b, found.before_b, found.first->b, found.after_b);
     }
     return found;
 }
@@ -136,15 +134,15 @@ TraceDiff diff_of_methods(const DiffCommand& command) {
     DiffCommand other = command;
     const auto changes = value_or_throw(parse_method({"--against", command.against}));
     other.method.insert(other.method.end(), changes.begin(), changes.end());
-    const auto text_by = [&path](const DiffCommand& method) {
-        OpenedTrace opened = open_trace(path, method.input);
-        if (!is_scene(opened))
-            refuse_scene_options({path, {}, {}}, options_of(method));
-        return trace_text(std::move(opened), path, options_of(method));
+    const auto trace_by = [&path](const DiffCommand& method) {
+        Source source = load_input(path, method.input);
+        if (is_trace(source))
+            refuse_scene_options(source, options_of(method));
+        return trace_to_compare(std::move(source), path, options_of(method));
     };
     // That the method differs is what was asked for.
     other.options.ignored.emplace_back("header");
-    TraceDiff found = diff(text_by(command), text_by(other), other.options);
+    TraceDiff found = diff(trace_by(command), trace_by(other), other.options);
     found.name_b += said({" with {}", " com {}"}, command.against);
     return found;
 }

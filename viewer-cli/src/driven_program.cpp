@@ -257,11 +257,11 @@ std::optional<DrivenFinding> DrivenProgram::compared(const std::string& referenc
                                                      FuzzKind kind) const {
     using Kind = DrivenFinding::Kind;
     try {
-        const TraceText expected(Source{"reference", reference, {}});
+        const Trace expected = value_or_throw(read_trace({"reference", reference}));
         TraceDiff found;
         const bool is_trace_answer = is_trace(theirs);
         if (is_trace_answer) {
-            found = diff(expected, TraceText(std::move(theirs)), options_);
+            found = diff(expected, value_or_throw(read_trace(std::move(theirs))), options_);
         } else if (picture_format(theirs)) {
             PictureDiffOptions how = picture_options(options_);
             how.name = theirs.name;
@@ -283,11 +283,10 @@ std::optional<DrivenFinding> DrivenProgram::compared(const std::string& referenc
                     remark_ = one;
             return std::nullopt;
         }
-        const Trace drawn = value_or_throw(read_trace({"reference", reference, {}}));
         if (!is_trace_answer) // why our drawing has that pixel, or has not
-            found.explanation = explanation_of_first_pixel(found, drawn);
-        return DrivenFinding{are_ties(found, drawn) ? Kind::ties : Kind::differs, diff_text(found),
-                             first_line_of(found)};
+            found.explanation = explanation_of_first_pixel(found, expected);
+        return DrivenFinding{are_ties(found, expected) ? Kind::ties : Kind::differs,
+                             diff_text(found), first_line_of(found)};
     } catch (const Problem& problem) {
         return DrivenFinding{Kind::no_answer, "", to_text(problem)};
     }

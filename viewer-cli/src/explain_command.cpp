@@ -9,21 +9,17 @@
 #include "shared_options.h"
 
 #include <rastertrace/trace/explain/explain.h>
-#include <rastertrace/trace/explain/steps_of_pixel.h>
 #include <rastertrace/trace/tell/step_text.h>
 #include <rastertrace/trace/text/text.h>
 
 #include <fmt/core.h>
 
-#include <filesystem>
 #include <map>
 #include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
-#include <system_error>
 #include <utility>
-#include <variant>
 
 namespace rastertrace {
 
@@ -35,24 +31,6 @@ Trace trace_against(const ExplainCommand& command, const InputFrames& input) {
     MethodOverrides method = command.method;
     method.insert(method.end(), changes.begin(), changes.end());
     return input.trace_by(input.first(), method);
-}
-
-bool is_regular_file(const std::string& path) {
-    std::error_code failed;
-    return std::filesystem::is_regular_file(path, failed);
-}
-
-/// The steps of a trace that its pixel needs; none of the others is kept.
-Trace steps_of_pixel(StepStream& stream, const ExplainCommand& command) {
-    StepsOfPixel chosen(stream.header(), command.question.pixel);
-    while (stream.next())
-        chosen.take(stream.step(), stream.kind(), stream.number());
-    Trace excerpt = std::move(chosen).finish();
-    excerpt.title = shown_title(excerpt.title, command.trace);
-    excerpt.end = stream.end();
-    excerpt.damage = stream.damage();
-    excerpt.not_finite = stream.not_finite();
-    return excerpt;
 }
 
 /// What the trace drawn by another method answers; that it has no answer is one too.
@@ -96,14 +74,7 @@ int run(const ExplainCommand& command) {
         const Trace against = trace_against(command, input);
         return tell(command, input.trace(input.first()), &against);
     }
-    // A pipe is read step by step, and only what the pixel needs is held.
-    if (command.question.about != Topic::pixel || is_regular_file(command.trace))
-        return tell(command, load_trace(command.trace, options));
-    auto opened = open_input(command.trace, options);
-    if (auto* const steps = std::get_if<StepStream>(&opened))
-        return tell(command, steps_of_pixel(*steps, command));
-    InputFrames input(command.trace, std::get<Source>(std::move(opened)), options);
-    return tell(command, input.trace(input.first()));
+    return tell(command, load_trace(command.trace, options));
 }
 
 namespace {

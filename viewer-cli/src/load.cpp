@@ -25,21 +25,6 @@ namespace rastertrace {
 
 namespace {
 
-/// The trace of a picture in a file, if it is one.
-std::optional<Source> trace_of_picture(const std::string& path, const InputLimits& limits) {
-    const auto picture = picture_in_file(path, limits);
-    if (!picture)
-        return std::nullopt;
-    return Source{path, picture_trace(*picture), {}};
-}
-
-/// Reads a file that is a scene or a trace.
-Source read_input(const std::string& path, const InputLimits& limits) {
-    if (auto trace = trace_of_picture(path, limits))
-        return *std::move(trace);
-    return value_or_throw(read_source(path, limits));
-}
-
 [[noreturn]] void refuse_trace(const Source& source) {
     throw problem_of(source.name, "expected a scene, found a trace",
                      "a trace is drawn already; `show` and `stats` read it");
@@ -78,7 +63,7 @@ void refuse_scene_options(const Source& source, const SceneOptions& options) {
 }
 
 InputFrames::InputFrames(const std::string& path, const SceneOptions& options)
-    : InputFrames(path, read_input(path, options.limits), options) {}
+    : InputFrames(path, load_input(path, options.limits), options) {}
 
 InputFrames::InputFrames(const std::string& path, Source source, const SceneOptions& options)
     : path_(path), options_(options), source_(std::move(source)) {
@@ -173,42 +158,19 @@ std::optional<Picture> picture_in_file(const std::string& path, const InputLimit
     return value_or_throw(read_picture(value_or_throw(read_bytes(path, limits))));
 }
 
-std::variant<StepStream, Source> open_input(const std::string& path, const SceneOptions& options) {
-    if (auto trace = trace_of_picture(path, options.limits)) {
-        refuse_scene_options(*trace, options);
-        return *std::move(trace);
-    }
-    auto opened = open_steps(path, options.limits);
-    if (std::holds_alternative<StepStream>(opened))
-        refuse_scene_options({path == "-" ? "standard input" : path, {}, {}}, options);
-    return opened;
+Source load_input(const std::string& path, const InputLimits& limits) {
+    if (const auto picture = picture_in_file(path, limits))
+        return {path, picture_trace(*picture)};
+    return value_or_throw(read_source(path, limits));
 }
 
-OpenedTrace open_trace(const std::string& path, const InputLimits& limits) {
-    if (auto trace = trace_of_picture(path, limits))
-        return *std::move(trace);
-    return open_trace_text(path, limits);
-}
-
-bool is_scene(const OpenedTrace& opened) {
-    const auto* const source = std::get_if<Source>(&opened);
-    return source != nullptr && !is_trace(*source);
-}
-
-TraceText trace_text(OpenedTrace opened, const std::string& path, const SceneOptions& options) {
-    if (auto* const text = std::get_if<TraceText>(&opened))
-        return std::move(*text);
-    Source source = std::get<Source>(std::move(opened));
+Trace trace_to_compare(Source source, const std::string& path, const SceneOptions& options) {
     if (is_trace(source))
-        return TraceText(std::move(source));
+        return value_or_throw(read_trace(std::move(source)));
     const std::string name = source.name;
     InputFrames input(path, std::move(source), options);
-    return TraceText(drawn_text(input.scene(input.first()), name, options.limits));
-}
-
-std::variant<StepStream, Source> open_input_or_claims(const std::string& path,
-                                                      const InputLimits& limits) {
-    return open_steps_or_claims(path, limits);
+    return value_or_throw(
+        read_written_trace(drawn_text(input.scene(input.first()), name, options.limits)));
 }
 
 PlannedScene load_scene(const std::string& path, const SceneOptions& options) {
@@ -217,7 +179,7 @@ PlannedScene load_scene(const std::string& path, const SceneOptions& options) {
 }
 
 Source load_scene_source(const std::string& path, const InputLimits& limits) {
-    Source source = read_input(path, limits);
+    Source source = load_input(path, limits);
     if (is_trace(source))
         refuse_trace(source);
     return source;

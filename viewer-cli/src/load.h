@@ -9,9 +9,7 @@
 #include <rastertrace/trace/check/check.h>
 #include <rastertrace/trace/check/claims.h>
 #include <rastertrace/trace/picture/picture.h>
-#include <rastertrace/trace/record/step_stream.h>
 #include <rastertrace/trace/record/trace.h>
-#include <rastertrace/trace/record/trace_text.h>
 #include <rastertrace/trace/scene/scene_file.h>
 #include <rastertrace/trace/text/output.h>
 #include <rastertrace/trace/text/problem.h>
@@ -23,7 +21,6 @@
 #include <string>
 #include <string_view>
 #include <utility>
-#include <variant>
 #include <vector>
 
 namespace rastertrace {
@@ -103,31 +100,17 @@ bool is_file(const std::filesystem::directory_entry& entry);
 /// Throws a Problem if a region does not lie on a canvas.
 void check_region(const Region& region, const Canvas& canvas);
 
-/// The steps of the trace in a file, to be read one by one; or the file whole, if it is a scene, or a trace that has
-/// not one step a line. Throws a Problem, as InputFrames does.
-std::variant<StepStream, Source> open_input(const std::string& path, const SceneOptions& options);
-
 /// The picture in a regular file, if it is one (picture.h). Throws a Problem for one that is damaged.
 std::optional<Picture> picture_in_file(const std::string& path, const InputLimits& limits);
 
-/// A trace that has not been gone through; or a file that has not one step a line, whole: it may be a scene.
-using OpenedTrace = std::variant<TraceText, Source>;
+/// Reads a file that is a scene, a trace or a picture, whose trace it returns. Throws a Problem.
+Source load_input(const std::string& path, const InputLimits& limits);
 
-/// Opens a file for trace_text. Throws a Problem, as InputFrames does.
-OpenedTrace open_trace(const std::string& path, const InputLimits& limits);
-
-/// True if it has to be drawn first.
-bool is_scene(const OpenedTrace& opened);
-
-/// The text of the trace that was opened, or of the scene, drawn. Options are about scenes only. Throws a Problem.
-TraceText trace_text(OpenedTrace opened, const std::string& path, const SceneOptions& options);
+/// The trace that was read, or that of the scene, drawn. Options are about scenes only. Throws a Problem.
+Trace trace_to_compare(Source source, const std::string& path, const SceneOptions& options);
 
 /// Throws a Problem if an option says how to draw what is drawn already.
 void refuse_scene_options(const Source& trace, const SceneOptions& options);
-
-/// The same for a file that may also hold claims.
-std::variant<StepStream, Source> open_input_or_claims(const std::string& path,
-                                                      const InputLimits& limits);
 
 /// The scene in a file: the frame that was chosen, or the first.
 PlannedScene load_scene(const std::string& path, const SceneOptions& options = {});

@@ -4,7 +4,7 @@
 // Who drew a pixel, asked of a trace that may have millions of steps: piece by piece, so that keys are heard meanwhile.
 //
 //     PixelQuestion question(trace, {4, 2});
-//     while (!question.answer()) question.look_on(100'000, true);
+//     while (!question.answer()) question.look_on(100'000);
 
 #include <rastertrace/trace/explain/explain.h>
 #include <rastertrace/trace/explain/steps_of_pixel.h>
@@ -24,19 +24,17 @@ public:
 
     Pixel pixel() const { return pixel_; }
 
-    /// Looks at so many steps more. `is_whole`: behind the last one the answer is known. False if there is nothing to
-    /// look at now.
-    bool look_on(std::size_t steps, bool is_whole) {
+    /// Looks at so many steps more; behind the last one the answer is known. False if it was.
+    bool look_on(std::size_t steps) {
         if (answer_)
             return false;
         const std::size_t last = std::min(trace_->size(), looked_at_ + steps);
-        const bool has_looked = looked_at_ < last;
         for (; looked_at_ < last; ++looked_at_) {
             const std::size_t n = looked_at_ + 1;
             steps_.take(trace_->step(n), trace_->kind_of(n), trace_->number_of(n));
         }
-        if (!is_whole || looked_at_ < trace_->size())
-            return has_looked;
+        if (looked_at_ < trace_->size())
+            return true;
         Trace excerpt = std::move(steps_).finish();
         excerpt.damage = trace_->damage;
         excerpt.end = trace_->end;

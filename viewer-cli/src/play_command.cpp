@@ -10,7 +10,6 @@
 #include "shared_options.h"
 #include "terminal_session.h"
 
-#include <rastertrace/trace/record/growing_trace.h>
 #include <rastertrace/trace/record/selector.h>
 #include <rastertrace/trace/text/output.h>
 #include <rastertrace/trace/text/process_files.h>
@@ -23,7 +22,6 @@
 #include <string>
 #include <string_view>
 #include <utility>
-#include <variant>
 #include <vector>
 
 namespace rastertrace {
@@ -45,57 +43,30 @@ SceneOptions scene_options(const PlayCommand& command) {
             .tells_steps = true};
 }
 
-/// The frames of a scene, or a trace that has not one step a line.
-PlayerInput input_from(std::shared_ptr<InputFrames> frames) {
-    return {.first_frame = frames->first(),
-            .last_frame = frames->last(),
-            .open = [frames](std::size_t frame) { return GrowingTrace(frames->trace(frame)); },
-            .label = [frames](std::size_t frame) { return frames->label(frame); }};
-}
-
-/// What the file holds; a trace has a title.
-std::variant<GrowingTrace, Source> opened(const PlayCommand& command) {
-    auto opened = GrowingTrace::open(command.trace, command.input);
-    if (auto* const trace = std::get_if<GrowingTrace>(&opened))
-        trace->name_untitled(shown_title("", command.trace));
-    return opened;
-}
-
-/// A file that is read step by step. It is opened once for the first frame, and again to be read again.
-PlayerInput input_from(const PlayCommand& command, GrowingTrace growing) {
-    auto first = std::make_shared<std::optional<GrowingTrace>>(std::move(growing));
-    return {.open = [command, first](std::size_t) {
-        if (*first) {
-            GrowingTrace trace = *std::exchange(*first, std::nullopt);
-            return trace;
-        }
-        if (command.trace == "-")
-            throw problem_of("standard input",
-                             "expected a file to be read again, found what can be read once");
-        auto again = opened(command);
-        auto* const trace = std::get_if<GrowingTrace>(&again);
-        if (trace == nullptr)
-            throw problem_of(command.trace,
-                             "expected a trace of one step a line, found something else");
-        return std::move(*trace);
-    }};
-}
-
+/// The frames of a scene, or a trace. It is read at once for the first frame, and again to be read again.
 PlayerInput open_input_of(const PlayCommand& command) {
-    auto input = opened(command);
-    if (auto* const trace = std::get_if<GrowingTrace>(&input)) {
-        refuse_scene_options({.name = command.trace, .text = {}}, scene_options(command));
-        return input_from(command, std::move(*trace));
-    }
-    Source& source = std::get<Source>(input);
+    Source source = value_or_throw(read_source_or_claims(command.trace, command.input));
     std::string path = command.trace;
     if (is_claims(source)) { // what they claim something of
         const Claims claims = value_or_throw(read_claims(std::move(source)));
         path = path_of_scene(claims);
         source = load_scene_of_claims(claims, command.input);
     }
-    return input_from(
-        std::make_shared<InputFrames>(path, std::move(source), scene_options(command)));
+    const auto frames =
+        std::make_shared<InputFrames>(path, std::move(source), scene_options(command));
+    if (frames->given_trace() == nullptr)
+        return {.first_frame = frames->first(),
+                .last_frame = frames->last(),
+                .open = [frames](std::size_t frame) { return frames->trace(frame); },
+                .label = [frames](std::size_t frame) { return frames->label(frame); }};
+    return {.open = [command, path, first = std::make_shared<bool>(true), frames](std::size_t) {
+        if (std::exchange(*first, false))
+            return frames->trace(1);
+        if (path == "-")
+            throw problem_of("standard input",
+                             "expected a file to be read again, found what can be read once");
+        return load_trace(path, scene_options(command));
+    }};
 }
 
 /// Where nothing can be taken over, the frame is printed.
@@ -152,7 +123,6 @@ void play(Player& player, const PlayCommand& command) {
     while (!player.wants_to_leave() && terminal.is_open()) {
         is_urgent = terminal.needs_redraw() || is_urgent;
         if (is_urgent || (!is_shown && Clock::now() - drawn >= between_screens)) {
-            player.look_for_change();
             screen = player_screen(player, terminal.size(), ability);
             terminal.show(screen.lines);
             drawn = Clock::now();
@@ -161,8 +131,7 @@ void play(Player& player, const PlayCommand& command) {
         }
         const bool has_worked = player.work();
         is_shown = is_shown && !has_worked;
-        terminal.wait(time_to_wait(player, has_worked, is_shown),
-                      player.playback().growing().pipe());
+        terminal.wait(time_to_wait(player, has_worked, is_shown));
         while (const auto key = terminal.key()) {
             player.press(*key, screen.places);
             is_urgent = true;
@@ -179,8 +148,6 @@ void play(Player& player, const PlayCommand& command) {
 int run(const PlayCommand& command) {
     if (!command.screen && !TerminalSession::is_possible())
         return show_instead(command);
-    if (command.trace == "-" && !command.screen)
-        print_error("rastertrace: standard input is kept in a temporary file\n");
     Player player(open_input_of(command), player_options(command));
     if (command.screen)
         print_screen(player, command);

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "playback.h"
 
-#include <rastertrace/trace/audit/redo.h>
 #include <rastertrace/trace/tell/describe.h>
 
 #include <algorithm>
@@ -10,9 +9,6 @@
 namespace rastertrace {
 
 namespace {
-
-/// Some milliseconds.
-constexpr std::size_t steps_at_once = 40'000;
 
 /// Sentences of so many steps before the current one are worked out on the way.
 constexpr std::size_t steps_before = 64;
@@ -25,30 +21,12 @@ constexpr std::size_t most_sentences = 2000;
 
 } // namespace
 
-Playback::Playback(GrowingTrace trace, std::size_t bytes, FaceGroups lettered)
-    : growing_(std::move(trace)), parts_(parts_for(View::writes, growing_.trace())),
-      replay_(growing_.trace(), parts_), around_(growing_.trace(), parts_),
-      snapshots_(growing_.trace(), parts_,
+Playback::Playback(Trace trace, std::size_t bytes, FaceGroups lettered)
+    : trace_(std::move(trace)), parts_(parts_for(View::writes, trace_)), replay_(trace_, parts_),
+      around_(trace_, parts_),
+      snapshots_(trace_, parts_,
                  bytes - std::min(bytes / 2, frames_at_hand * replay_.frame().bytes())),
-      is_marked_(growing_.is_whole()), lettered_(std::move(lettered)) {}
-
-bool Playback::read_on() {
-    const bool has_read = growing_.read_on();
-    // Finds the vertices of what has been read, so that no sentence has to wait for that.
-    around_.places_of({});
-    if (!is_marked_ && growing_.is_whole())
-        mark_wrong();
-    return snapshots_.read_on(steps_at_once) || has_read;
-}
-
-void Playback::mark_wrong() {
-    is_marked_ = true;
-    const Trace& read = trace();
-    if (read.size() == 0 || read.offset_of(read.size()) > largest_marked_trace)
-        return;
-    growing_.let_numbers_give(redo(read).wrong_steps);
-    sentences_.clear();
-}
+      lettered_(std::move(lettered)) {}
 
 void Playback::go_to(std::size_t n) {
     if (replay_.step() <= n && n - replay_.step() <= steps_before)
@@ -63,7 +41,7 @@ void Playback::go_to(std::size_t n) {
 
 const FaceGroups& Playback::faces() const {
     const Replay& farthest = snapshots_.farthest();
-    const bool is_at_end = growing_.is_whole() && farthest.step() == trace().size();
+    const bool is_at_end = farthest.step() == trace().size();
     const bool has_doubled = farthest.step() >= 2 * steps_of_faces_;
     if (steps_of_faces_ != farthest.step() && (is_at_end || has_doubled)) {
         faces_ = lettered_faces(farthest, lettered_);

@@ -1,16 +1,15 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// A trace that is gone through in both directions while it is still being read.
+// A trace that is gone through in both directions.
 //
-//     Playback playback(std::move(growing), bytes);
+//     Playback playback(std::move(trace), bytes);
 //     while (playback.read_on()) {}
 //     playback.go_to(31);
 //     playback.sentence_of(30);
 
 #include <rastertrace/figures/view.h>
 #include <rastertrace/trace/record/frame.h>
-#include <rastertrace/trace/record/growing_trace.h>
 #include <rastertrace/trace/record/snapshots.h>
 
 #include <cstddef>
@@ -23,22 +22,19 @@ class Playback {
 public:
     /// `bytes`: what pictures may take, those that are shown and those that are kept for going back. Faces that have
     /// `lettered` keep their letters.
-    Playback(GrowingTrace trace, std::size_t bytes, FaceGroups lettered = {});
+    Playback(Trace trace, std::size_t bytes, FaceGroups lettered = {});
     Playback(const Playback&) = delete;
     Playback& operator=(const Playback&) = delete;
 
-    const Trace& trace() const { return growing_.trace(); }
-    const GrowingTrace& growing() const { return growing_; }
+    const Trace& trace() const { return trace_; }
     const Snapshots& snapshots() const { return snapshots_; }
 
     /// True if depth tests are remembered: there is a depth buffer.
     bool has_depths() const { return parts_.depths; }
 
-    /// Reads a piece of the trace more, or goes through it once, for the pictures; false if there is nothing to do now.
-    /// When all of a trace that is not too large has been read, its steps are done again, to mark the wrong ones.
-    bool read_on();
+    /// Goes through a piece of the trace more, for the pictures; false if there is nothing to do any more.
+    bool read_on() { return snapshots_.read_on(steps_at_once); }
 
-    /// Goes to a step, up to the last one that has been read.
     void go_to(std::size_t n);
 
     /// The picture after the current step.
@@ -49,13 +45,14 @@ public:
     /// takes as long as going there.
     const std::string& sentence_of(std::size_t n) const;
 
-    /// The faces that have letters. As long as the trace is read, they may change.
+    /// The faces that have letters. As long as the trace is gone through, they may change.
     const FaceGroups& faces() const;
 
 private:
-    void mark_wrong();
+    /// Some milliseconds.
+    static constexpr std::size_t steps_at_once = 40'000;
 
-    GrowingTrace growing_;
+    Trace trace_;
     FrameParts parts_;
     Replay replay_;
 
@@ -65,8 +62,6 @@ private:
 
     Snapshots snapshots_;
     mutable std::map<std::size_t, std::string> sentences_; ///< of some steps, by number
-
-    bool is_marked_; ///< the sentences of wrong steps say so
 
     FaceGroups lettered_;
     mutable FaceGroups faces_;

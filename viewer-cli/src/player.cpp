@@ -11,7 +11,6 @@
 
 #include <algorithm>
 #include <charconv>
-#include <limits>
 #include <utility>
 
 namespace rastertrace {
@@ -27,57 +26,29 @@ Player::Player(PlayerInput input, const PlayerOptions& options)
     : input_(std::move(input)), options_(options), view_(options.view.value_or(View::plotted)),
       has_own_view_(options.view.has_value()) {
     open(input_.first_frame);
-    if (!options.step.empty())
-        begin_at(options.step);
-}
-
-/// Of a long trace so much is read that a step with a number is there. Of what is told otherwise there may be more than
-/// one, up to the end.
-void Player::begin_at(const std::string& text) {
-    const bool has_number = number_text::is_digit(text.front());
-    for (;;) {
-        const bool has_news = playback_->read_on();
-        const bool is_last =
-            playback_->growing().is_whole() || (!has_news && playback_->growing().pipe() < 0);
-        if (is_last || has_number) {
-            const auto selector = parse_selector({"--step", text, {}}, trace());
-            if (is_last || selector)
-                return move_to(
-                    value_or_throw(matching_step(value_or_throw(selector), trace(), "say which")));
-        }
-        if (!has_news)
-            playback_->growing().wait_for_pipe();
+    if (!options.step.empty()) {
+        const Selector selector = value_or_throw(parse_selector({"--step", options.step}, trace()));
+        move_to(value_or_throw(matching_step(selector, trace(), "say which")));
     }
 }
 
-/// The trace of a frame, as far as it can be read at once. The step stays the same, if there is one, or the last.
+/// Opens the trace of a frame. The step stays the same, if there is one, or the last.
 void Player::open(std::size_t frame) {
     const bool was_last = playback_ && step() == trace().size();
     const std::size_t before = playback_ ? step() : 0;
     auto opened = std::make_unique<Playback>(input_.open(frame), options_.bytes,
                                              playback_ ? playback_->faces() : FaceGroups());
-    opened->read_on();
     search_.reset();
     question_.reset();
     asked_ = Asked::nothing;
     playback_ = std::move(opened);
-    lost_.reset();
     frame_ = frame;
     if (!has_own_view_)
         view_ = default_view(trace());
     if (cursor_ && !trace().canvas.contains(cursor_->x, cursor_->y))
         cursor_.reset();
     set_cursor(cursor_);
-    wanted_ = was_last && before > 0 ? std::numeric_limits<std::size_t>::max() : before;
-    go_to_wanted();
-}
-
-/// False as long as the step has not been read.
-bool Player::go_to_wanted() {
-    if (!wanted_ || (trace().size() < *wanted_ && !playback_->growing().is_whole()))
-        return false;
-    show_step(std::min(*std::exchange(wanted_, std::nullopt), trace().size()));
-    return true;
+    show_step(was_last && before > 0 ? trace().size() : std::min(before, trace().size()));
 }
 
 /// Where what was open cannot be opened again, it stays.
@@ -87,13 +58,6 @@ void Player::open_or_tell(std::size_t frame) {
     } catch (const Problem& problem) {
         message_ = problem.message;
     }
-}
-
-/// Nothing of a file that was changed may be looked at, see GrowingTrace::change.
-bool Player::look_for_change() {
-    if (!lost_)
-        lost_ = playback_->growing().change();
-    return lost_.has_value();
 }
 
 std::string Player::frame_label() const {
@@ -118,12 +82,6 @@ void Player::press(const KeyPress& key, const ScreenPlaces& places) {
     message_.clear();
     working_from_ = std::min(working_from_, places.last_working);
     shown_scale_ = places.scale;
-    if (look_for_change()) {
-        const auto action = player_action_of(key.key);
-        if (action == PlayerAction::read_again || action == PlayerAction::quit)
-            act(*action);
-        return;
-    }
     if (key.key == "Click")
         return click(key, places);
     if (asked_ != Asked::nothing)
@@ -198,7 +156,6 @@ void Player::act(PlayerAction action) {
         return static_cast<int>(std::min(take_times(), most));
     };
     const bool has_count = !count_.empty();
-    wanted_.reset();
     switch (action) {
     case next:
         return move_by(take_times(), forward);
@@ -352,9 +309,7 @@ void Player::move_by(std::size_t count, Direction direction) {
     looks_at_cursor_ = false;
     const std::size_t last = trace().size();
     if (direction == Direction::forward && step() == last)
-        message_ = playback_->growing().is_whole()
-                       ? said({"this is the last step", "este é o último passo"})
-                       : said({"more is being read", "a leitura ainda não acabou"});
+        message_ = said({"this is the last step", "este é o último passo"});
     if (direction == Direction::back && step() == 0)
         message_ =
             said({"nothing is before the first step", "não há nada antes do primeiro passo"});
@@ -363,18 +318,14 @@ void Player::move_by(std::size_t count, Direction direction) {
 }
 
 bool Player::work() {
-    if (look_for_change())
-        return false;
-    const bool has_come = go_to_wanted();
     const bool has_searched = search_on();
     const bool has_read = playback_->read_on();
-    const bool has_asked =
-        question_ && question_->look_on(steps_at_once, playback_->growing().is_whole());
-    return has_come || has_searched || has_read || has_asked;
+    const bool has_asked = question_ && question_->look_on(steps_at_once);
+    return has_searched || has_read || has_asked;
 }
 
 bool Player::pass(double seconds) {
-    if (!is_playing_ || look_for_change())
+    if (!is_playing_)
         return false;
     constexpr double longest = 0.5; // who was stopped meanwhile missed nothing
     due_ += std::min(seconds, longest) * speed_;
@@ -382,7 +333,7 @@ bool Player::pass(double seconds) {
     const bool is_due = due_ >= 1;
     for (; due_ >= 1 && is_playing_; due_ -= 1) {
         if (step() == trace().size()) {
-            is_playing_ = !playback_->growing().is_whole();
+            is_playing_ = false;
             due_ = 0;
             break;
         }
@@ -424,7 +375,7 @@ void Player::set_cursor(std::optional<Pixel> pixel) {
     question_.reset();
     if (cursor_) {
         question_.emplace(trace(), *cursor_);
-        question_->look_on(steps_at_once, playback_->growing().is_whole());
+        question_->look_on(steps_at_once);
     }
 }
 

@@ -7,7 +7,7 @@
 //     player.press({"Right"});
 //     player.playback().step();  // 1
 //
-// Searching a long trace, reading it and asking about a pixel are done in pieces, by work(), so that a key is heard at
+// Searching a long trace, going through it and asking about a pixel are done in pieces, by work(), so that a key is heard at
 // once.
 
 #include "frame_text.h"
@@ -52,7 +52,7 @@ inline constexpr std::size_t largest_scale = 6;
 struct PlayerInput {
     std::size_t first_frame = 1;
     std::size_t last_frame = 1;
-    std::function<GrowingTrace(std::size_t frame)> open;
+    std::function<Trace(std::size_t frame)> open;
     std::function<std::string(std::size_t frame)> label = {}; ///< of a frame of several
 };
 
@@ -64,7 +64,7 @@ struct PlayerOptions {
 
 class Player {
 public:
-    /// Opens the first frame, and reads as far as the step to begin with. Throws a Problem.
+    /// Opens the first frame, and goes to the step to begin with. Throws a Problem.
     Player(PlayerInput input, const PlayerOptions& options);
 
     /// Does what a key says; a Click is about a place of the screen.
@@ -102,13 +102,6 @@ public:
     /// What was typed behind `/` or `b` so far, with that; nothing if nothing is being typed.
     std::optional<std::string> prompt() const;
 
-    /// Finds out whether the trace's file has been changed; true if it has: see lost(). To be asked before the screen is
-    /// drawn.
-    bool look_for_change();
-
-    /// Why the trace cannot be looked at any more: its file has been changed. It can be read again.
-    const std::optional<std::string>& lost() const { return lost_; }
-
     /// What is to be said of the last key; "" for nothing.
     const std::string& message() const { return message_; }
 
@@ -142,8 +135,6 @@ private:
 
     void open(std::size_t frame);
     void open_or_tell(std::size_t frame);
-    void begin_at(const std::string& text);
-    bool go_to_wanted();
     void act(PlayerAction action);
     bool act_in_help(const std::string& key);
     void type(const std::string& key);
@@ -194,8 +185,6 @@ private:
     std::size_t working_from_ = 0;
     std::size_t help_page_ = 0;
 
-    std::optional<std::string> lost_;
-    std::optional<std::size_t> wanted_; ///< a step to go to as soon as it has been read
     bool looks_at_cursor_ = false;
     std::optional<Pixel> cursor_;
     std::optional<PixelQuestion> question_;

@@ -215,10 +215,6 @@ std::string progress(const Player& player, std::size_t columns) {
         right +=
             said({"  searching, {:.0f} %, any key ends it", "  busca, {:.0f} %, uma tecla encerra"},
                  std::floor(100 * *searched));
-    if (!playback.growing().is_whole())
-        right += playback.growing().share() > 0 ? said({"  reading, {:.0f} %", "  lendo, {:.0f} %"},
-                                                       std::floor(100 * playback.growing().share()))
-                                                : said({"  reading", "  lendo"});
     if (!player.frame_label().empty())
         right += said({"  frame {}", "  quadro {}"}, printable(player.frame_label()));
     const std::string left = said({"step {} of {} ", "passo {} de {} "}, playback.step(), last);
@@ -328,19 +324,6 @@ PlayerScreen help_screen(const Player& player, TextSize size) {
                                           page + 1, pages),
                                      size.columns));
     return screen;
-}
-
-/// Of a trace that cannot be looked at any more.
-PlayerScreen lost_screen(const Player& player, TextSize size) {
-    const std::size_t columns = std::max<std::size_t>(size.columns, 1);
-    TextLines lines = wrapped(printable(*player.lost()) + ".", columns);
-    if (!player.message().empty())
-        append(lines, wrapped(printable(player.message()) + ".", columns));
-    lines.push_back(said({"r reads it again, q leaves", "r o lê de novo, q sai"}));
-    for (std::string& line : lines)
-        line = shortened(line, size.columns);
-    lines.resize(std::min(lines.size(), size.lines));
-    return {std::move(lines), {}};
 }
 
 /// A line, and from a column on another one beside it.
@@ -477,8 +460,6 @@ std::size_t least_below(std::size_t lines) {
 } // namespace
 
 PlayerScreen player_screen(const Player& player, TextSize size, const ScreenAbility& ability) {
-    if (player.lost())
-        return lost_screen(player, size);
     if (player.help_page() > 0)
         return help_screen(player, size);
     if (size.columns < least_columns || size.lines < least_lines)

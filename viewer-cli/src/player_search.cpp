@@ -78,8 +78,6 @@ bool Player::search_on() {
     const bool is_forward = search.direction == Direction::forward;
     for (std::size_t looked_at = 0; looked_at < search.at_once; ++looked_at) {
         const bool is_behind = is_forward ? search.place >= trace().size() : search.place <= 1;
-        if (is_behind && is_forward && !playback_->growing().is_whole() && looked_at == 0)
-            return false; // until more has been read
         if (is_behind) {
             message_ = search.missing;
             if (search.found != 0)

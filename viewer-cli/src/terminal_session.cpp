@@ -81,7 +81,7 @@ extern "C" void end_session_by_signal(int signal) {
     give_back_terminal();
     if (signal == SIGBUS) {
         go_on_alone();
-        // The bytes of a file are looked at in their place, see growing_trace.h.
+        // The bytes of a file are looked at in their place, see mapped_file.h.
         constexpr std::string_view text = "rastertrace: what was played cannot be read any more: "
                                           "its file was probably cut short\n";
         [[maybe_unused]] const auto written = ::write(STDERR_FILENO, text.data(), text.size());
@@ -208,18 +208,16 @@ TextSize TerminalSession::size() const {
     return size.columns == unknown.columns || size.lines == unknown.lines ? TextSize{80, 24} : size;
 }
 
-void TerminalSession::wait(int milliseconds, int other) {
+void TerminalSession::wait(int milliseconds) {
     if (shared.needs_redraw != 0)
         return;
-    std::array<pollfd, 2> sources{{{input_, POLLIN, 0}, {other, POLLIN, 0}}};
+    pollfd source{input_, POLLIN, 0};
     const timespec limit{milliseconds / 1000, milliseconds % 1000 * 1'000'000L};
     sigset_t signals{};
     ::sigprocmask(SIG_BLOCK, nullptr, &signals);
     ::sigdelset(&signals, SIGWINCH);
     ::sigdelset(&signals, SIGTSTP);
-    if (::ppoll(sources.data(), sources.size(), milliseconds < 0 ? nullptr : &limit, &signals) >
-            0 &&
-        sources[0].revents != 0)
+    if (::ppoll(&source, 1, milliseconds < 0 ? nullptr : &limit, &signals) > 0)
         read_keys();
 }
 

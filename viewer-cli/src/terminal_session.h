@@ -41,9 +41,8 @@ public:
 
     TextSize size() const;
 
-    /// Waits for a key, another size, or something to read at `other` (-1: nothing), so many milliseconds at most; for
-    /// ever if that is negative.
-    void wait(int milliseconds, int other = -1);
+    /// Waits for a key or another size, so many milliseconds at most; for ever if that is negative.
+    void wait(int milliseconds);
 
     /// The next key that was pressed. What may be the beginning of one is waited for a moment.
     std::optional<KeyPress> key();

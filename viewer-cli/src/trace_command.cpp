@@ -13,7 +13,6 @@
 #include <rastertrace/trace/record/excerpt.h>
 #include <rastertrace/trace/record/flat_steps.h>
 #include <rastertrace/trace/record/trace.h>
-#include <rastertrace/trace/record/trace_text.h>
 #include <rastertrace/trace/text/output.h>
 #include <rastertrace/trace/text/process_files.h>
 #include <rastertrace/trace/text/text.h>
@@ -119,11 +118,9 @@ void write_part(const Source& given, const TraceCommand& command, Output& output
     std::vector<std::string> kinds;
     for (const StepKind kind : command.filter.only.value_or(std::vector<StepKind>{}))
         kinds.emplace_back(name_of(kind));
-    const TraceText text(given);
     const Trace trace = value_or_throw(read_trace(given));
-    write_as_asked(command, output, [&](Output& lines) {
-        write_excerpt(trace, text.header_json(), kinds, layout_of(command), lines);
-    });
+    write_as_asked(command, output,
+                   [&](Output& lines) { write_excerpt(trace, kinds, layout_of(command), lines); });
     report_damage(trace);
 }
 

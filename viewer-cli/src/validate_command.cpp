@@ -12,7 +12,7 @@
 #include <rastertrace/trace/audit/stats_needs.h>
 #include <rastertrace/trace/check/check.h>
 #include <rastertrace/trace/check/claims.h>
-#include <rastertrace/trace/record/step_stream.h>
+#include <rastertrace/trace/record/trace.h>
 #include <rastertrace/trace/record/unknown_names.h>
 #include <rastertrace/trace/record/write_trace.h>
 #include <rastertrace/trace/scene/scene_file.h>
@@ -32,7 +32,6 @@
 #include <string>
 #include <string_view>
 #include <utility>
-#include <variant>
 #include <vector>
 
 namespace rastertrace {
@@ -90,30 +89,25 @@ void validate_scene(const Source& source, const InputLimits& limits, ValidatedFi
 struct StepsSeen {
     explicit StepsSeen(const Trace& header) : needs(header) {}
 
-    /// The next step, which `step_of` gives if it has to be looked at.
-    template <typename StepOf>
-    void add(std::optional<StepKind> kind, bool is_plain, const StepOf& step_of) {
-        ++count;
-        if (!is_plain)
-            unknown.add(step_of(), kind);
+    void add(const Trace& trace, std::size_t n) {
+        const auto kind = trace.kind_of(n);
+        if (!trace.is_plain(n))
+            unknown.add(trace.step(n), kind);
         if (kind == StepKind::primitive)
-            needs.begin(step_of().template as<PrimitiveStep>(), count);
+            needs.begin(trace.step(n).as<PrimitiveStep>(), n);
         else if (kind)
-            needs.add(*kind, count);
+            needs.add(*kind, n);
     }
 
-    std::uint64_t count = 0;
     UnknownNames unknown = {};
     StatsNeeds needs;
 };
 
 /// Behind the last step: what is wrong with the whole, what this program does not know, and what
 /// can be judged.
-void finish_trace(const Trace& header, const std::vector<Problem>& passed_over,
-                  const std::vector<Problem>& damage, const NotFiniteSteps& not_finite,
-                  StepsSeen& seen, ValidatedFile& file) {
-    file.add(passed_over);
-    file.add(damage);
+void finish_trace(const Trace& trace, StepsSeen& seen, ValidatedFile& file) {
+    file.add(trace.passed_over);
+    file.add(trace.damage);
     std::stable_sort(file.problems.begin(), file.problems.end(),
                      [](const Problem& a, const Problem& b) { return a.line < b.line; });
     const auto add_remark = [&file](const std::string& remark) {
@@ -121,7 +115,7 @@ void finish_trace(const Trace& header, const std::vector<Problem>& passed_over,
     };
     for (const std::string& remark : seen.unknown.remarks())
         add_remark(remark);
-    if (auto remark = not_finite.remark())
+    if (auto remark = trace.not_finite.remark())
         file.remarks.push_back(*std::move(remark));
 
     seen.needs.close();
@@ -130,31 +124,13 @@ void finish_trace(const Trace& header, const std::vector<Problem>& passed_over,
         std::erase_if(judged, [&findings = findings](StatsFinding finding) {
             return std::find(findings.begin(), findings.end(), finding) != findings.end();
         });
-        if (!header.is_partial)
+        if (!trace.is_partial)
             add_remark(fmt::format("stats cannot judge {}: {}", names_of(findings), lacks));
     }
-    file.about =
-        fmt::format("a trace of version {}, {}{}, complete; stats can judge {}", header.version,
-                    counted(seen.count, "step"), header.is_partial ? " (others were left out)" : "",
-                    judged.empty() ? "nothing of it" : names_of(judged));
-}
-
-/// A trace of one step a line, which may have any size.
-void validate_steps(StepStream& steps, ValidatedFile& file) {
-    steps.tell_all();
-    StepsSeen seen(steps.header());
-    try {
-        while (steps.next()) {
-            if (file.all_told())
-                file.add(steps.faults_in_step());
-            seen.add(steps.kind(), steps.is_plain(), [&] { return steps.step(); });
-        }
-    } catch (const Problem&) {
-        file.add(steps.damage());
-        throw;
-    }
-    finish_trace(steps.header(), steps.passed_over(), steps.damage(), steps.not_finite(), seen,
-                 file);
+    file.about = fmt::format("a trace of version {}, {}{}, complete; stats can judge {}",
+                             trace.version, counted(trace.size(), "step"),
+                             trace.is_partial ? " (others were left out)" : "",
+                             judged.empty() ? "nothing of it" : names_of(judged));
 }
 
 /// Does every step of a trace again, if none has been left out.
@@ -170,16 +146,15 @@ void validate_decisions(const Trace& trace, ValidatedFile& file) {
     file.about += fmt::format("; {} done again", counted(redone.values(), "number"));
 }
 
-/// A trace that has been read whole.
 void validate_trace(Source source, bool redoes, ValidatedFile& file) {
     const Trace trace = value_or_throw(read_trace_to_tell(std::move(source)));
     StepsSeen seen(trace);
     for (std::size_t n = 1; n <= trace.size(); ++n) {
         if (file.all_told())
             file.add(trace.faults_in_step(n));
-        seen.add(trace.kind_of(n), trace.is_plain(n), [&] { return trace.step(n); });
+        seen.add(trace, n);
     }
-    finish_trace(trace, trace.passed_over, trace.damage, trace.not_finite, seen, file);
+    finish_trace(trace, seen, file);
     if (redoes && file.is_valid())
         validate_decisions(trace, file);
 }
@@ -280,18 +255,7 @@ void validate_source(Source source, const ValidateCommand& command, ValidatedFil
 ValidatedFile validated(const std::string& path, const ValidateCommand& command) {
     ValidatedFile file{.name = path == "-" ? "standard input" : path};
     try {
-        if (command.redo) {
-            validate_source(load_scene_trace_or_claims(path, command.input), command, file);
-            return file;
-        }
-        auto opened = open_input_or_claims(path, command.input);
-        if (auto* const source = std::get_if<Source>(&opened)) {
-            validate_source(std::move(*source), command, file);
-        } else {
-            file.kind = SchemaKind::trace;
-            refuse_other_kind(file, command.kind);
-            validate_steps(std::get<StepStream>(opened), file);
-        }
+        validate_source(value_or_throw(read_source_or_claims(path, command.input)), command, file);
     } catch (const Problem& problem) {
         if (problem.cause == Problem::Cause::system)
             throw;

@@ -7,7 +7,7 @@
 #include <rastertrace/trace/compare/other_goldens.h>
 #include <rastertrace/trace/record/excerpt.h>
 #include <rastertrace/trace/record/step_kind.h>
-#include <rastertrace/trace/record/trace_text.h>
+#include <rastertrace/trace/record/trace.h>
 #include <rastertrace/trace/text/input.h>
 #include <rastertrace/trace/text/output.h>
 #include <rastertrace/trace/text/process_files.h>
@@ -27,7 +27,6 @@
 #include <string_view>
 #include <system_error>
 #include <utility>
-#include <variant>
 #include <vector>
 
 namespace rastertrace::matchers {
@@ -75,8 +74,8 @@ std::string golden_text(const TestedTrace& tested, const std::vector<std::string
                         const std::string& path) {
     std::string text;
     StringOutput output(text);
-    write_excerpt(trace_or_throw(tested), TraceText(Source{tested.name, tested.text}).header_json(),
-                  kinds, path.ends_with(".jsonl") ? TraceLayout::jsonl : TraceLayout::json, output);
+    write_excerpt(trace_or_throw(tested), kinds,
+                  path.ends_with(".jsonl") ? TraceLayout::jsonl : TraceLayout::json, output);
     return text;
 }
 
@@ -97,31 +96,33 @@ void renew(const std::string& path, const std::string& text) {
     std::cout << "[ RENEWED  ] " << printable(path) << std::endl;
 }
 
-TraceText golden_in(const std::string& path) {
+Trace golden_in(const std::string& path) {
     const ReadToReplace to_be_renewed;
     std::error_code error;
     if (!std::filesystem::exists(path, error))
         throw problem_of(path, "expected a golden, found no such file",
                          "this makes it: " + renewing_command());
-    auto opened = open_trace_text(path, InputLimits{});
-    if (auto* const text = std::get_if<TraceText>(&opened))
-        return std::move(*text);
-    Source source = std::get<Source>(std::move(opened));
-    if (!is_trace(source))
+    Result<Source> source = read_source(path, InputLimits{});
+    if (!source)
+        throw source.problem();
+    if (!is_trace(source.value()))
         throw problem_of(path, "expected a golden, found a file that is no trace");
-    return TraceText(std::move(source));
+    Result<Trace> golden = read_trace(std::move(source.value()));
+    if (!golden)
+        throw golden.problem();
+    return std::move(golden.value());
 }
 
 /// Throws a Problem if kinds that are to be compared were not stored.
-void expect_kinds_stored(const TraceText& golden, const std::vector<std::string>& kinds) {
-    const auto& only = golden.header().left_out.only;
+void expect_kinds_stored(const Trace& golden, const std::vector<std::string>& kinds) {
+    const auto& only = golden.left_out.only;
     if (!only)
         return;
     const auto is_stored = [&only](const std::string& kind) {
         return std::find(only->begin(), only->end(), kind) != only->end();
     };
     if (!std::all_of(kinds.begin(), kinds.end(), is_stored))
-        throw problem_of(golden.name(),
+        throw problem_of(golden.source().name,
                          fmt::format("expected a golden with steps of {}, found one with {}",
                                      printable(joined(kinds, ", ")),
                                      printable(joined(*only, ", "))),
@@ -142,9 +143,9 @@ TraceMatcher MatchesTrace(const std::string& golden, GoldenRules rules, Caller c
                           if (is_renewing())
                               renew(golden, golden_text(tested, rules.kinds, golden));
 
-                          const TraceText stored = golden_in(golden);
+                          const Trace stored = golden_in(golden);
                           expect_kinds_stored(stored, rules.kinds);
-                          const TraceText now(Source{tested.name, tested.text});
+                          const Trace& now = trace_or_throw(tested);
                           const TraceDiff found = diff(stored, now, options);
                           if (!found.damage.empty())
                               throw found.damage.front();
