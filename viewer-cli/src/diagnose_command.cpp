@@ -16,6 +16,7 @@
 #include <rastertrace/trace/text/in_threads.h>
 #include <rastertrace/trace/text/output.h>
 #include <rastertrace/trace/text/text.h>
+#include <rastertrace/trace/text/trace_layout.h>
 
 #include <fmt/core.h>
 
