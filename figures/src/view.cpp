@@ -104,35 +104,13 @@ bool larger_is_nearer(const Trace& trace) {
     return false;
 }
 
-namespace {
-
-/// The "color" of a `primitive` step that StepWriter has written, or "" if the step has "colors" of its corners: StepWriter
-/// writes these behind it.
-std::string_view only_color(std::string_view json) {
-    constexpr std::string_view key = R"("color)";
-    const std::size_t at = json.rfind(key);
-    const std::string_view behind = at == json.npos ? "" : json.substr(at + key.size());
-    constexpr std::string_view value = R"(":")";
-    return behind.starts_with(value)
-               ? behind.substr(value.size(), behind.find('"', value.size()) - value.size())
-               : "";
-}
-
-} // namespace
-
 View default_view(const Trace& trace) {
     std::set<std::string> faces;
-    std::set<std::string, std::less<>> colors;
+    std::set<std::string> colors;
     for (const std::size_t n : trace.steps_of({StepKind::light, StepKind::primitive})) {
         if (trace.kind_of(n) == StepKind::light)
             return View::shade;
-        const StepView step = trace.step(n);
-        if (faces.size() > face_letters.size() &&
-            trace.is_plain(n)) // of many, most tell nothing new
-            if (const auto color = only_color(step.json());
-                !color.empty() && (colors.size() >= 2 || colors.contains(color)))
-                continue;
-        const auto primitive = step.as<PrimitiveStep>();
+        const auto primitive = trace.step(n).as<PrimitiveStep>();
         if (primitive.colors)
             return View::shade;
         if (!is_filled(primitive.kind) || primitive.painted.is_false())

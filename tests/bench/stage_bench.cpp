@@ -4,6 +4,7 @@
 // docs/performance.md has results.
 
 #include <rastertrace/core/draw/draw.h>
+#include <rastertrace/trace/record/step_tracer.h>
 #include <rastertrace/trace/record/step_writer.h>
 #include <rastertrace/trace/record/write_trace.h>
 #include <rastertrace/trace/text/output.h>
@@ -174,8 +175,10 @@ void filtered(benchmark::State& state, const StepFilter& filter) {
     const Plan plan = plan_for(scene);
     CountedOutput output;
     for (auto _ : state) {
-        StepWriter writer(output, TraceLayout::json, filter);
-        benchmark::DoNotOptimize(draw(scene, plan, writer));
+        StepWriter writer(output, TraceLayout::json);
+        Arena arena;
+        StepTracer<StepWriter> tracer(writer, arena, false, filter);
+        benchmark::DoNotOptimize(draw(scene, plan, tracer));
     }
 }
 void unwatched(benchmark::State& state) {

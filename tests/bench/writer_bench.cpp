@@ -5,6 +5,7 @@
 
 #define RT_NO_CODE
 #include <rastertrace/emit.h>
+#include <rastertrace/trace/record/step_tracer.h>
 #include <rastertrace/trace/record/step_writer.h>
 
 #include <benchmark/benchmark.h>
@@ -72,20 +73,22 @@ void write_with_step_writer(benchmark::State& state, bool dyadic) {
     const auto all = numbers(dyadic);
     for (auto _ : state) {
         CountingOutput output;
-        StepWriter writer(output, TraceLayout::jsonl, {});
+        StepWriter writer(output, TraceLayout::jsonl);
+        Arena arena;
+        StepTracer<StepWriter> tracer(writer, arena, false);
         const std::array<std::string_view, 3> names{"A", "B", "C"};
         const std::array<Vec<Quantity, 2>, 3> places{};
-        writer(PrimitiveBegan<Quantity>{PrimitiveKind::triangle, "ABC", names, places, {}, {}, 0});
+        tracer(PrimitiveBegan<Quantity>{PrimitiveKind::triangle, "ABC", names, places, {}, {}, 0});
         for_each_step(
             all,
             [&](const Numbers& n) {
-                writer(PixelPlotted{{n.x, n.y}, {}});
+                tracer(PixelPlotted{{n.x, n.y}, {}});
             },
             [&](const Numbers& n) {
-                writer(DepthTested<Quantity>{{n.x, n.y}, n.a, n.b, true});
+                tracer(DepthTested<Quantity>{{n.x, n.y}, n.a, n.b, true});
             },
             [&](const Numbers& n) {
-                writer(ScanlineSpanned<Quantity>{n.y, n.a, n.b, n.x, n.x + 9, {0, 1}, {0, 2}});
+                tracer(ScanlineSpanned<Quantity>{n.y, n.a, n.b, n.x, n.x + 9, {0, 1}, {0, 2}});
             });
         writer.flush();
         state.counters["bytes per step"] =

@@ -312,7 +312,7 @@ Trace excerpt_of_row(const Trace& trace, int y) {
         const bool is_of_pixel = kind == StepKind::pixel || kind == StepKind::depth ||
                                  kind == StepKind::sample || kind == StepKind::reject;
         if (!is_triangle || !is_of_pixel || y_in(step) == y)
-            excerpt.add_to_excerpt(step, kind, n);
+            excerpt.add_to_excerpt(n);
     }
     return excerpt;
 }

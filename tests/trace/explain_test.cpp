@@ -119,7 +119,7 @@ TEST(Explain, FromPlaceToPlace) {
     EXPECT_EQ(vertex.answer, "screen space: (-10/3, 10/3)");
     std::vector<std::string> spaces;
     for (const Try& one : vertex.tries)
-        spaces.push_back(StepView(one.step).as<VertexStep>().space.text());
+        spaces.push_back(trace.step(one.number).as<VertexStep>().space.text());
     EXPECT_THAT(spaces, ElementsAre("object", "world", "clip", "canonical", "screen"));
     EXPECT_THAT(vertex.tries[1].working, Contains("z = 0 (-1) + 0 (1) + 1 (-1) + 4 (1) = 3"));
 

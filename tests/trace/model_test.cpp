@@ -3,6 +3,7 @@
 
 #include <rastertrace/core/draw/draw.h>
 #include <rastertrace/core/draw/model/model.h>
+#include <rastertrace/trace/record/step_tracer.h>
 #include <rastertrace/trace/record/step_writer.h>
 #include <rastertrace/trace/text/input.h>
 
@@ -41,8 +42,10 @@ template <typename Draw> std::string decisions(const Scene& scene, Draw&& draw, 
                    StepKind::decide, StepKind::depth, StepKind::pixel};
     if (scene.method.fill != Fill::top_left)
         filter.only->push_back(StepKind::scanline);
-    StepWriter writer(output, TraceLayout::jsonl, filter);
-    image = draw(writer);
+    StepWriter writer(output, TraceLayout::jsonl);
+    Arena arena;
+    StepTracer<StepWriter> tracer(writer, arena, false, filter);
+    image = draw(tracer);
     writer.flush();
     std::vector<std::string> lines;
     std::istringstream in(text);

@@ -8,6 +8,7 @@
 #include "traces.h"
 
 #include <rastertrace/trace/audit/redo.h>
+#include <rastertrace/trace/record/step_decoder.h>
 #include <rastertrace/trace/record/trace.h>
 #include <rastertrace/trace/record/traced_steps.h>
 #include <rastertrace/trace/scene/scene_file.h>
@@ -199,7 +200,7 @@ TEST(Redo, AdaptiveWritesTheFractionThatDecides) {
     const std::string digits = std::string(19, '9') + std::string(981, '7');
     const std::string long_step = steps_with("2." + digits, "scanline");
     EXPECT_THAT(long_step, testing::HasSubstr(R"("from":2,"to":6)"));
-    EXPECT_EQ(*StepView(long_step).as<ScanlineStep>().left.exact(),
+    EXPECT_EQ(*std::get<ScanlineStep>(step_in_text(long_step, StepKind::scanline)).left.exact(),
               Rational("2" + digits + "/1" + std::string(1000, '0')));
 }
 

@@ -57,7 +57,7 @@ void expect_alike(const std::optional<Index>& value, const nlohmann::json& json)
     RC_ASSERT(value.has_value());
     expect_alike(*value, json);
 }
-void expect_alike(const TracedValue& value, const nlohmann::json& json) {
+template <typename Value> void expect_alike(const Value& value, const nlohmann::json& json) {
     RC_ASSERT(nlohmann::json::parse(value.json()) == json);
 }
 
@@ -154,7 +154,6 @@ RC_GTEST_PROP(StepDecoder, FindsWhatAReaderOfJsonFinds, ()) {
         const auto json = nlohmann::json::parse(line, nullptr, false);
         RC_ASSERT(json.is_object());
         RC_ASSERT(json["step"] == step_names[step.index()]);
-        RC_ASSERT(kind_of_plain_step(line) == static_cast<StepKind>(step.index()));
         std::visit(
             [&json]<typename Step>(const Step& decoded) {
                 expect_fields(decoded, json, typename Step::Fields{});

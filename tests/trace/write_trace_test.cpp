@@ -6,6 +6,7 @@
 #include "scene_text.h"
 #include "traces.h"
 
+#include <rastertrace/trace/record/step_tracer.h>
 #include <rastertrace/trace/record/step_writer.h>
 #include <rastertrace/trace/scene/scene_file.h>
 
@@ -157,9 +158,11 @@ TEST(WriteTrace, WhatIsNotRefusedIsJson) {
 TEST(WriteTrace, NoInfinityReachesATrace) {
     std::string text;
     StringOutput output(text);
-    StepWriter writer(output, TraceLayout::json, {});
-    const auto write = [&writer](double value) {
-        writer(EdgeSetUp<Quantity>{.edge = {0, 1}, .is_horizontal = false, .dx_dy = value});
+    StepWriter writer(output, TraceLayout::json);
+    Arena arena;
+    StepTracer<StepWriter> tracer(writer, arena, false);
+    const auto write = [&tracer](double value) {
+        tracer(EdgeSetUp<Quantity>{.edge = {0, 1}, .is_horizontal = false, .dx_dy = value});
     };
     EXPECT_THROW(write(HUGE_VAL), Problem);
     EXPECT_THROW(write(std::nan("")), Problem);

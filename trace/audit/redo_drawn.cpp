@@ -3,7 +3,8 @@
 
 #include <rastertrace/core/draw/plan/plan.h>
 #include <rastertrace/core/draw/screen_drawing.h>
-#include <rastertrace/trace/record/step_writer.h>
+#include <rastertrace/trace/record/step_tracer.h>
+#include <rastertrace/trace/record/steps.h>
 #include <rastertrace/trace/text/pipeline_names.h>
 
 #include <algorithm>
@@ -331,43 +332,41 @@ bool DrawnAgain::redo(std::size_t first, std::size_t last) {
         const bool has_no_normal =
             face > last && why == SkipReason::zero_area && is_filled(piece.kind) && tests_faces();
         if (is_culled || has_no_normal) {
-            compare(fmt::format(R"({{"step":"skip","name":{},"why":"{}"}})", piece.step.name.json(),
-                                is_culled ? "culled" : "zero area"),
-                    first, last);
+            Steps skipped;
+            skipped.take(SkipStep{
+                .name = piece.step.name,
+                .why = TracedWord<SkipReason>(is_culled ? R"("culled")" : R"("zero area")")});
+            compare(skipped, first, last);
             return true;
         }
-        const auto again = drawn(piece);
-        if (again)
-            compare(*again, first, last);
-        return again.has_value();
+        Steps again;
+        if (!draw(piece, again))
+            return false;
+        compare(again, first, last);
+        return true;
     } catch (const NotTold&) {
         return false;
     }
 }
 
-/// The steps of a piece, a line each.
-std::optional<std::string> DrawnAgain::drawn(const ToldPiece& piece) {
+/// Draws a piece; false if it cannot be drawn.
+bool DrawnAgain::draw(const ToldPiece& piece, Steps& steps) {
     const bool is_in_fractions =
-        draw_in_fractions_ && piece.step.at.json().find('"') != std::string_view::npos;
-    std::string text;
-    StringOutput output(text);
-    StepWriter writer(output, TraceLayout::jsonl, {});
-    if (!(is_in_fractions ? draw_in_fractions_ : draw_)(piece, writer))
-        return std::nullopt;
-    writer.flush();
+        draw_in_fractions_ && piece.step.at.json().find('"') != std::string::npos;
+    StepTracer<Steps> tracer(steps, steps.arena(), true);
+    if (!(is_in_fractions ? draw_in_fractions_ : draw_)(piece, tracer))
+        return false;
     // What is drawn in other numbers has to know its depths.
     if (mixes_numbers_ && piece.stages.tests_depth)
         (is_in_fractions ? draw_ : draw_in_fractions_)(piece, Listener());
-    return text;
+    return true;
 }
 
 /// Holds the steps of a primitive against those of its drawing.
-void DrawnAgain::compare(const std::string& again, std::size_t first, std::size_t last) {
+void DrawnAgain::compare(const Steps& again, std::size_t first, std::size_t last) {
     std::array<std::vector<StepView>, step_kinds> drawn;
-    const auto lines = split_at(again, '\n');
-    for (const std::string& line : lines)
-        if (const StepView step(line); const auto kind = step.kind())
-            drawn[static_cast<std::size_t>(*kind)].push_back(step);
+    for (std::size_t n = 1; n <= again.size(); ++n)
+        drawn[static_cast<std::size_t>(*again.kind(n))].push_back(again.at(n));
 
     bool is_right = true;
     for (const StepKindSet& kinds : stages_of_drawing) {
@@ -398,9 +397,9 @@ bool DrawnAgain::compare_kind(const std::vector<StepView>& drawn,
     for (const std::size_t n : told) {
         const StepView step = trace_.step(n);
         std::size_t place = next;
-        const std::string_view json = step.json();
         if (next >= drawn.size() || is_used[next] ||
-            (json != drawn[next].json() && key_of(step, kind) != key_of(drawn[next], kind))) {
+            (step.json() != drawn[next].json() &&
+             key_of(step, kind) != key_of(drawn[next], kind))) {
             if (places.empty())
                 for (std::size_t i = 0; i < drawn.size(); ++i)
                     places[key_of(drawn[i], kind)].push_back(i);

@@ -41,6 +41,8 @@ struct ToldPiece {
     PixelStages stages = {};
 };
 
+class Steps;
+
 class DrawnAgain {
 public:
     DrawnAgain(const Trace& trace, const RulesTold& rules, Findings& findings);
@@ -56,8 +58,8 @@ private:
     bool tells_rules(PrimitiveKind kind) const;
     bool tests_faces() const;
     ToldPiece piece_at(std::size_t n);
-    std::optional<std::string> drawn(const ToldPiece& piece);
-    void compare(const std::string& again, std::size_t first, std::size_t last);
+    bool draw(const ToldPiece& piece, Steps& steps);
+    void compare(const Steps& again, std::size_t first, std::size_t last);
     bool compare_kind(const std::vector<StepView>& drawn, const std::vector<std::size_t>& told,
                       StepKind kind);
     bool adds_up(StepKind kind) const;

@@ -513,7 +513,7 @@ void SpaceAgain::redo(const FaceStep& step) {
     if (rules_.says("cull")) {
         const Cull cull = rules_.triangles.cull;
         expect(is_culled(cull, dot), step.culled.is_true(), "face: culled");
-        if (!step.opposite.json().empty())
+        if (step.opposite.is_there())
             expect(is_culled(cull, Rational(-dot)), step.opposite.is_true(), "face: opposite");
         expect(std::string(cull == Cull::light ? "light" : ""), step.by.text(), "face: by");
     }

@@ -84,8 +84,8 @@ bool StepIndex::has_all(std::size_t n, StepKind kind, const Keys& wanted) const 
     const StepView step = trace_->step(n);
     return std::all_of(wanted.begin(), wanted.end(), [&](const auto& key) {
         const auto& [field, value] = key;
-        if (const Pixel* const pixel = step.plain_pixel(); pixel && (field == "x" || field == "y"))
-            return value == std::to_string(field == "x" ? pixel->x : pixel->y);
+        if (kind == StepKind::pixel && (field == "x" || field == "y"))
+            return value == std::to_string((field == "x" ? x_in(step) : y_in(step)).value_or(0));
         if (field != "in")
             return compared(kind, field, text_in(step, field)) == value;
         const auto names = names_around(n);

@@ -5,7 +5,6 @@
 
 #include <rastertrace/trace/record/field_type.h>
 #include <rastertrace/trace/record/traced_steps.h>
-#include <rastertrace/trace/text/json_scanner.h>
 
 #include <fmt/core.h>
 
@@ -17,22 +16,13 @@ namespace rastertrace {
 
 namespace {
 
-using Field = std::pair<std::string, std::string_view>;
+using Fields = std::vector<std::pair<std::string, std::string>>;
 
-std::vector<Field> fields_in(std::string_view json) {
-    std::vector<Field> fields;
-    JsonScanner scanner(json);
-    while (scanner.next_field())
-        if (scanner.key() != "step")
-            fields.emplace_back(plain_text(fmt::format("\"{}\"", scanner.key())), scanner.value());
-    return fields;
-}
-
-std::optional<std::string_view> value_in(const std::vector<Field>& fields, std::string_view name) {
+const std::string* value_in(const Fields& fields, std::string_view name) {
     for (const auto& [key, value] : fields)
         if (key == name)
-            return value;
-    return std::nullopt;
+            return &value;
+    return nullptr;
 }
 
 /// The type of a field; of a list, that of its elements.
@@ -64,19 +54,20 @@ std::vector<FieldDifference> FieldComparison::differing(const KeyedStep& a,
     const StepView step_b = b.view();
     if (step_a.json() == step_b.json())
         return differences;
-    const std::vector<Field> of_a = fields_in(step_a.json());
-    const std::vector<Field> of_b = fields_in(step_b.json());
+    const Fields of_a = step_a.fields();
+    const Fields of_b = step_b.fields();
     const auto is_compared = [&](std::string_view name) {
-        return name != key_of_code && !options_.ignores(fmt::format("{}.{}", a.kind_name, name));
+        return name != "step" && name != key_of_code &&
+               !options_.ignores(fmt::format("{}.{}", a.kind_name, name));
     };
     for (const auto& [name, value] : of_a) {
-        const auto other = value_in(of_b, name);
+        const std::string* const other = value_in(of_b, name);
         if (!is_compared(name))
             continue;
-        if (!other && options_.compares_common)
+        if (other == nullptr && options_.compares_common)
             continue;
-        if (!other) {
-            differences.push_back({.name = std::string(name), .a = std::string(value)});
+        if (other == nullptr) {
+            differences.push_back({.name = name, .a = value});
             continue;
         }
         const ValueComparison by{.type = type_of(a.kind, name),
@@ -85,16 +76,14 @@ std::vector<FieldDifference> FieldComparison::differing(const KeyedStep& a,
                                  .has_floats = floats_ > 0,
                                  .are_floats = floats_ == 2};
         if (const Differs here = differ(value, *other, by))
-            differences.push_back({.name = std::string(name),
-                                   .a = std::string(value),
-                                   .b = std::string(*other),
-                                   .distance = here->distance});
+            differences.push_back(
+                {.name = name, .a = value, .b = *other, .distance = here->distance});
     }
     if (options_.compares_common)
         return differences;
     for (const auto& [name, value] : of_b)
-        if (!value_in(of_a, name) && is_compared(name))
-            differences.push_back({.name = std::string(name), .b = std::string(value)});
+        if (value_in(of_a, name) == nullptr && is_compared(name))
+            differences.push_back({.name = name, .b = value});
     return differences;
 }
 

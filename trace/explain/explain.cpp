@@ -115,7 +115,7 @@ Try try_of(const Replay& replay) {
     if (replay.step() == 0)
         return {.sentence = describe_step(replay)};
     return {.number = trace.number_of(replay.step()),
-            .step = std::string(trace.step(replay.step()).json()),
+            .step = trace.step(replay.step()).json(),
             .sentence = describe_step(replay),
             .working = working_of(replay)};
 }
@@ -138,10 +138,9 @@ std::vector<Try> tries_of(const Trace& trace, const std::vector<std::size_t>& st
     Replay replay(trace, {.depths = true});
     for (const std::size_t n : steps) {
         replay.go_to(n == 0 ? 0 : n - 1);
-        const StepView step = n == 0 ? StepView("{}") : trace.step(n);
-        const auto x = x_in(step);
-        const auto y = y_in(step);
-        const bool is_pixel = n != 0 && x && y && trace.canvas.contains(*x, *y);
+        const auto x = n == 0 ? std::nullopt : x_in(trace.step(n));
+        const auto y = n == 0 ? std::nullopt : y_in(trace.step(n));
+        const bool is_pixel = x && y && trace.canvas.contains(*x, *y);
         const Pixel pixel{static_cast<int>(x.value_or(0)), static_cast<int>(y.value_or(0))};
         const std::string before = is_pixel ? shown_at(replay, pixel) : std::string();
         replay.go_to(n);

@@ -312,13 +312,13 @@ Explanation explain_face(const Trace& trace, const std::string& name) {
 Explanation explain_vertex(const Trace& trace, const std::string& name) {
     std::string place;
     Explanation explanation;
-    explanation.tries =
-        tries_of(trace, numbers_of(trace, [&](const StepOf& one) {
-                     return one.kind == StepKind::vertex && name_in(one.step) == name;
-                 }));
-    const bool has_places = !explanation.tries.empty();
+    const auto placed = numbers_of(trace, [&](const StepOf& one) {
+        return one.kind == StepKind::vertex && name_in(one.step) == name;
+    });
+    explanation.tries = tries_of(trace, placed);
+    const bool has_places = !placed.empty();
     if (has_places) {
-        const auto last = StepView(explanation.tries.back().step).as<VertexStep>();
+        const auto last = trace.step(placed.back()).as<VertexStep>();
         place = said({"{} space: {}", "espaço {}: {}"}, in_language_of_steps(last.space.text()),
                      point(last.at.texts()));
     }

@@ -191,7 +191,7 @@ public:
         Trace excerpt = trace_.without_steps();
         excerpt.damage = trace_.damage;
         for (const std::size_t n : numbers)
-            excerpt.add_to_excerpt(trace_.step(n), trace_.kind_of(n), trace_.number_of(n));
+            excerpt.add_to_excerpt(trace_.number_of(n));
         return excerpt;
     }
 

@@ -300,7 +300,7 @@ private:
 Trace steps_about(const Trace& trace, Pixel pixel) {
     StepsOfPixel chosen(trace, pixel);
     for (std::size_t n = 1; n <= trace.size(); ++n)
-        chosen.take(trace.step(n), trace.kind_of(n), trace.number_of(n));
+        chosen.take(n);
     Trace excerpt = std::move(chosen).finish();
     excerpt.damage = trace.damage;
     return excerpt;
@@ -319,7 +319,7 @@ Trace steps_about_row(const Trace& trace, int y) {
         const bool is_of_pixel =
             kind == StepKind::pixel || kind == StepKind::depth || kind == StepKind::sample;
         if (!is_fill || !is_of_pixel || y_in(step) == y)
-            excerpt.add_to_excerpt(step, kind, trace.number_of(n));
+            excerpt.add_to_excerpt(trace.number_of(n));
     }
     return excerpt;
 }

@@ -27,8 +27,7 @@ std::string told_by(const StepView& step, StepKind kind, FieldRole role) {
     std::string text;
     for (const StepField& field : fields_of(kind))
         if (field.role == role)
-            text += std::string(field.name) + "=" +
-                    std::string(step.field(field.name).value_or("")) + " ";
+            text += std::string(field.name) + "=" + step.field(field.name).value_or("") + " ";
     return text;
 }
 
@@ -126,7 +125,7 @@ Trace steps_of(const Trace& trace, const std::vector<std::string>& names) {
             });
         }
         if (is_meant)
-            excerpt.add_to_excerpt(step, trace.kind_of(n), n);
+            excerpt.add_to_excerpt(n);
     }
     return excerpt;
 }
@@ -136,7 +135,7 @@ Trace steps_of(const Trace& trace, Pixel pixel) {
     StepsOfPixel chosen(trace, pixel);
     for (std::size_t n = 1; n <= trace.size(); ++n)
         if (trace.kind_of(n) != StepKind::scanline || y_in(trace.step(n)) == pixel.y)
-            chosen.take(trace.step(n), trace.kind_of(n), n);
+            chosen.take(n);
     return std::move(chosen).finish();
 }
 
@@ -154,7 +153,7 @@ Trace steps_about(const Trace& trace, const Question& question) {
         return steps_of(trace, triangles_of_face(trace, question.text));
     for (const Try& one : answer.value().tries)
         if (one.number != 0)
-            excerpt.add_to_excerpt(trace.step(one.number), trace.kind_of(one.number), one.number);
+            excerpt.add_to_excerpt(one.number);
     return excerpt;
 }
 

@@ -8,10 +8,12 @@
 
 namespace rastertrace {
 
-void StepsOfPixel::take(const StepView& step, std::optional<StepKind> kind, std::size_t number) {
+void StepsOfPixel::take(std::size_t number) {
+    const StepView step = trace_.step(number);
+    const auto kind = step.kind();
     if (!kind) {
         if (is_at_pixel(step))
-            keep(step, kind, number);
+            keep(number);
         return;
     }
     switch (*kind) {
@@ -19,34 +21,34 @@ void StepsOfPixel::take(const StepView& step, std::optional<StepKind> kind, std:
         // A depth is worked out on the plane of the face, in the camera's space; a color by the w of clip space.
         const auto space = step.as<VertexStep>().space;
         if (space != Space::canonical && space != Space::screen)
-            keep(step, kind, number);
+            keep(number);
         return;
     }
     case StepKind::primitive:
-        keep(row_);
+        keep_waiting(row_);
         begin_primitive(step);
         break;
     case StepKind::edge:
         is_x_major_ = is_x_major_octant(step.as<EdgeStep>().octant);
-        ray_ = {};
+        ray_ = 0;
         begin_line();
         break;
     case StepKind::ray:
-        ray_ = waiting(step, *kind, number);
+        ray_ = number;
         begin_line();
         return;
     case StepKind::scanline:
         return take_scanline(step, number);
     case StepKind::along:
     case StepKind::decide:
-        return take_reason(step, *kind, number);
+        return take_reason(number);
     case StepKind::sample:
         if (is_at_pixel(step))
-            keep(step, kind, number);
+            keep(number);
         return;
     case StepKind::crossings:
         if (y_in(step) == pixel_.y)
-            keep(step, kind, number);
+            keep(number);
         return;
     case StepKind::depth:
     case StepKind::pixel:
@@ -55,14 +57,7 @@ void StepsOfPixel::take(const StepView& step, std::optional<StepKind> kind, std:
     default:
         break;
     }
-    keep(step, kind, number);
-}
-
-StepsOfPixel::Waiting StepsOfPixel::waiting(const StepView& step, StepKind kind,
-                                            std::size_t number) const {
-    const std::string_view json = step.json();
-    return excerpt_.is_in_file(json) ? Waiting{json, {}, kind, number}
-                                     : Waiting{{}, std::string(json), kind, number};
+    keep(number);
 }
 
 void StepsOfPixel::begin_primitive(const StepView& step) {
@@ -71,29 +66,29 @@ void StepsOfPixel::begin_primitive(const StepView& step) {
     is_point_ = primitive.kind == PrimitiveKind::point;
     is_x_major_ = is_x_major_octant(primitive.octant);
     has_row_ = false;
-    ray_ = {};
+    ray_ = 0;
     begin_line();
 }
 
 void StepsOfPixel::begin_line() {
-    reason_before_ = reason_ = {};
-    is_decided_ = false;
+    reason_before_ = reason_ = 0;
+    is_decision_ = is_decided_ = false;
 }
 
 /// The row of the pixel, the one before it, and the first and the last of the primitive.
 void StepsOfPixel::take_scanline(const StepView& step, std::size_t number) {
     if (!has_row_ || y_in(step) == pixel_.y)
-        keep(step, StepKind::scanline, number);
+        keep(number);
     else
-        row_ = waiting(step, StepKind::scanline, number);
+        row_ = number;
     has_row_ = true;
 }
 
-void StepsOfPixel::take_reason(const StepView& step, StepKind kind, std::size_t number) {
-    reason_before_ = std::move(reason_);
-    reason_ = waiting(step, kind, number);
+void StepsOfPixel::take_reason(std::size_t number) {
+    reason_before_ = std::exchange(reason_, number);
+    is_decision_ = trace_.kind_of(number) == StepKind::decide;
     if (is_decided_)
-        keep(reason_);
+        keep_waiting(reason_);
     is_decided_ = false;
 }
 
@@ -104,12 +99,12 @@ void StepsOfPixel::take_fragment(const StepView& step, StepKind kind, std::size_
                                                         : is_at_pixel(step);
     if (!is_of_pixel)
         return;
-    keep(row_);
-    keep(ray_);
-    keep(reason_before_);
-    is_decided_ = is_decided_ || reason_.kind == StepKind::decide;
-    keep(reason_);
-    keep(step, kind, number);
+    keep_waiting(row_);
+    keep_waiting(ray_);
+    keep_waiting(reason_before_);
+    is_decided_ = is_decided_ || is_decision_;
+    keep_waiting(reason_);
+    keep(number);
 }
 
 bool StepsOfPixel::is_at_pixel(const StepView& step) const {
@@ -128,20 +123,19 @@ bool StepsOfPixel::shares_line(const StepView& step, StepKind kind) const {
     return is_x_major_ ? (*is_x_major_ ? is_in_column : is_in_row) : is_in_column || is_in_row;
 }
 
-void StepsOfPixel::keep(const StepView& step, std::optional<StepKind> kind, std::size_t number) {
-    keep(row_);
-    excerpt_.add_to_excerpt(step, kind, number);
+void StepsOfPixel::keep(std::size_t number) {
+    keep_waiting(row_);
+    excerpt_.add_to_excerpt(trace_.number_of(number));
 }
 
-void StepsOfPixel::keep(Waiting& waiting) {
-    if (waiting.number != 0)
-        excerpt_.add_to_excerpt(StepView(waiting.copy.empty() ? waiting.in_file : waiting.copy),
-                                waiting.kind, waiting.number);
-    waiting.number = 0;
+void StepsOfPixel::keep_waiting(std::size_t& waiting) {
+    if (waiting != 0)
+        excerpt_.add_to_excerpt(trace_.number_of(waiting));
+    waiting = 0;
 }
 
 Trace StepsOfPixel::finish() && {
-    keep(row_);
+    keep_waiting(row_);
     return std::move(excerpt_);
 }
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "excerpt.h"
 
-#include "step_counts.h"
 #include "step_kind.h"
 
 #include <rastertrace/trace/text/text.h>
@@ -12,6 +11,8 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <map>
+#include <string>
 #include <string_view>
 #include <utility>
 
@@ -22,20 +23,20 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 /// The known kinds come in the order of step_kind.h, then the others.
-Json by_kind(const StepCounts& counts) {
+Json by_kind(std::map<std::string, std::uint64_t> counts) {
     Json count = Json::object();
-    for (std::size_t i = 0; i < step_kinds; ++i)
-        if (counts.known[i] > 0)
-            count[std::string(step_names[i])] = counts.known[i];
-    for (const auto& [kind, number] : counts.others)
+    for (const std::string_view kind : step_names)
+        if (const auto known = counts.extract(std::string(kind)))
+            count[known.key()] = known.mapped();
+    for (const auto& [kind, number] : counts)
         count[kind] = number;
     return count;
 }
 
 /// A step in one line.
 std::string line_of(const StepView& step) {
-    const std::string_view json = step.json();
-    return json.find('\n') == std::string_view::npos ? std::string(json) : Json::parse(json).dump();
+    std::string json = step.json();
+    return json.find('\n') == std::string::npos ? json : Json::parse(json).dump();
 }
 
 /// A trace of steps that come one by one.
@@ -55,13 +56,13 @@ public:
         text_ = json_printable(text);
     }
 
-    void add(const StepView& step, std::optional<StepKind> kind) {
-        if (!kinds_.empty() &&
-            std::find(kinds_.begin(), kinds_.end(), step.kind_name()) == kinds_.end())
+    void add(const StepView& step) {
+        const std::string kind = step.kind_name();
+        if (!kinds_.empty() && std::find(kinds_.begin(), kinds_.end(), kind) == kinds_.end())
             return;
         text_ += is_document_ && steps_ > 0 ? ",\n" : "\n";
         text_ += json_printable(line_of(step));
-        counts_.add(step, kind);
+        ++counts_[kind];
         ++steps_;
         if (text_.size() > enough_to_write)
             flush();
@@ -92,7 +93,7 @@ private:
     bool is_document_;
     std::string text_; ///< not written yet
     std::uint64_t steps_ = 0;
-    StepCounts counts_;
+    std::map<std::string, std::uint64_t> counts_; ///< by kind
 };
 
 } // namespace
@@ -107,7 +108,7 @@ void write_excerpt(const Trace& trace, const std::vector<std::string>& kinds, Tr
 
     Excerpt excerpt(trace.header_json, kinds, layout, output);
     for (std::size_t n = 1; n <= trace.size(); ++n)
-        excerpt.add(trace.step(n), trace.kind_of(n));
+        excerpt.add(trace.step(n));
     excerpt.finish(trace.end);
 }
 

@@ -2,8 +2,8 @@
 #include "flat_steps.h"
 
 #include "step_kind.h"
-#include "trace.h"
 
+#include <rastertrace/trace/text/json_scanner.h>
 #include <rastertrace/trace/text/trace_layout.h>
 
 #include <fmt/core.h>
@@ -27,8 +27,16 @@ void FlatSteps::take_line(std::string_view line) {
     const bool is_header = !std::exchange(is_behind_header_, true);
     if (is_header || is_end_line(line))
         return;
-    if (StepView(line).kind() == StepKind::primitive)
-        in_ = StepView(line).field("name").value_or("");
+    std::string_view kind;
+    std::string_view name;
+    JsonScanner fields(line);
+    while (fields.next_field())
+        if (fields.key() == "step")
+            kind = fields.value();
+        else if (fields.key() == "name")
+            name = fields.value();
+    if (plain_text(kind) == name_of(StepKind::primitive))
+        in_ = name;
     text_ += fmt::format(R"({{"n":{},)", ++steps_);
     if (!in_.empty())
         text_.append(R"("in":)").append(in_) += ',';

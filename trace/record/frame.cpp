@@ -55,7 +55,8 @@ void ReplayState::pass() {
     place_.drew_over = place_.stored_before = 0;
 }
 
-void ReplayState::take(const StepView& step, std::optional<StepKind> kind) {
+void ReplayState::take(const StepView& step) {
+    const auto kind = step.kind();
     if (!kind)
         return pass();
     switch (*kind) {
@@ -154,7 +155,7 @@ void Replay::go_to(std::size_t n) {
         if (auto ahead = trace_.end_state_ahead(step()))
             take_over(*std::move(ahead));
     while (step() < n)
-        take(trace_.step(step() + 1), trace_.kind_of(step() + 1));
+        take(trace_.step(step() + 1));
 }
 
 void Replay::go_to_place_of(const Replay& other) {

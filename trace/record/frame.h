@@ -62,8 +62,8 @@ public:
         : parts_(parts), frame_(canvas, parts),
           has_changed_(frame_.drawn_by.size() / tile_size + 1) {}
 
-    /// Takes the next step, of a kind that is not known if there is none.
-    void take(const StepView& step, std::optional<StepKind> kind);
+    /// Takes the next step.
+    void take(const StepView& step);
 
     /// The same for a step that has been decoded; of other kinds, the kind is enough.
     void take(const PrimitiveStep& step);

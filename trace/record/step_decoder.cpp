@@ -142,7 +142,7 @@ bool take_value(Cursor& text, Index& value, FieldNeed /*need*/) {
     if (!text.take_whole(magnitude))
         return false;
     value = is_negative ? -magnitude : magnitude;
-    return magnitude <= farthest_index + 1;
+    return magnitude <= farthest_index + 1 && !(is_negative && magnitude == 0);
 }
 
 bool take_value(Cursor& text, std::optional<Index>& value, FieldNeed need) {
@@ -179,14 +179,14 @@ bool take_value(Cursor& text, TracedNumber& value, FieldNeed need) {
     const bool is_number =
         text.take('"') ? take_fraction(text) && text.take('"')
                        : take_decimal(text) || (need == FieldNeed::or_null && text.take("null"));
-    value = TracedNumber({begin, static_cast<std::size_t>(text.at() - begin)});
+    value = TracedNumber(std::string_view(begin, static_cast<std::size_t>(text.at() - begin)));
     return is_number;
 }
 
 bool take_value(Cursor& text, TracedFlag& value, FieldNeed /*need*/) {
     const char* const begin = text.at();
     const bool is_flag = text.take("true") || text.take("false");
-    value = TracedFlag({begin, static_cast<std::size_t>(text.at() - begin)});
+    value = TracedFlag(std::string_view(begin, static_cast<std::size_t>(text.at() - begin)));
     return is_flag;
 }
 
@@ -224,7 +224,7 @@ bool take_value(Cursor& text, TracedList<Value>& list, FieldNeed /*need*/) {
         if (!text.take(']'))
             return false;
     }
-    list = TracedList<Value>({begin, static_cast<std::size_t>(text.at() - begin)});
+    list = TracedList<Value>(std::string_view(begin, static_cast<std::size_t>(text.at() - begin)));
     return true;
 }
 
@@ -318,11 +318,6 @@ std::size_t count_digits(std::string_view text) {
     return static_cast<std::size_t>(end - text.data());
 }
 
-StepKind kind_of_plain_step(std::string_view step) {
-    const char* const name = step.data() + front_of_step.size();
-    return kinds[place_of(name[0], name[2])].kind;
-}
-
 bool take_step(std::string_view& text, AnyStep& step) {
     constexpr std::size_t shortest_name = 3;
     Cursor rest(text);
@@ -335,60 +330,26 @@ bool take_step(std::string_view& text, AnyStep& step) {
     return true;
 }
 
-template <typename Step> Step StepView::as() const {
-    if constexpr (std::is_same_v<Step, PixelStep>)
-        if (is_pixel_)
-            return {.x = pixel_.x, .y = pixel_.y, .color = {}};
-    Step step;
-    Cursor text(json_);
-    return text.take(front_of_step) && take_rest_of(text, step)
-               ? step
-               : step_in<Step>(json_, typename Step::Fields{});
-}
-
 namespace {
 
 template <std::size_t... kind>
-AnyStep step_of_kind(const StepView& step, std::size_t wanted,
+AnyStep step_in_text(std::string_view json, std::size_t wanted,
                      std::index_sequence<kind...> /*all*/) {
     AnyStep any;
+    const auto read = [&any, json]<typename Step>(Step) {
+        any = step_in<Step>(json, typename Step::Fields{});
+        return true;
+    };
     static_cast<void>(
-        ((kind == wanted && (any = step.as<std::variant_alternative_t<kind, AnyStep>>(), true)) ||
-         ...));
+        ((kind == wanted && read(std::variant_alternative_t<kind, AnyStep>{})) || ...));
     return any;
 }
 
 } // namespace
 
-AnyStep any_step(const StepView& step, StepKind kind) {
-    AnyStep any;
-    if (step.plain_pixel() == nullptr)
-        if (std::string_view json = step.json(); take_step(json, any) && json.empty())
-            return any;
-    return step_of_kind(step, static_cast<std::size_t>(kind),
+AnyStep step_in_text(std::string_view json, StepKind kind) {
+    return step_in_text(json, static_cast<std::size_t>(kind),
                         std::make_index_sequence<step_kinds>{});
 }
-
-template TriangulateStep StepView::as() const;
-template MatrixStep StepView::as() const;
-template VertexStep StepView::as() const;
-template OrderStep StepView::as() const;
-template PrimitiveStep StepView::as() const;
-template FaceStep StepView::as() const;
-template LightStep StepView::as() const;
-template ClipStep StepView::as() const;
-template EdgeStep StepView::as() const;
-template HalfStep StepView::as() const;
-template RayStep StepView::as() const;
-template CrossingsStep StepView::as() const;
-template ScanlineStep StepView::as() const;
-template AlongStep StepView::as() const;
-template DecideStep StepView::as() const;
-template SampleStep StepView::as() const;
-template DepthStep StepView::as() const;
-template PixelStep StepView::as() const;
-template RejectStep StepView::as() const;
-template SkipStep StepView::as() const;
-template UndecidedStep StepView::as() const;
 
 } // namespace rastertrace

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Decodes steps that are written as StepWriter writes them: of a known kind, the fields in the order of their table,
+// Decodes steps that are written as this program writes them (step_json.h): of a known kind, the fields in the order of their table,
 // without blanks, escapes or characters beyond ASCII. That is nearly every step; any other text is left to a reader of
 // JSON, which finds the same values (field_type.h).
 //
@@ -22,11 +22,8 @@ namespace rastertrace {
 /// each number is finite. The step is a view of the text.
 bool take_step(std::string_view& text, AnyStep& step);
 
-/// A step of a kind that is known, whatever its text looks like.
-AnyStep any_step(const StepView& step, StepKind kind);
-
-/// The kind of a step that take_step takes.
-StepKind kind_of_plain_step(std::string_view step);
+/// The step of a kind that is known in a text, whatever that looks like.
+AnyStep step_in_text(std::string_view json, StepKind kind);
 
 /// So many digits stand at the beginning of a text; `count_digits` looks at eight at once.
 std::size_t count_digits(std::string_view text);

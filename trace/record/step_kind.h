@@ -53,6 +53,9 @@ inline constexpr std::array<std::string_view, 21> step_names{
 
 inline constexpr std::size_t step_kinds = step_names.size();
 
+/// How many steps of each kind there are.
+using KindCounts = std::array<std::uint64_t, step_kinds>;
+
 /// Some of the kinds.
 class StepKindSet {
 public:

@@ -3,8 +3,10 @@
 
 #include "field_type.h"
 #include "frame.h"
-#include "step_places.h"
+#include "step_json.h"
+#include "steps.h"
 #include "traced_steps.h"
+#include "visit_step.h"
 
 #include <rastertrace/trace/text/format_number.h>
 #include <rastertrace/trace/text/json_scanner.h>
@@ -14,87 +16,84 @@
 
 #include <algorithm>
 #include <cassert>
-#include <functional>
 #include <utility>
 
 namespace rastertrace {
 
-std::string_view StepView::pixel_json() const {
-    char* end = buffer_.data();
-    const auto add_text = [&end](std::string_view text) {
-        end = std::copy(text.begin(), text.end(), end);
-    };
-    add_text(R"({"step":"pixel","x":)");
-    end = format_number(end, pixel_.x);
-    add_text(R"(,"y":)");
-    end = format_number(end, pixel_.y);
-    add_text("}");
-    return {buffer_.data(), static_cast<std::size_t>(end - buffer_.data())};
+std::string StepView::json() const {
+    if (!text_.empty())
+        return std::string(text_);
+    std::string json;
+    visit_step(*this, [&json](const auto& step) { json = step_json(step); });
+    return json;
 }
 
-std::optional<std::string_view> StepView::field(std::string_view name) const& {
-    if (is_pixel_ && name != "x" && name != "y" && name != "step")
-        return std::nullopt;
-    JsonScanner fields(json());
-    while (fields.next_field())
+std::optional<std::string> StepView::field(std::string_view name) const {
+    std::optional<std::string> found;
+    if (text_.empty()) {
+        visit_step(*this, [&](const auto& step) { found = field_of_step(step, name); });
+        return found;
+    }
+    JsonScanner fields(text_);
+    while (!found && fields.next_field())
         if (fields.key() == name)
-            return fields.value();
-    return std::nullopt;
+            found = fields.value();
+    return found;
+}
+
+std::vector<std::pair<std::string, std::string>> StepView::fields() const {
+    const std::string json = this->json();
+    std::vector<std::pair<std::string, std::string>> all;
+    JsonScanner fields(json);
+    while (fields.next_field())
+        all.emplace_back(plain_text(fmt::format("\"{}\"", fields.key())), fields.value());
+    return all;
 }
 
 std::string StepView::kind_name() const {
-    return is_pixel_ ? std::string(name_of(StepKind::pixel))
-                     : plain_text(field("step").value_or(""));
+    return kind_ ? std::string(name_of(*kind_)) : plain_text(field("step").value_or(""));
 }
 
 std::optional<double> nearest_double_in(const std::string& number) {
     return TracedNumber(number).nearest_double();
 }
 
-Trace::Trace() : steps_(std::make_unique<StepPlaces>()) {}
+Trace::Trace() : steps_(std::make_shared<Steps>()) {}
 Trace::Trace(Trace&&) noexcept = default;
 Trace& Trace::operator=(Trace&&) noexcept = default;
 Trace::~Trace() = default;
 
-const StepPlace& Trace::place_of(std::size_t n) const {
-    assert(n > 0 && n <= size());
-    return steps_->at(n, text());
+const Source& Trace::source() const {
+    return steps_->source();
 }
 
 std::size_t Trace::size() const {
-    return steps_->size();
+    return is_excerpt_ ? numbers_.size() : steps_->size();
 }
-
-namespace {
-
-StepView step_at(const StepPlace& place, std::string_view text) {
-    return place.pixel ? StepView(*place.pixel) : StepView(text.substr(place.offset, place.length));
-}
-
-} // namespace
 
 StepView Trace::step(std::size_t n) const {
-    return step_at(place_of(n), text());
-}
-
-std::size_t Trace::offset_of(std::size_t n) const {
-    return place_of(n).offset;
+    assert(n > 0 && n <= size());
+    return steps_->at(number_of(n));
 }
 
 std::size_t Trace::line_of(std::size_t n) const {
-    if (!has_lines_ || !source_.is_read)
+    if (!has_lines_ || !source().is_read)
         return 0;
-    const std::string_view before = text().substr(0, offset_of(n));
+    const std::string_view text = source().view();
+    const std::string_view before(text.data(), text_of(n).data());
     return static_cast<std::size_t>(std::count(before.begin(), before.end(), '\n')) + 1;
 }
 
 std::optional<StepKind> Trace::kind_of(std::size_t n) const {
     assert(n > 0 && n <= size());
-    return steps_->kind(n, text());
+    return steps_->kind(number_of(n));
 }
 
 std::size_t Trace::next_of(StepKindSet kinds, std::size_t n, std::size_t last) const {
-    return steps_->next_of(kinds, n, last, text());
+    for (; n <= last; ++n)
+        if (const auto kind = kind_of(n); kind && kinds.has(*kind))
+            return n;
+    return n;
 }
 
 std::optional<ReplayState> Trace::end_state_ahead(std::size_t of) const {
@@ -103,8 +102,7 @@ std::optional<ReplayState> Trace::end_state_ahead(std::size_t of) const {
 }
 
 bool Trace::is_plain(std::size_t n) const {
-    assert(n > 0 && n <= size());
-    return steps_->is_plain(n, text());
+    return steps_->text_of(number_of(n)).empty();
 }
 
 Trace Trace::without_steps() const {
@@ -120,31 +118,9 @@ Trace Trace::without_steps() const {
     excerpt.end = end;
     excerpt.header_json = header_json;
     excerpt.numbers_give = numbers_give;
-    if (text_of_file_.data() != nullptr) {
-        excerpt.source_ = source_;
-        excerpt.text_of_file_ = text_of_file_;
-        excerpt.steps_->set_file(source_.mapped);
-    }
+    excerpt.steps_ = steps_;
+    excerpt.is_excerpt_ = true;
     return excerpt;
-}
-
-bool Trace::is_in_file(std::string_view json) const {
-    const std::less_equal<> is_not_behind; // also of pointers to different texts
-    return text_of_file_.data() != nullptr && is_not_behind(text_of_file_.data(), json.data()) &&
-           is_not_behind(json.data() + json.size(), text_of_file_.data() + text_of_file_.size());
-}
-
-void Trace::add_to_excerpt(const StepView& step, std::optional<StepKind> kind, std::size_t number) {
-    const std::string_view json = step.json();
-    const bool is_mapped = text_of_file_.data() != nullptr;
-    assert(!is_mapped || is_in_file(json));
-    steps_->add({.offset = is_mapped ? static_cast<std::size_t>(json.data() - text_of_file_.data())
-                                     : source_.text.size(),
-                 .length = static_cast<std::uint32_t>(json.size()),
-                 .kind = kind});
-    numbers_.push_back(number);
-    if (!is_mapped)
-        source_.text += json;
 }
 
 bool Trace::lacks(StepKind kind) const {
@@ -159,20 +135,39 @@ std::string Trace::method_value(std::string_view key) const {
     return {};
 }
 
+/// The text that step n was read from. One that is written as this program writes it has the n-th line behind the header,
+/// but for lines without anything.
+std::string_view Trace::text_of(std::size_t n) const {
+    if (const std::string_view own = steps_->text_of(number_of(n)); !own.empty())
+        return own;
+    std::string_view text = source().view();
+    const auto next_line = [&text] {
+        const std::string_view line = text.substr(0, text.find('\n'));
+        text.remove_prefix(std::min(line.size() + 1, text.size()));
+        return line;
+    };
+    next_line();
+    for (std::size_t left = number_of(n);;)
+        if (const std::string_view line = next_line(); !without_blanks(line).empty() && --left == 0)
+            return line.substr(0, line.rfind('}') + 1);
+}
+
 Problem Trace::problem_at_field(std::size_t n, std::string_view field, std::string message) const {
-    const StepView view = step(n);
-    const std::string_view json = view.json();
-    const auto value = view.field(field);
-    const std::size_t in_step = value ? static_cast<std::size_t>(value->data() - json.data()) : 0;
-    return problem_at(source_, offset_of(n) + in_step, std::move(message));
+    const std::string_view text = text_of(n);
+    const char* at = text.data();
+    JsonScanner fields(text);
+    while (fields.next_field())
+        if (fields.key() == field)
+            at = fields.value().data();
+    return problem_at(source(), static_cast<std::size_t>(at - source().view().data()),
+                      std::move(message));
 }
 
 std::vector<Problem> Trace::faults_in_step(std::size_t n) const {
     const auto kind = kind_of(n);
     if (!kind || is_plain(n))
         return {};
-    const StepView view = step(n);
-    const std::string_view json = view.json();
+    const std::string_view json = text_of(n);
     const auto& known = fields_of(*kind);
     std::vector<Problem> faults;
     JsonScanner fields(json);
@@ -182,9 +177,10 @@ std::vector<Problem> Trace::faults_in_step(std::size_t n) const {
                          [&fields](const StepField& one) { return one.name == fields.key(); });
         if (field == known.end() || has_type_of(fields.value(), *field))
             continue;
-        const auto offset = static_cast<std::size_t>(fields.value().data() - json.data());
+        const auto offset =
+            static_cast<std::size_t>(fields.value().data() - source().view().data());
         faults.push_back(
-            problem_at(source_, offset_of(n) + offset,
+            problem_at(source(), offset,
                        fmt::format("expected {} for {}, found {}", expected_for(*field),
                                    field->name, shortened(fields.value(), 40))));
     }

@@ -7,8 +7,7 @@
 //     trace.value().size();                  // how many steps
 //     trace.value().step(1).kind_name();     // "primitive"
 //
-// Steps stay the text that they were; a step is looked into when someone asks. Steps and fields of
-// unknown names are kept.
+// Steps and fields of unknown names are kept as text.
 
 #include "step_kind.h"
 
@@ -27,6 +26,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -34,50 +34,55 @@ namespace rastertrace {
 
 class ReplayState;
 class StepNumbers;
-class StepPlaces;
+class Steps;
 struct Plan;
 struct Scene;
-struct StepPlace;
 
 /// No limit.
 inline constexpr std::size_t any_number = std::numeric_limits<std::size_t>::max();
 
-/// One step: a view of its JSON object, valid as long as its trace.
+/// One step: a view, valid as long as its trace.
 class StepView {
 public:
-    explicit StepView(std::string_view json) : json_(json) {}
+    /// A step of a kind that we know, with its struct (traced_steps.h); and its text, if that is not as this program writes
+    /// it. Of another kind, the text alone.
+    StepView(std::optional<StepKind> kind, const void* value, std::string_view text)
+        : kind_(kind), value_(value), text_(text) {}
 
-    /// A `pixel` step without a color, of which only the pixel is held.
-    explicit StepView(const Pixel& pixel) : pixel_(pixel), is_pixel_(true) {}
+    /// A `pixel` step without a color.
+    explicit StepView(const Pixel& pixel) : kind_(StepKind::pixel), pixel_(pixel) {}
 
-    /// The whole object as it stands in the file; valid as long as this view.
-    std::string_view json() const& { return is_pixel_ ? pixel_json() : json_; }
-    std::string json() const&& { return std::string(json()); }
+    /// Its object, as it stands in a trace.
+    std::string json() const;
 
     /// The value of "step": primitive, pixel, ..., or a name that we do not know.
     std::string kind_name() const;
-    std::optional<StepKind> kind() const { return step_kind_named(kind_name()); }
+    std::optional<StepKind> kind() const { return kind_; }
 
-    /// The pixel of a `pixel` step of which only that is held; nullptr else.
-    const Pixel* plain_pixel() const { return is_pixel_ ? &pixel_ : nullptr; }
-
-    /// The step as its kind has it (traced_steps.h); Step is that of its kind. A view, as this one is.
-    template <typename Step> Step as() const;
-
-    /// The JSON of a field, or nothing if the step has no such field; valid as long as this view.
-    std::optional<std::string_view> field(std::string_view name) const&;
-    std::optional<std::string> field(std::string_view name) const&& {
-        const auto value = field(name);
-        return value ? std::optional<std::string>(*value) : std::nullopt;
+    /// The step as its kind has it; Step is that of its kind. A reference, but to a pixel, of which a row may be held.
+    template <typename Step>
+    std::conditional_t<Step::step_kind == StepKind::pixel, Step, const Step&> as() const {
+        assert(kind_ == Step::step_kind);
+        if constexpr (Step::step_kind == StepKind::pixel)
+            if (value_ == nullptr)
+                return Step{.x = pixel_.x, .y = pixel_.y};
+        return *static_cast<const Step*>(value_);
     }
 
-private:
-    std::string_view pixel_json() const;
+    /// The JSON of a field, or nothing if the step has no such field.
+    std::optional<std::string> field(std::string_view name) const;
 
-    std::string_view json_;
+    /// The name and the JSON of each field.
+    std::vector<std::pair<std::string, std::string>> fields() const;
+
+    /// Its text, if that is not as this program writes it; else "".
+    std::string_view own_text() const { return text_; }
+
+private:
+    std::optional<StepKind> kind_;
+    const void* value_ = nullptr; ///< of a `pixel` step without a color: null
+    std::string_view text_;
     Pixel pixel_{};
-    bool is_pixel_ = false;
-    mutable std::array<char, 48> buffer_; ///< for the JSON of pixel_, once someone has asked
 };
 
 /// The nearest double of a number as a trace writes it, 0.25 or 25/8; nothing for what is no number, like null.
@@ -159,10 +164,7 @@ public:
     StepView step(std::size_t n) const;
 
     /// What it was read from; of a trace that was drawn, the name of its scene.
-    const Source& source() const { return source_; }
-
-    /// Where step n begins in the text that it was read from, in bytes. Not of a trace that was drawn.
-    std::size_t offset_of(std::size_t n) const;
+    const Source& source() const;
 
     /// The line of the file that step n is in, from 1; 0 if it was read from no file, or has not one step a line.
     std::size_t line_of(std::size_t n) const;
@@ -184,22 +186,18 @@ public:
 
     /// The number of step n in the trace that this is an excerpt of; n, if it is none.
     std::size_t number_of(std::size_t n) const {
-        return numbers_.empty() || n == 0 ? n : numbers_[n - 1];
+        return !is_excerpt_ || n == 0 ? n : numbers_[n - 1];
     }
 
-    /// The header and the end of this trace, without a step: the beginning of an excerpt. It looks at the same file, if
-    /// that is mapped, and copies no step from there.
+    /// The header and the end of this trace, without a step: the beginning of an excerpt, which has the same steps in memory.
     Trace without_steps() const;
-
-    /// True for the text of a step that an excerpt need not copy.
-    bool is_in_file(std::string_view json) const;
 
     /// What a replay is at behind the last step, which is known from reading, if it is ahead of another one and nobody has
     /// asked for it.
     std::optional<ReplayState> end_state_ahead(std::size_t of) const;
 
     /// Adds a step to an excerpt: step `number` of the whole trace.
-    void add_to_excerpt(const StepView& step, std::optional<StepKind> kind, std::size_t number);
+    void add_to_excerpt(std::size_t number) { numbers_.push_back(number); }
 
     /// True if steps of this kind were left out.
     bool lacks(StepKind kind) const;
@@ -209,19 +207,15 @@ public:
 
 private:
     friend class TraceReader;
-    friend class DrawnSteps;
+    friend Trace drawn_trace(const Scene& scene, const Plan& plan, const std::string& name,
+                             std::size_t most_steps);
 
-    std::string_view text() const {
-        return text_of_file_.data() != nullptr ? text_of_file_ : std::string_view(source_.text);
-    }
-    const StepPlace& place_of(std::size_t n) const;
+    std::string_view text_of(std::size_t n) const;
 
-    Source source_;
-    std::string_view
-        text_of_file_;       ///< of `source_`, if its file is mapped: as far as it has been read
+    std::shared_ptr<Steps> steps_;
     bool has_lines_ = false; ///< one step a line
-    std::unique_ptr<StepPlaces> steps_;
     mutable std::unique_ptr<ReplayState> end_state_;
+    bool is_excerpt_ = false;
     std::vector<std::size_t> numbers_; ///< of an excerpt: those of its steps in the whole trace
 };
 
@@ -274,7 +268,7 @@ inline constexpr std::size_t most_useless_steps = 100;
 
 /// The same for who wants to know all that is wrong: a step that cannot be used is damage, has no kind, and the rest is
 /// read.
-Result<Trace> read_trace_to_tell(Source source);
+Result<Trace> read_trace_to_tell(Source source, std::size_t most_steps = any_number);
 
 /// Reads what write_trace has written to a string. It is not looked through for damage.
 Result<Trace> read_written_trace(Source source);

@@ -27,13 +27,20 @@ std::string disagreement(std::string_view told, std::string_view what, std::stri
 
 namespace {
 
+std::optional<std::string_view> field_in(std::string_view json, std::string_view name) {
+    JsonScanner fields(json);
+    while (fields.next_field())
+        if (fields.key() == name)
+            return fields.value();
+    return std::nullopt;
+}
+
 /// Throws a Problem if a step lacks a field that it cannot be understood without, or has a wrong one.
 void check_fields(StepKind kind, const Source& source, std::size_t begin, std::string_view json) {
-    const StepView step(json);
     for (const StepField& field : fields_of(kind)) {
         if (!field.is_required())
             continue;
-        const auto value = step.field(field.name);
+        const auto value = field_in(json, field.name);
         if (!value)
             throw problem_at(source, begin,
                              fmt::format("expected a {} step with the key \"{}\", found none",
@@ -47,9 +54,8 @@ void check_fields(StepKind kind, const Source& source, std::size_t begin, std::s
 
 /// Throws a Problem if a step has something else where a color belongs.
 void check_colors(StepKind kind, const Source& source, std::size_t begin, std::string_view json) {
-    const StepView step(json);
     for (const StepField& field : fields_of(kind)) {
-        const auto value = field.is_color ? step.field(field.name) : std::nullopt;
+        const auto value = field.is_color ? field_in(json, field.name) : std::nullopt;
         if (value && !has_type_of(*value, field))
             throw problem_at(
                 source, begin + static_cast<std::size_t>(value->data() - json.data()),
@@ -105,10 +111,9 @@ void note_not_finite(NotFiniteSteps& noted, const Source& source, std::size_t be
     constexpr std::string_view infinity = "inf\"";
     if (json.find(nan) == std::string_view::npos && json.find(infinity) == std::string_view::npos)
         return; // nearly always
-    const StepView step(json);
     for (const StepField& field : fields_of(kind)) {
         const auto value =
-            field.element == FieldType::quantity ? step.field(field.name) : std::nullopt;
+            field.element == FieldType::quantity ? field_in(json, field.name) : std::nullopt;
         const auto found = value ? not_finite_in(*value) : std::nullopt;
         if (!found)
             continue;

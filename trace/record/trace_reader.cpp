@@ -4,9 +4,8 @@
 #include "field_type.h"
 #include "frame.h"
 #include "header_check.h"
-#include "step_counts.h"
 #include "step_decoder.h"
-#include "step_places.h"
+#include "steps.h"
 #include "trace_keys.h"
 #include "traced_steps.h"
 #include "write_trace.h"
@@ -18,6 +17,7 @@
 #include <rastertrace/trace/text/input.h>
 #include <rastertrace/trace/text/json_document.h>
 #include <rastertrace/trace/text/json_scanner.h>
+#include <rastertrace/trace/text/mapped_file.h>
 #include <rastertrace/trace/text/process_files.h>
 #include <rastertrace/trace/text/text.h>
 #include <rastertrace/trace/text/trace_layout.h>
@@ -26,7 +26,6 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <limits>
 #include <span>
 #include <utility>
 
@@ -63,12 +62,10 @@ public:
         to_tell, ///< such a step is damage, and the rest is read
     };
 
-    TraceReader(Source source, Care care, std::size_t most_steps)
-        : care_(care), most_steps_(most_steps) {
-        trace_.source_ = std::move(source);
-        if (trace_.source_.mapped)
-            trace_.text_of_file_ = trace_.source_.view();
-        trace_.steps_->set_file(trace_.source_.mapped);
+    TraceReader(Source source, Care care, std::size_t most_steps) : care_(care) {
+        trace_.steps_ = std::make_shared<Steps>(std::move(source));
+        if (most_steps != any_number)
+            steps().bound(most_steps);
     }
 
     /// Reads what may be a trace.
@@ -98,10 +95,11 @@ public:
         return std::move(trace_);
     }
 
-    const Source& source() const { return trace_.source_; }
+    const Source& source() const { return trace_.source(); }
 
 private:
-    std::string_view text() const { return trace_.text(); }
+    std::string_view text() const { return source().view(); }
+    Steps& steps() { return *trace_.steps_; }
 
     [[noreturn]] void fail(std::size_t offset, std::string message, std::string hint = {}) const {
         throw problem_at(source(), offset, std::move(message), std::move(hint));
@@ -128,10 +126,10 @@ private:
                 trace_.header_json.append(trace_.header_json.empty() ? "{" : ",")
                     .append(compact(text().substr(key.begin, value.end() - key.begin)));
         trace_.header_json += "}";
-        const auto steps = root.find("steps");
-        if (!steps || steps->kind != JsonValue::Kind::array)
+        const auto list = root.find("steps");
+        if (!list || list->kind != JsonValue::Kind::array)
             fail(root.begin, R"(expected the key "steps" with an array, found none)");
-        for (const JsonValue& step : steps->elements())
+        for (const JsonValue& step : list->elements())
             add_step(step.begin, step.end() - step.begin);
         if (const auto end = root.find("end"))
             read_end(*end);
@@ -389,55 +387,35 @@ private:
     /// begins.
     std::size_t take_plain_lines(std::size_t offset, bool is_document) {
         constexpr std::size_t most_remembered = 16U << 20U; // bytes
-        for (std::size_t remembered = offset; take_some_plain_lines(offset, is_document);) {
-            offset = lines_.end;
-            if (source().mapped && offset - remembered > most_remembered) {
+        std::size_t remembered = offset;
+        while (const std::size_t size = take_plain_line(offset, is_document)) {
+            if (const auto* const pixel = std::get_if<PixelStep>(&step_);
+                pixel != nullptr && care_ != Care::none)
+                check_pixel(offset, pixel->x, pixel->y);
+            if (state_)
+                play_step();
+            steps().take(step_);
+            offset += size;
+            if (offset - remembered < most_remembered)
+                continue;
+            if (source().mapped)
                 source().mapped->forget();
-                remembered = offset;
-            }
+            remembered = offset;
+            tell_bytes_done(offset);
         }
+        tell_bytes_done(offset);
         return offset;
     }
 
-    /// Takes the first of them; false if there is none.
-    bool take_some_plain_lines(std::size_t offset, bool is_document) {
-        constexpr std::size_t lines_at_once = 1 << 14;
-        lines_.begin = lines_.end = offset;
-        lines_.kinds.clear();
-        lines_.sizes.clear();
-        while (lines_.kinds.size() < lines_at_once) {
-            const std::size_t size = take_plain_line(lines_.end, is_document);
-            if (size == 0)
-                break;
-            if (lines_.kinds.size() >= most_steps_ - trace_.size())
-                throw too_many_steps(source().name, most_steps_);
-            if (const auto* const pixel = std::get_if<PixelStep>(&step_);
-                pixel != nullptr && care_ != Care::none)
-                check_pixel(lines_.end, pixel->x, pixel->y);
-            counts_.add(static_cast<StepKind>(step_.index()));
-            if (state_)
-                play_step();
-            lines_.kinds.push_back(static_cast<std::uint8_t>(step_.index()));
-            lines_.sizes.push_back(static_cast<std::uint16_t>(size));
-            lines_.end += size;
-        }
-        if (lines_.kinds.empty())
-            return false;
-        trace_.steps_->add_lines(lines_);
-        tell_bytes_done(lines_.end);
-        return true;
-    }
-
     /// Takes the step in the line at `offset`. Returns how many bytes the line has with its newline; 0 if it is written
-    /// otherwise, or too long to be measured.
+    /// otherwise.
     std::size_t take_plain_line(std::size_t offset, bool is_document) {
         std::string_view rest = text().substr(offset);
         if (!take_step(rest, step_))
             return 0;
         if (is_document && rest.starts_with(','))
             rest.remove_prefix(1);
-        const std::size_t size = text().size() - rest.size() + 1 - offset;
-        return rest.starts_with('\n') && size <= longest_measured_line ? size : 0;
+        return rest.starts_with('\n') ? text().size() - rest.size() + 1 - offset : 0;
     }
 
     void play_step() {
@@ -457,13 +435,7 @@ private:
             throw *zero_byte_in(source());
     }
 
-    void check_count() const {
-        if (trace_.size() >= most_steps_)
-            throw too_many_steps(source().name, most_steps_);
-    }
-
     void add_step(std::size_t begin, std::size_t size) {
-        check_count();
         if (care_ != Care::to_tell || useless_steps_ == most_useless_steps)
             return add_usable_step(begin, size);
         try {
@@ -477,36 +449,20 @@ private:
 
     void add_usable_step(std::size_t begin, std::size_t size) {
         const std::string_view json = text().substr(begin, size);
-        if (care_ == Care::none) {
-            counts_.add(kind_of_plain_step(json));
-            trace_.steps_->add({.offset = begin,
-                                .length = static_cast<std::uint32_t>(size),
-                                .kind = kind_of_plain_step(json),
-                                .is_plain = true});
-            return;
-        }
-
-        if (size > std::numeric_limits<std::uint32_t>::max())
-            fail(begin, "expected a step shorter than 4 GiB, found a longer one");
         const auto kind = checked_kind(source(), begin, size);
+        add_place(begin, size, kind);
         if (kind == StepKind::pixel) {
-            const auto pixel = StepView(json).as<PixelStep>();
+            const auto pixel = trace_.step(trace_.size()).as<PixelStep>();
             check_pixel(begin, pixel.x, pixel.y);
         }
         if (kind)
             note_not_finite(trace_.not_finite, source(), begin, json, *kind);
-        if (!kind)
-            counts_.add(StepView(json), kind);
-        add_place(begin, size, kind);
     }
 
     void add_place(std::size_t begin, std::size_t size, std::optional<StepKind> kind) {
-        if (kind)
-            counts_.add(*kind);
+        steps().take_text(kind, text().substr(begin, size));
         if (state_)
-            state_->take(StepView(text().substr(begin, size)), kind);
-        trace_.steps_->add(
-            {.offset = begin, .length = static_cast<std::uint32_t>(size), .kind = kind});
+            state_->take(trace_.step(trace_.size()));
         constexpr std::size_t seldom = 4096;
         if (trace_.size() % seldom == 0)
             tell_bytes_done(begin);
@@ -579,8 +535,8 @@ private:
             return; // nobody knows what they should have been
         if (!trace_.end->count.empty()) {
             for (const auto& [name, told] : trace_.end->count) {
-                if (const std::uint64_t steps = counts_.of(name); steps != told)
-                    disagree(fmt::format("{}", told), name + " steps", steps);
+                if (const std::uint64_t found = steps().count(name); found != told)
+                    disagree(fmt::format("{}", told), name + " steps", found);
             }
         }
         compare_picture_with_end();
@@ -596,16 +552,13 @@ private:
 
     Trace trace_;
     Care care_;
-    std::size_t most_steps_;
-    std::size_t counted_ = 0; ///< of the bytes, see add_bytes_done
-    StepCounts counts_;
+    std::size_t counted_ = 0;          ///< of the bytes, see add_bytes_done
     std::optional<ReplayState> state_; ///< that the steps lead to; its picture is the end record's
     bool has_stray_pixel_ = false;     ///< one that the canvas has not; the first is told
     std::size_t end_offset_ = 0;
     std::size_t useless_steps_ = 0; ///< that are damage
     std::vector<WrongForm> wrong_forms_;
-    AnyStep step_;        ///< that was looked at last
-    MeasuredLines lines_; ///< that were taken last
+    AnyStep step_; ///< that was looked at last
 };
 
 Result<Trace> read_written_trace(Source source) {
@@ -634,8 +587,8 @@ Result<Trace> read_trace(Source source, std::size_t most_steps) {
     return TraceReader::read_with(std::move(source), TraceReader::Care::to_use, most_steps);
 }
 
-Result<Trace> read_trace_to_tell(Source source) {
-    return TraceReader::read_with(std::move(source), TraceReader::Care::to_tell);
+Result<Trace> read_trace_to_tell(Source source, std::size_t most_steps) {
+    return TraceReader::read_with(std::move(source), TraceReader::Care::to_tell, most_steps);
 }
 
 } // namespace rastertrace

@@ -2,7 +2,7 @@
 #pragma once
 
 // The steps as a trace tells them: a struct for each kind, and beside it the table of its fields, in the order in which
-// they are written. Reading, conversion, comparison, tables and schema follow the table; what a step means is told in
+// they are written. Reading, writing, conversion, comparison, tables and schema follow the table; what a step means is told in
 // docs/trace-format.md, and where it comes from in core/raster/steps.h.
 //
 //     const ScanlineStep row = trace.step(n).as<ScanlineStep>();
@@ -10,16 +10,11 @@
 //         ...
 //     row.left.text();   // "25/8"
 //     row.left.exact();  // 25/8
-//
-// The values of a step's fields are as they stand in the trace, and decoded by who asks for that. Each is a view, valid
-// as long as its trace; absent where the step has no such field.
 
 #include "step_kind.h"
+#include "traced_values.h"
 
-#include <rastertrace/core/draw/scene/algorithms.h>
-#include <rastertrace/core/numbers/conversion.h>
 #include <rastertrace/core/raster/canvas.h>
-#include <rastertrace/core/raster/image.h>
 #include <rastertrace/core/raster/steps.h>
 
 #include <algorithm>
@@ -29,135 +24,8 @@
 #include <string>
 #include <string_view>
 #include <variant>
-#include <vector>
 
 namespace rastertrace {
-
-/// What all of them have. A value is there if its field is, whatever it holds.
-class TracedValue {
-public:
-    TracedValue() = default;
-    explicit TracedValue(std::string_view json) : json_(json) {}
-
-    explicit operator bool() const { return json_.data() != nullptr; }
-
-    /// As it stands in the trace; "" of one that is not there.
-    std::string_view json() const { return json_; }
-
-    /// What a string says, or else the value as it stands; "" of one that is not there.
-    std::string text() const;
-
-    friend bool operator==(const TracedValue& a, const TracedValue& b) = default;
-
-private:
-    std::string_view json_;
-};
-
-/// A name.
-class TracedText : public TracedValue {
-public:
-    using TracedValue::TracedValue;
-
-    friend bool operator==(const TracedText& a, std::string_view text) {
-        // Nearly no name has an escape, which only text() undoes.
-        const std::string_view json = a.json();
-        return json.find('\\') != std::string_view::npos ? a.text() == text
-               : json.starts_with('"')                   ? json.substr(1, json.size() - 2) == text
-                                                         : json == text;
-    }
-};
-
-/// A number, 3.125 or, known exactly, "25/8"; null where there is no such number; NaN, inf or -inf in the trace of a
-/// foreign rasterizer.
-class TracedNumber : public TracedValue {
-public:
-    using TracedValue::TracedValue;
-
-    /// True for a number, or for what is in the place of one; false for null.
-    bool has_number() const { return *this && json() != "null"; }
-
-    /// The number as it is written; nothing for what is no finite number.
-    std::optional<Rational> exact() const;
-
-    /// The nearest double of it.
-    std::optional<double> nearest_double() const;
-};
-
-/// What a double or, of floats, a float stores of a JSON number; nothing for what has to be looked at closely.
-std::optional<double> stored_double_in(std::string_view json, bool is_float);
-
-/// True or false.
-class TracedFlag : public TracedValue {
-public:
-    using TracedValue::TracedValue;
-
-    explicit operator bool() const = delete; ///< which question would that be?
-    bool is_true() const { return json() == "true"; }
-    bool is_false() const { return json() == "false"; }
-};
-
-/// #rrggbb, with the trace's own spelling.
-class TracedColor : public TracedValue {
-public:
-    using TracedValue::TracedValue;
-
-    std::optional<Color> color() const;
-};
-
-/// The words that a trace has for the values of an enumeration. One that is not among them, of a foreign rasterizer,
-/// is none of the enumeration.
-std::string_view word_of(PrimitiveKind kind);
-std::string_view word_of(Space space);
-std::string_view word_of(Move move);
-std::string_view word_of(SkipReason reason);
-
-template <typename Enum> class TracedWord : public TracedText {
-public:
-    using TracedText::TracedText;
-
-    friend bool operator==(const TracedWord& a, Enum value) {
-        return static_cast<const TracedText&>(a) == word_of(value);
-    }
-};
-
-/// True of a kind whose inside is drawn.
-inline bool is_filled(const TracedWord<PrimitiveKind>& kind) {
-    return std::any_of(all_primitives.begin(), all_primitives.end(),
-                       [&kind](PrimitiveKind one) { return kind == one && is_filled(one); });
-}
-
-/// The values of a JSON array, as they stand in it; none of what is no array.
-std::vector<std::string_view> elements_of(std::string_view json);
-
-/// A list of values, or of such lists.
-template <typename Value> class TracedList : public TracedValue {
-public:
-    using TracedValue::TracedValue;
-
-    /// Each as Value::text() gives it; nothing of what is no list.
-    std::vector<std::string> texts() const {
-        std::vector<std::string> texts;
-        for (const std::string_view value : elements_of(json()))
-            texts.push_back(TracedValue(value).text());
-        return texts;
-    }
-
-    std::vector<Value> values() const {
-        std::vector<Value> values;
-        for (const std::string_view value : elements_of(json()))
-            values.push_back(Value(value));
-        return values;
-    }
-};
-
-/// The same of a list of lists: its rows, each as TracedList::texts() gives it.
-template <typename Value>
-std::vector<std::vector<std::string>> text_rows(const TracedList<TracedList<Value>>& list) {
-    std::vector<std::vector<std::string>> rows;
-    for (const TracedList<Value>& row : list.values())
-        rows.push_back(row.texts());
-    return rows;
-}
 
 /// A string that is known when the program is compiled.
 template <std::size_t size> struct FixedString {
@@ -213,12 +81,12 @@ using Told = FieldRow<name, member, FieldRole::told, need>;
 struct TriangulateStep {
     static constexpr StepKind step_kind = StepKind::triangulate;
 
-    TracedText name;
-    TracedList<TracedText> vertices;
-    TracedList<TracedList<TracedNumber>> at;
-    TracedList<TracedNumber> normal;
-    TracedText drops;
-    TracedList<TracedText> ears;
+    TracedText name = {};
+    TracedList<TracedText> vertices = {};
+    TracedList<TracedList<TracedNumber>> at = {};
+    TracedList<TracedNumber> normal = {};
+    TracedText drops = {};
+    TracedList<TracedText> ears = {};
 
     using Fields = FieldTable<field::Key<"name", &TriangulateStep::name, field::required>,
                               field::Told<"vertices", &TriangulateStep::vertices>,
@@ -232,12 +100,12 @@ struct TriangulateStep {
 struct MatrixStep {
     static constexpr StepKind step_kind = StepKind::matrix;
 
-    TracedText name;
-    TracedText object;
-    TracedList<TracedList<TracedNumber>> rows;
-    TracedList<TracedText> factors;
-    TracedList<TracedList<TracedNumber>> factor_rows;
-    TracedList<TracedList<TracedNumber>> camera;
+    TracedText name = {};
+    TracedText object = {};
+    TracedList<TracedList<TracedNumber>> rows = {};
+    TracedList<TracedText> factors = {};
+    TracedList<TracedList<TracedNumber>> factor_rows = {};
+    TracedList<TracedList<TracedNumber>> camera = {};
 
     using Fields = FieldTable<field::Key<"name", &MatrixStep::name, field::required>,
                               field::Key<"object", &MatrixStep::object>,
@@ -251,10 +119,10 @@ struct MatrixStep {
 struct VertexStep {
     static constexpr StepKind step_kind = StepKind::vertex;
 
-    TracedText name;
-    TracedWord<Space> space;
-    TracedList<TracedNumber> at;
-    TracedList<TracedNumber> snapped;
+    TracedText name = {};
+    TracedWord<Space> space = {};
+    TracedList<TracedNumber> at = {};
+    TracedList<TracedNumber> snapped = {};
 
     using Fields = FieldTable<field::Key<"name", &VertexStep::name, field::required>,
                               field::Key<"space", &VertexStep::space, field::required>,
@@ -266,9 +134,9 @@ struct VertexStep {
 struct OrderStep {
     static constexpr StepKind step_kind = StepKind::order;
 
-    TracedList<TracedText> names;
-    TracedList<TracedNumber> distances;
-    TracedList<TracedNumber> listed;
+    TracedList<TracedText> names = {};
+    TracedList<TracedNumber> distances = {};
+    TracedList<TracedNumber> listed = {};
 
     using Fields = FieldTable<field::Decision<"names", &OrderStep::names>,
                               field::Reason<"distances", &OrderStep::distances>,
@@ -279,19 +147,19 @@ struct OrderStep {
 struct PrimitiveStep {
     static constexpr StepKind step_kind = StepKind::primitive;
 
-    TracedWord<PrimitiveKind> kind;
-    TracedText name;
-    TracedList<TracedText> vertices;
-    TracedList<TracedList<TracedNumber>> at;
-    TracedList<TracedNumber> depths;
-    TracedColor color;
-    TracedList<TracedColor> colors;
-    TracedList<TracedList<TracedNumber>> levels;
-    std::optional<Index> octant;
-    TracedFlag part;
-    TracedFlag painted;
-    std::optional<Index> radius;
-    TracedText face;
+    TracedWord<PrimitiveKind> kind = {};
+    TracedText name = {};
+    TracedList<TracedText> vertices = {};
+    TracedList<TracedList<TracedNumber>> at = {};
+    TracedList<TracedNumber> depths = {};
+    TracedColor color = {};
+    TracedList<TracedColor> colors = {};
+    TracedList<TracedList<TracedNumber>> levels = {};
+    std::optional<Index> octant = {};
+    TracedFlag part = {};
+    TracedFlag painted = {};
+    std::optional<Index> radius = {};
+    TracedText face = {};
 
     using Fields = FieldTable<
         field::Told<"kind", &PrimitiveStep::kind, field::required>,
@@ -310,14 +178,14 @@ struct PrimitiveStep {
 struct FaceStep {
     static constexpr StepKind step_kind = StepKind::face;
 
-    TracedText name;
-    TracedList<TracedNumber> normal;
-    TracedList<TracedNumber> view;
-    TracedNumber dot;
-    TracedNumber cosine;
-    TracedText by;
-    TracedFlag culled;
-    TracedFlag opposite;
+    TracedText name = {};
+    TracedList<TracedNumber> normal = {};
+    TracedList<TracedNumber> view = {};
+    TracedNumber dot = {};
+    TracedNumber cosine = {};
+    TracedText by = {};
+    TracedFlag culled = {};
+    TracedFlag opposite = {};
 
     using Fields =
         FieldTable<field::Key<"name", &FaceStep::name>, field::Reason<"normal", &FaceStep::normal>,
@@ -332,12 +200,12 @@ struct FaceStep {
 struct LightStep {
     static constexpr StepKind step_kind = StepKind::light;
 
-    TracedText name;
-    TracedList<TracedNumber> normal;
-    TracedList<TracedNumber> light;
-    TracedNumber dot;
-    TracedNumber intensity;
-    TracedColor color;
+    TracedText name = {};
+    TracedList<TracedNumber> normal = {};
+    TracedList<TracedNumber> light = {};
+    TracedNumber dot = {};
+    TracedNumber intensity = {};
+    TracedColor color = {};
 
     using Fields =
         FieldTable<field::Key<"name", &LightStep::name>,
@@ -351,10 +219,10 @@ struct LightStep {
 struct ClipStep {
     static constexpr StepKind step_kind = StepKind::clip;
 
-    TracedText name;
-    TracedText plane;
-    TracedList<TracedFlag> inside;
-    std::optional<Index> out;
+    TracedText name = {};
+    TracedText plane = {};
+    TracedList<TracedFlag> inside = {};
+    std::optional<Index> out = {};
 
     using Fields = FieldTable<
         field::Key<"name", &ClipStep::name>, field::Key<"plane", &ClipStep::plane, field::required>,
@@ -365,12 +233,12 @@ struct ClipStep {
 struct EdgeStep {
     static constexpr StepKind step_kind = StepKind::edge;
 
-    TracedText edge;
-    TracedNumber dx_dy;
-    TracedNumber a;
-    TracedNumber b;
-    TracedFlag top_left;
-    std::optional<Index> octant;
+    TracedText edge = {};
+    TracedNumber dx_dy = {};
+    TracedNumber a = {};
+    TracedNumber b = {};
+    TracedFlag top_left = {};
+    std::optional<Index> octant = {};
 
     using Fields = FieldTable<field::Key<"edge", &EdgeStep::edge, field::required>,
                               field::Reason<"dx_dy", &EdgeStep::dx_dy, field::or_null>,
@@ -383,9 +251,9 @@ struct EdgeStep {
 struct HalfStep {
     static constexpr StepKind step_kind = StepKind::half;
 
-    TracedText half;
-    std::optional<Index> from_y;
-    std::optional<Index> to_y;
+    TracedText half = {};
+    std::optional<Index> from_y = {};
+    std::optional<Index> to_y = {};
 
     using Fields = FieldTable<field::Key<"half", &HalfStep::half, field::required>,
                               field::Decision<"from_y", &HalfStep::from_y>,
@@ -408,9 +276,9 @@ struct CrossingsStep {
     static constexpr StepKind step_kind = StepKind::crossings;
 
     Index y = 0;
-    TracedList<TracedText> edges;
-    TracedList<TracedNumber> x;
-    TracedList<TracedNumber> winding;
+    TracedList<TracedText> edges = {};
+    TracedList<TracedNumber> x = {};
+    TracedList<TracedNumber> winding = {};
 
     using Fields = FieldTable<field::Key<"y", &CrossingsStep::y, field::required>,
                               field::Reason<"edges", &CrossingsStep::edges>,
@@ -423,14 +291,14 @@ struct ScanlineStep {
     static constexpr StepKind step_kind = StepKind::scanline;
 
     Index y = 0;
-    TracedNumber left;
-    TracedNumber right;
+    TracedNumber left = {};
+    TracedNumber right = {};
     Index from = 0;
     Index to = 0;
-    TracedText left_edge;
-    TracedText right_edge;
-    TracedNumber left_depth;
-    TracedNumber right_depth;
+    TracedText left_edge = {};
+    TracedText right_edge = {};
+    TracedNumber left_depth = {};
+    TracedNumber right_depth = {};
 
     using Fields = FieldTable<field::Key<"y", &ScanlineStep::y, field::required>,
                               field::Reason<"left", &ScanlineStep::left, field::required>,
@@ -447,9 +315,9 @@ struct ScanlineStep {
 struct AlongStep {
     static constexpr StepKind step_kind = StepKind::along;
 
-    std::optional<Index> x;
-    std::optional<Index> y;
-    TracedNumber value;
+    std::optional<Index> x = {};
+    std::optional<Index> y = {};
+    TracedNumber value = {};
     Index pixel = 0;
 
     using Fields = FieldTable<field::Key<"x", &AlongStep::x>, field::Key<"y", &AlongStep::y>,
@@ -463,8 +331,8 @@ struct DecideStep {
 
     Index x = 0;
     Index y = 0;
-    TracedNumber d;
-    TracedWord<Move> move;
+    TracedNumber d = {};
+    TracedWord<Move> move = {};
 
     using Fields = FieldTable<field::Key<"x", &DecideStep::x, field::required>,
                               field::Key<"y", &DecideStep::y, field::required>,
@@ -478,8 +346,8 @@ struct SampleStep {
 
     Index x = 0;
     Index y = 0;
-    TracedList<TracedNumber> weights;
-    TracedFlag inside;
+    TracedList<TracedNumber> weights = {};
+    TracedFlag inside = {};
 
     using Fields = FieldTable<field::Key<"x", &SampleStep::x, field::required>,
                               field::Key<"y", &SampleStep::y, field::required>,
@@ -493,12 +361,12 @@ struct DepthStep {
 
     Index x = 0;
     Index y = 0;
-    TracedNumber depth;
-    TracedNumber stored;
-    TracedFlag pass;
-    TracedText side_of;
-    TracedText beside;
-    TracedText behind;
+    TracedNumber depth = {};
+    TracedNumber stored = {};
+    TracedFlag pass = {};
+    TracedText side_of = {};
+    TracedText beside = {};
+    TracedText behind = {};
 
     using Fields = FieldTable<
         field::Key<"x", &DepthStep::x, field::required>,
@@ -515,7 +383,7 @@ struct PixelStep {
 
     Index x = 0;
     Index y = 0;
-    TracedColor color;
+    TracedColor color = {};
 
     using Fields = FieldTable<field::Key<"x", &PixelStep::x, field::required>,
                               field::Key<"y", &PixelStep::y, field::required>,
@@ -526,11 +394,11 @@ struct PixelStep {
 struct RejectStep {
     static constexpr StepKind step_kind = StepKind::reject;
 
-    std::optional<Index> x;
-    std::optional<Index> to_x;
-    std::optional<Index> y;
-    std::optional<Index> to_y;
-    TracedText why;
+    std::optional<Index> x = {};
+    std::optional<Index> to_x = {};
+    std::optional<Index> y = {};
+    std::optional<Index> to_y = {};
+    TracedText why = {};
 
     using Fields =
         FieldTable<field::Key<"x", &RejectStep::x>, field::Key<"to_x", &RejectStep::to_x>,
@@ -542,8 +410,8 @@ struct RejectStep {
 struct SkipStep {
     static constexpr StepKind step_kind = StepKind::skip;
 
-    TracedText name;
-    TracedWord<SkipReason> why;
+    TracedText name = {};
+    TracedWord<SkipReason> why = {};
 
     using Fields = FieldTable<field::Key<"name", &SkipStep::name>,
                               field::Decision<"why", &SkipStep::why, field::required>>;
@@ -553,9 +421,9 @@ struct SkipStep {
 struct UndecidedStep {
     static constexpr StepKind step_kind = StepKind::undecided;
 
-    TracedText name;
-    TracedNumber difference;
-    TracedNumber error;
+    TracedText name = {};
+    TracedNumber difference = {};
+    TracedNumber error = {};
 
     using Fields = FieldTable<field::Key<"name", &UndecidedStep::name>,
                               field::Reason<"difference", &UndecidedStep::difference>,

@@ -44,7 +44,7 @@ void UnknownNames::add(const StepView& step, std::optional<StepKind> kind) {
         return;
     }
     const auto known = fields_of(*kind);
-    JsonScanner fields(step.json());
+    JsonScanner fields(step.own_text());
     while (fields.next_field()) {
         const auto is_field = [&fields](const StepField& field) {
             return field.name == fields.key();

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "write_trace.h"
 
+#include "step_tracer.h"
 #include "step_writer.h"
 
 #include <rastertrace/core/draw/draw.h>
@@ -17,6 +18,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <numeric>
 
 namespace rastertrace {
 
@@ -41,10 +43,10 @@ std::string_view numbers_in_words(const Scene& scene, const Plan& plan) {
     return "";
 }
 
-/// The members of the header, without the braces around them.
+} // namespace
+
 std::string header_members(const Scene& scene, const Plan& plan, const StepFilter& filter) {
-    std::string text;
-    text += fmt::format(R"("rastertrace":{})", trace_version);
+    std::string text = fmt::format(R"("rastertrace":{})", trace_version);
     if (!scene.title.empty())
         text += fmt::format(R"(,"title":{})", json_quoted(scene.title));
     text += fmt::format(R"(,"canvas":{{"width":{},"height":{},"origin":"{}"}})", scene.canvas.width,
@@ -100,27 +102,18 @@ std::string header_members(const Scene& scene, const Plan& plan, const StepFilte
     return text;
 }
 
-std::uint64_t steps_of(const StepWriter& writer) {
-    std::uint64_t steps = 0;
-    for (std::size_t i = 0; i < step_kinds; ++i)
-        steps += writer.count(static_cast<StepKind>(i));
-    return steps;
-}
-
-/// The end record: what was written, and what came of it.
-std::string end_record(const StepWriter& writer, const Image& image) {
+std::string end_record(const KindCounts& count, const Image& image) {
     std::string counts;
+    std::uint64_t steps = 0;
     for (std::size_t i = 0; i < step_kinds; ++i) {
-        const auto kind = static_cast<StepKind>(i);
-        const std::uint64_t count = writer.count(kind);
-        if (count > 0)
-            counts += fmt::format(R"({}"{}":{})", counts.empty() ? "" : ",", name_of(kind), count);
+        steps += count[i];
+        if (count[i] > 0)
+            counts +=
+                fmt::format(R"({}"{}":{})", counts.empty() ? "" : ",", step_names[i], count[i]);
     }
-    return fmt::format(R"("end":{{"steps":{},"count":{{{}}},"pixels":{},"frame":"{}"}})",
-                       steps_of(writer), counts, image.drawn(), frame_name(image));
+    return fmt::format(R"("end":{{"steps":{},"count":{{{}}},"pixels":{},"frame":"{}"}})", steps,
+                       counts, image.drawn(), frame_name(image));
 }
-
-} // namespace
 
 std::string frame_name(const Image& image) {
     // FNV-1a's offset basis and prime for 64 bits.
@@ -148,17 +141,19 @@ std::uint64_t write_trace(const Scene& scene, const TraceOptions& options, Outpu
 std::uint64_t write_trace(const Scene& scene, const Plan& plan, const TraceOptions& options,
                           Output& output) {
     const bool is_document = options.layout == TraceLayout::json;
-    StepWriter writer(output, options.layout, options.filter);
+    StepWriter writer(output, options.layout);
+    Arena arena;
+    StepTracer<StepWriter> tracer(writer, arena, false, options.filter);
 
     writer.put_text(fmt::format("{{{}{}", header_members(scene, plan, options.filter),
                                 is_document ? R"(,"steps":[)" : "}"));
 
-    const Image image = draw(scene, plan, writer);
+    const Image image = draw(scene, plan, tracer);
 
-    const std::string end = end_record(writer, image);
+    const std::string end = end_record(writer.counts(), image);
     writer.put_text(fmt::format("\n{}{}}}\n", is_document ? "],\n" : "{", end));
     writer.flush();
-    return steps_of(writer);
+    return std::accumulate(writer.counts().begin(), writer.counts().end(), std::uint64_t{0});
 }
 
 namespace {

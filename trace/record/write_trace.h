@@ -33,6 +33,10 @@ std::uint64_t write_trace(const Scene& scene, const Plan& plan, const TraceOptio
 /// The same for a scene that nobody has planned yet.
 std::uint64_t write_trace(const Scene& scene, const TraceOptions& options, Output& output);
 
+/// What stands around the steps: the members of the header, and of the end record, without the braces around them.
+std::string header_members(const Scene& scene, const Plan& plan, const StepFilter& filter);
+std::string end_record(const KindCounts& count, const Image& image);
+
 /// The trace of a scene as a source of this name, for read_written_trace. Throws a Problem if it has more lines than
 /// `most_steps` steps need.
 Source written_trace(const Scene& scene, const Plan& plan, std::string name,

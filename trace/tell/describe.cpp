@@ -5,6 +5,7 @@
 #include "step_text.h"
 
 #include <rastertrace/trace/record/step_kind.h>
+#include <rastertrace/trace/text/json_scanner.h>
 #include <rastertrace/trace/text/text.h>
 
 #include <fmt/core.h>
@@ -748,15 +749,15 @@ std::string filled_in(std::string_view placeholder, const Context& context) {
         return part != nullptr ? part->text(context) : std::string();
     }
     const auto value_of = [&context](std::string_view field) {
-        return TracedList<TracedValue>(context.step.field(field).value_or(""));
+        return context.step.field(field).value_or("");
     };
     if (placeholder.starts_with('#'))
-        return std::string(in_language_of_steps(value_of(placeholder.substr(1)).text()));
+        return std::string(in_language_of_steps(plain_text(value_of(placeholder.substr(1)))));
     if (const auto choice = choice_in(placeholder))
-        return std::string(value_of(choice->field).json() == "true" ? choice->if_true
-                                                                    : choice->if_false);
-    const auto value = value_of(placeholder);
-    return value.json().starts_with('[') ? point(value.texts()) : in_sentence(value.text());
+        return std::string(value_of(choice->field) == "true" ? choice->if_true : choice->if_false);
+    const std::string value = value_of(placeholder);
+    return value.starts_with('[') ? point(TracedList<TracedValue>(value).texts())
+                                  : in_sentence(plain_text(value));
 }
 
 /// A placeholder of a pattern: from its opening bracket on, to behind the closing one.

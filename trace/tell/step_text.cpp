@@ -68,11 +68,11 @@ Rational as_stored(const Rational& number, std::string_view json, bool is_float)
     return std::isfinite(stored) ? Rational(stored) : number;
 }
 
-std::optional<Rational> stored_number_in(std::string_view json, bool is_float) {
-    if (const auto stored = stored_double_in(json, is_float))
+std::optional<Rational> stored_number_in(const TracedNumber& told, bool is_float) {
+    if (const auto stored = told.stored_double(is_float))
         return Rational(*stored);
-    const auto number = number_in(plain_text(json));
-    return number ? std::optional(as_stored(*number, json, is_float)) : std::nullopt;
+    const auto number = told.exact();
+    return number ? std::optional(as_stored(*number, told.json(), is_float)) : std::nullopt;
 }
 
 std::optional<Vec2> vec2_in(const std::vector<std::string>& texts) {

@@ -67,7 +67,7 @@ std::optional<Rational> number_in(std::string_view text);
 /// The number that a JSON value stands for: a number for the nearest double, or float, if there is
 /// one; a fraction in quotes for itself.
 Rational as_stored(const Rational& number, std::string_view json, bool is_float);
-std::optional<Rational> stored_number_in(std::string_view json, bool is_float);
+std::optional<Rational> stored_number_in(const TracedNumber& told, bool is_float);
 
 /// The same for the coordinates of a point.
 using Vec2 = Vec<Rational, 2>;

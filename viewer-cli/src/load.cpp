@@ -90,9 +90,7 @@ Trace InputFrames::trace(std::size_t frame) {
     if (!scenes_) {
         const bool is_marked =
             options_.tells_steps && source_.view().size() <= largest_marked_trace;
-        // What is mapped is not held.
-        const std::size_t most_steps = source_.mapped ? any_number : options_.limits.steps;
-        Trace trace = value_or_throw(read_trace(std::move(source_), most_steps));
+        Trace trace = value_or_throw(read_trace(std::move(source_), options_.limits.steps));
         if (is_marked)
             mark_wrong_steps(trace);
         return titled(std::move(trace), path_);
@@ -166,7 +164,7 @@ Source load_input(const std::string& path, const InputLimits& limits) {
 
 Trace trace_to_compare(Source source, const std::string& path, const SceneOptions& options) {
     if (is_trace(source))
-        return value_or_throw(read_trace(std::move(source)));
+        return value_or_throw(read_trace(std::move(source), options.limits.steps));
     const std::string name = source.name;
     InputFrames input(path, std::move(source), options);
     return value_or_throw(

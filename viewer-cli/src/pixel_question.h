@@ -29,10 +29,8 @@ public:
         if (answer_)
             return false;
         const std::size_t last = std::min(trace_->size(), looked_at_ + steps);
-        for (; looked_at_ < last; ++looked_at_) {
-            const std::size_t n = looked_at_ + 1;
-            steps_.take(trace_->step(n), trace_->kind_of(n), trace_->number_of(n));
-        }
+        while (looked_at_ < last)
+            steps_.take(++looked_at_);
         if (looked_at_ < trace_->size())
             return true;
         Trace excerpt = std::move(steps_).finish();

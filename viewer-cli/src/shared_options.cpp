@@ -137,7 +137,7 @@ void InputOptions::add_to(OptionList& options, Holds holds) {
     options
         .option("--max-steps", max_steps_,
                 "The most steps of a trace to hold; 10 million if not given. Pixels of a "
-                "row that follow one another in a trace that is drawn count as one",
+                "row that follow one another count as one",
                 "N")
         .shared(of_input);
 }

@@ -146,8 +146,9 @@ void validate_decisions(const Trace& trace, ValidatedFile& file) {
     file.about += fmt::format("; {} done again", counted(redone.values(), "number"));
 }
 
-void validate_trace(Source source, bool redoes, ValidatedFile& file) {
-    const Trace trace = value_or_throw(read_trace_to_tell(std::move(source)));
+void validate_trace(Source source, const ValidateCommand& command, ValidatedFile& file) {
+    const Trace trace =
+        value_or_throw(read_trace_to_tell(std::move(source), command.input.steps));
     StepsSeen seen(trace);
     for (std::size_t n = 1; n <= trace.size(); ++n) {
         if (file.all_told())
@@ -155,7 +156,7 @@ void validate_trace(Source source, bool redoes, ValidatedFile& file) {
         seen.add(trace, n);
     }
     finish_trace(trace, seen, file);
-    if (redoes && file.is_valid())
+    if (command.redo && file.is_valid())
         validate_decisions(trace, file);
 }
 
@@ -245,7 +246,7 @@ void validate_source(Source source, const ValidateCommand& command, ValidatedFil
     case SchemaKind::scene:
         return validate_scene(source, command.input, file);
     case SchemaKind::trace:
-        return validate_trace(std::move(source), command.redo, file);
+        return validate_trace(std::move(source), command, file);
     case SchemaKind::claims:
         return validate_claims(std::move(source), command.input, file);
     }

@@ -69,7 +69,8 @@ public:
         return !has_depth(cell) || is_less(held, in(cell), cell);
     }
     template <typename Depth> bool hides(const double& cell, const Depth& depth) {
-        return is_less(in(cell), held_by(depth), cell);
+        const Held own = held_by(depth); // first: it may enlarge the error of the piece in the cell
+        return is_less(in(cell), own, cell);
     }
     template <typename Depth> bool keep_if_nearer(double& cell, const Depth& depth) {
         if (is_trial_ && !throws_) {
@@ -87,9 +88,11 @@ public:
     template <typename Depth>
     bool is_behind_thin(const double& cell, const Depth& depth, Thickness thickness) {
         const Thin* const thin = thin_at(cell);
-        return thin &&
-               (thickness < thin->thickness ? is_less(held_by(*thin), held_by(depth), cell)
-                                            : !is_less(held_by(depth), held_by(*thin), cell));
+        if (thin == nullptr)
+            return false;
+        const Held own = held_by(depth);
+        const Held other = held_by(*thin);
+        return thickness < thin->thickness ? is_less(other, own, cell) : !is_less(own, other, cell);
     }
     std::optional<std::uint32_t> thin_owner_of(const double& cell) const {
         return thin_at(cell) ? std::optional(thin_at(cell)->owner) : std::nullopt;

@@ -1,23 +1,19 @@
 // SPDX-License-Identifier: MIT
-// Steps are found by their kind as a walk through all of them finds them, and a walk through a mapped file leaves little of
-// the file in memory.
+// Steps in memory are what their text is, and are found by their kind as a walk through all of them finds them.
 
+#include "effort.h"
 #include "random_choice.h"
 #include "random_scene.h"
 #include "traces.h"
 
 #include <rastertrace/trace/record/trace.h>
-#include <rastertrace/trace/text/input.h>
+#include <rastertrace/trace/record/traced_steps.h>
 
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
-#include <filesystem>
-#include <fstream>
-#include <sstream>
 #include <string>
 #include <utility>
 #include <vector>
@@ -82,7 +78,7 @@ std::string foreign(std::string text, Random& random) {
     return text;
 }
 
-TEST(StepPlaces, TheNextStepOfAKindIsTheOneThatAWalkComesTo) {
+TEST(Steps, TheNextStepOfAKindIsTheOneThatAWalkComesTo) {
     std::size_t steps = 0;
     for (std::uint64_t seed = 1; seed <= 100; ++seed) {
         const auto scene = read_scene({"scene.json", RandomScene(seed).text()});
@@ -109,49 +105,51 @@ TEST(StepPlaces, TheNextStepOfAKindIsTheOneThatAWalkComesTo) {
     EXPECT_GT(steps, 10'000U);
 }
 
-/// How much of the mapped file that holds `byte` is in memory.
-std::size_t resident_around(const char* byte) {
-    const auto place = reinterpret_cast<std::uintptr_t>(byte);
-    std::ifstream maps("/proc/self/smaps");
-    bool is_there = false;
-    for (std::string line; std::getline(maps, line);) {
-        std::istringstream fields(line);
-        std::uintptr_t begin = 0;
-        std::uintptr_t end = 0;
-        char dash = 0;
-        if (fields >> std::hex >> begin >> dash >> end && dash == '-')
-            is_there = begin <= place && place < end;
-        else if (is_there && line.starts_with("Rss:"))
-            return std::stoul(line.substr(line.find_first_of("0123456789"))) * 1024;
+/// A trace of a scene that is drawn has the steps that its text has, and they read and write alike.
+TEST(Steps, OfADrawingAreThoseOfItsText) {
+    std::size_t compared = 0;
+    for (std::uint64_t seed = 1; seed <= random_cases(400); ++seed) {
+        const auto scene = read_scene({"scene.json", RandomScene(seed).text()});
+        if (!scene)
+            continue;
+        const auto& [drawn, plan, notes] = scene.value();
+        const Trace held = drawn_trace(drawn, plan, "scene.json", any_number);
+        const std::string text = trace_text(scene.value(), in_lines);
+        const Trace read = readable_trace(text);
+        ASSERT_EQ(held.size(), read.size()) << "seed " << seed;
+        std::string lines = text.substr(0, text.find('\n') + 1);
+        for (std::size_t n = 1; n <= read.size(); ++n) {
+            ASSERT_EQ(held.step(n).json(), read.step(n).json()) << "seed " << seed;
+            ASSERT_EQ(held.step(n).fields(), read.step(n).fields());
+            lines += held.step(n).json() + "\n";
+        }
+        EXPECT_EQ(text.substr(0, lines.size()), lines) << "seed " << seed;
+        EXPECT_EQ(held.end->frame, read.end->frame);
+        compared += read.size();
     }
-    ADD_FAILURE() << "expected a mapped file";
-    return 0;
+    EXPECT_GT(compared, 10'000U);
 }
 
-TEST(StepPlaces, AWalkThroughAMappedFileLeavesLittleOfItInMemory) {
-    const auto path = std::filesystem::path(testing::TempDir()) /
-                      ("walked." + std::to_string(::getpid()) + ".jsonl");
-    {
-        std::ofstream file(path);
-        file << R"({"rastertrace":1,"canvas":{"width":8,"height":8,"origin":"top-left"}})" << '\n';
-        for (int i = 0; i < 1'000'000; ++i)
-            file << R"({"step":"pixel","x":1,"y":2})" << '\n';
-        file << R"({"end":{"steps":1000000}})" << '\n';
-    }
-    const std::size_t size = std::filesystem::file_size(path);
-    auto source = read_source(path.string(), {});
-    std::filesystem::remove(path);
-    ASSERT_TRUE(source);
-    const auto trace = read_trace(std::move(source.value()));
-    ASSERT_TRUE(trace);
-    ASSERT_EQ(trace.value().size(), 1'000'000U);
-    std::size_t bytes = 0;
-    for (std::size_t n = 1; n <= trace.value().size(); ++n)
-        bytes += static_cast<std::size_t>(trace.value().step(n).json().back() == '}');
-    EXPECT_EQ(bytes, 1'000'000U);
-    EXPECT_GT(size, 25'000'000U);
-    const StepView first = trace.value().step(1);
-    EXPECT_LT(resident_around(first.json().data()), 9'000'000U);
+/// Numbers, colors, names and fields that this program would write otherwise read back as they were typed.
+TEST(Steps, WhatWasTypedStays) {
+    const std::vector<std::string> typed{
+        R"({"step":"scanline","y":2,"left":1.50,"right":"4/2","from":1,"to":2})",
+        R"({"step":"scanline","y":-0,"left":1E0,"right":"NaN","from":1,"to":2})",
+        R"({"step":"pixel","y":1,"x":2})",
+        R"({"step":"pixel","x":2,"y":1,"color":"#FF8000"})",
+        R"({"step":"pixel","x":2,"y":1,"code":"raster.cpp:120"})",
+        R"({ "step": "primitive", "kind": "triangle", "name": "A\u0042C" })",
+        R"({"step":"wobble","how":[1,{"far":2.50}]})",
+    };
+    std::string text = "{\"rastertrace\":1,\"canvas\":{\"width\":3,\"height\":3}}\n";
+    for (const std::string& line : typed)
+        text += line + "\n";
+    const Trace trace = readable_trace(text + "{\"end\":{}}\n");
+    ASSERT_EQ(trace.size(), typed.size());
+    for (std::size_t n = 1; n <= typed.size(); ++n)
+        EXPECT_EQ(trace.step(n).json(), typed[n - 1]);
+    EXPECT_EQ(trace.step(1).as<ScanlineStep>().left.text(), "1.50");
+    EXPECT_EQ(trace.step(6).as<PrimitiveStep>().name.text(), "ABC");
 }
 
 } // namespace

@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: MIT
+#include "traced_values.h"
+
+#include "step_json.h"
+
+#include <rastertrace/core/numbers/number.h>
+#include <rastertrace/trace/text/color_text.h>
+#include <rastertrace/trace/text/json_scanner.h>
+#include <rastertrace/trace/text/primitive_name.h>
+
+#include <charconv>
+#include <cmath>
+#include <system_error>
+
+namespace rastertrace {
+
+namespace {
+
+/// The number of a text, if it is one.
+std::optional<Number> number_of(std::string_view text) {
+    auto parsed = parse_number(text, NumberSize::any);
+    auto* const number = std::get_if<Number>(&parsed);
+    return number == nullptr ? std::nullopt : std::optional(std::move(*number));
+}
+
+/// The nearest double of "25/8" or "3", if above and below stand doubles: their division rounds once.
+std::optional<double> quotient_rounded_once(std::string_view json) {
+    constexpr Index exact_in_double = Index{1} << 53;
+    const char* at = json.data() + (json.starts_with('"') ? 1 : 0);
+    const char* const end = json.data() + json.size() - (json.ends_with('"') ? 1 : 0);
+    const auto take_whole = [&at, end]() -> std::optional<double> {
+        Index whole = 0;
+        const auto read = std::from_chars(at, end, whole);
+        at = read.ptr;
+        if (read.ec != std::errc{} || whole < -exact_in_double || whole > exact_in_double)
+            return std::nullopt;
+        return static_cast<double>(whole);
+    };
+    const auto above = take_whole();
+    if (above && at == end)
+        return above;
+    if (!above || *at++ != '/')
+        return std::nullopt;
+    const auto below = take_whole();
+    return below && *below > 0 && at == end ? std::optional(*above / *below) : std::nullopt;
+}
+
+// The standard library for pages reads no floating-point numbers so.
+template <typename Stored>
+std::optional<double> stored_at_once([[maybe_unused]] std::string_view json) {
+#ifdef __cpp_lib_to_chars
+    Stored stored = 0;
+    const char* const end = json.data() + json.size();
+    const auto read = std::from_chars(json.data(), end, stored);
+    const bool is_number = read.ec == std::errc() && read.ptr == end && std::isfinite(stored);
+    if (is_number)
+        return static_cast<double>(stored);
+#endif
+    return std::nullopt;
+}
+
+} // namespace
+
+std::string TracedNumber::json() const {
+    return step_json_parts::json_of(*this);
+}
+
+std::string TracedNumber::text() const {
+    return plain_text(json());
+}
+
+std::optional<Rational> TracedNumber::exact() const {
+    if (form_ == Form::fraction)
+        return rastertrace::exact(Fraction64{whole_, more_});
+    if (form_ == Form::whole)
+        return Rational(whole_);
+    const auto number = number_of(text());
+    return number ? std::optional(number->exact()) : std::nullopt;
+}
+
+std::optional<double> TracedNumber::nearest_double() const {
+    if (form_ == Form::real)
+        return real_ + 0.0; // not -0
+    const std::string json = this->json();
+    if (const auto quotient = quotient_rounded_once(json))
+        return quotient;
+    constexpr double usual = 1e300; // others are looked at closely
+    const auto stored = stored_at_once<double>(json);
+    if (stored && (*stored == 0 || (1 / usual < std::abs(*stored) && std::abs(*stored) < usual)))
+        return *stored + 0.0;
+    const auto number = number_of(plain_text(json));
+    return number ? std::optional(number->nearest_double()) : std::nullopt;
+}
+
+std::optional<double> TracedNumber::stored_double(bool is_float) const {
+    return form_ == Form::real && !is_float ? std::optional(real_)
+                                            : stored_double_in(json(), is_float);
+}
+
+std::optional<double> stored_double_in(std::string_view json, bool is_float) {
+    return is_float ? stored_at_once<float>(json) : stored_at_once<double>(json);
+}
+
+std::string TracedValue::text() const {
+    return plain_text(json_);
+}
+
+std::string TracedColor::json() const {
+    return step_json_parts::json_of(*this);
+}
+
+std::string TracedColor::text() const {
+    return plain_text(json());
+}
+
+std::optional<Color> TracedColor::color() const {
+    return form_ == Form::color ? std::optional(color_) : parse_color(text());
+}
+
+std::vector<std::string_view> elements_of(std::string_view json) {
+    std::vector<std::string_view> values;
+    if (json.empty())
+        return values;
+    JsonScanner elements(json);
+    while (elements.next_element())
+        values.push_back(elements.value());
+    return values;
+}
+
+std::string_view word_of(PrimitiveKind kind) {
+    return name_of(kind);
+}
+
+std::string_view word_of(Space space) {
+    constexpr std::array<std::string_view, 6> words{"object", "world",     "camera",
+                                                    "clip",   "canonical", "screen"};
+    return words[static_cast<std::size_t>(space)];
+}
+
+std::string_view word_of(Move move) {
+    constexpr std::array<std::string_view, 8> words{"E", "NE", "N", "NW", "W", "SW", "S", "SE"};
+    return words[static_cast<std::size_t>(move)];
+}
+
+std::string_view word_of(SkipReason reason) {
+    constexpr std::array<std::string_view, 10> words{
+        "off canvas",
+        "between rows",
+        "zero area",
+        "culled",
+        "behind the eye",
+        "too near",
+        "too far",
+        "outside the view",
+        "its only pixel is its last, which is left out",
+        "it leaves no diamond"};
+    return words[static_cast<std::size_t>(reason)];
+}
+
+} // namespace rastertrace
