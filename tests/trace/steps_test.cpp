@@ -108,7 +108,7 @@ TEST(Steps, TheNextStepOfAKindIsTheOneThatAWalkComesTo) {
 /// A trace of a scene that is drawn has the steps that its text has, and they read and write alike.
 TEST(Steps, OfADrawingAreThoseOfItsText) {
     std::size_t compared = 0;
-    for (std::uint64_t seed = 1; seed <= random_cases(400); ++seed) {
+    for (std::uint64_t seed = 1; seed <= random_cases(std::uint64_t{400}); ++seed) {
         const auto scene = read_scene({"scene.json", RandomScene(seed).text()});
         if (!scene)
             continue;
