@@ -114,7 +114,6 @@ TEST_F(DiffTest, OneOfTheTwoMayComeFromAPipe) {
     EXPECT_EQ(diff("a.json - < b.json").status, 1);
     EXPECT_EQ(shell("cat a.json | $rastertrace diff - a.json").status, 0);
     EXPECT_EQ(shell("cat b.json | $rastertrace diff - a.json").status, 1);
-    EXPECT_EQ(shell("cat a.json | TMPDIR=$PWD/none $rastertrace diff - a.json").status, 3);
 }
 
 TEST_F(DiffTest, JsonHasTheSame) {

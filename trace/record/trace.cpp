@@ -93,7 +93,7 @@ std::size_t Trace::next_of(StepKindSet kinds, std::size_t n, std::size_t last) c
     for (; n <= last; ++n)
         if (const auto kind = kind_of(n); kind && kinds.has(*kind))
             return n;
-    return n;
+    return last + 1;
 }
 
 std::optional<ReplayState> Trace::end_state_ahead(std::size_t of) const {

@@ -578,8 +578,12 @@ Result<Trace> TraceReader::read_with(Source source, Care care, std::size_t most_
         return reader.read();
     } catch (const Problem& problem) {
         // A zero byte is told first, wherever it is.
-        auto zero = zero_byte_in(reader.source());
-        return zero ? *std::move(zero) : problem;
+        if (auto zero = zero_byte_in(reader.source()))
+            return *std::move(zero);
+        std::vector<Problem> all =
+            care == Care::to_tell ? std::move(reader.trace_.damage) : std::vector<Problem>();
+        all.push_back(problem);
+        return first_of(std::move(all));
     }
 }
 

@@ -34,7 +34,7 @@ void tell(const std::map<std::string, std::uint64_t>& counts, std::string_view w
 
 bool is_foreign(const StepView& step) {
     const auto kind = step.field("step");
-    return kind && kind->starts_with('"') && !step.kind();
+    return kind && kind->starts_with('"') && !step_kind_named(step.kind_name());
 }
 
 void UnknownNames::add(const StepView& step, std::optional<StepKind> kind) {

@@ -38,6 +38,7 @@ void Player::open(std::size_t frame) {
     const std::size_t before = playback_ ? step() : 0;
     auto opened = std::make_unique<Playback>(input_.open(frame), options_.bytes,
                                              playback_ ? playback_->faces() : FaceGroups());
+    opened->read_on();
     search_.reset();
     question_.reset();
     asked_ = Asked::nothing;

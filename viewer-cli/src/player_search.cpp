@@ -78,6 +78,9 @@ bool Player::search_on() {
     const bool is_forward = search.direction == Direction::forward;
     for (std::size_t looked_at = 0; looked_at < search.at_once; ++looked_at) {
         const bool is_behind = is_forward ? search.place >= trace().size() : search.place <= 1;
+        const std::size_t next = is_forward ? search.place + 1 : search.place - 1;
+        if (!is_behind && next > playback_->snapshots().reach())
+            return looked_at > 0; // until that has been gone through
         if (is_behind) {
             message_ = search.missing;
             if (search.found != 0)

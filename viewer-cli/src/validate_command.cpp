@@ -147,8 +147,7 @@ void validate_decisions(const Trace& trace, ValidatedFile& file) {
 }
 
 void validate_trace(Source source, const ValidateCommand& command, ValidatedFile& file) {
-    const Trace trace =
-        value_or_throw(read_trace_to_tell(std::move(source), command.input.steps));
+    const Trace trace = value_or_throw(read_trace_to_tell(std::move(source), command.input.steps));
     StepsSeen seen(trace);
     for (std::size_t n = 1; n <= trace.size(); ++n) {
         if (file.all_told())
@@ -260,7 +259,10 @@ ValidatedFile validated(const std::string& path, const ValidateCommand& command)
     } catch (const Problem& problem) {
         if (problem.cause == Problem::Cause::system)
             throw;
-        file.add({problem});
+        Problem first = problem;
+        const std::vector<Problem> further = std::exchange(first.further, {});
+        file.add({first});
+        file.add(further);
     }
     return file;
 }
