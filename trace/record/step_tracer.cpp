@@ -102,10 +102,16 @@ template <typename To> TracedText StepTracer<To>::label(EdgeName edge) {
 }
 
 template <typename To> TracedText StepTracer<To>::quoted(std::string_view name) {
-    scratch_.resize(room_for_quoted(name));
-    const char* const end = write_quoted(scratch_.data(), name);
-    return TracedText(
-        arena_.copy({scratch_.data(), static_cast<std::size_t>(end - scratch_.data())}));
+    const auto is_plain = [](char c) { return ' ' <= c && c <= '~' && c != '"' && c != '\\'; };
+    if (std::all_of(name.begin(), name.end(), is_plain)) { // nearly always
+        const std::span<char> room = arena_.array<char>(name.size() + 2);
+        room.front() = room.back() = '"';
+        std::copy(name.begin(), name.end(), room.begin() + 1);
+        return TracedText({room.data(), room.size()});
+    }
+    std::string text(room_for_quoted(name), '\0');
+    const char* const end = write_quoted(text.data(), name);
+    return TracedText(arena_.copy({text.data(), static_cast<std::size_t>(end - text.data())}));
 }
 
 template <typename To> TracedNumber StepTracer<To>::number(const Quantity& quantity) {
@@ -147,11 +153,18 @@ TracedList<TracedNumber> StepTracer<To>::numbers(std::span<const Quantity> quant
 
 template <typename To>
 TracedList<TracedNumber> StepTracer<To>::vector(const Vec<Quantity, 2>& vector) {
-    return numbers(std::array{vector.x, vector.y});
+    const std::span<TracedNumber> values = arena_.array<TracedNumber>(2);
+    values[0] = number(vector.x);
+    values[1] = number(vector.y);
+    return TracedList<TracedNumber>(values);
 }
 template <typename To>
 TracedList<TracedNumber> StepTracer<To>::vector(const Vec<Quantity, 3>& vector) {
-    return numbers(std::array{vector.x, vector.y, vector.z});
+    const std::span<TracedNumber> values = arena_.array<TracedNumber>(3);
+    values[0] = number(vector.x);
+    values[1] = number(vector.y);
+    values[2] = number(vector.z);
+    return TracedList<TracedNumber>(values);
 }
 
 template <typename To>

@@ -132,7 +132,6 @@ private:
     bool is_circle_ = false; ///< then each decision is about pixels in all eight octants
     std::vector<std::string_view> vertices_; ///< its vertices' names
     std::vector<TracedText> labels_;         ///< its edges' names, once one was asked for
-    std::string scratch_;
     Arena::Mark of_primitive_; ///< up to here the arena has what the primitive refers to
 };
 
