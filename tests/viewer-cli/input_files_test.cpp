@@ -326,7 +326,7 @@ TEST_F(ProgramTest, ASmallFileTakesLittleMemoryOrIsRefusedWithWhatIsTooLarge) {
               triangles.substr(0, 40 * 6 - 1) + R"(],
         "vertices":{"A":[0,0,1],"B":[599,0,2],"C":[0,599,3]},
         "method":{"scalar":"exact","depth":"inverse-z"}})");
-    const Outcome planes = shell(within + "show planes.json --bare");
+    const Outcome planes = shell("ulimit -t 60; $rastertrace show planes.json --bare");
     EXPECT_EQ(planes.status, 0) << planes.err;
     EXPECT_LT(planes.peak_memory, most_bytes);
     // A face is cut into triangles, each of which tells its names.
