@@ -169,10 +169,10 @@ inline Plots plots_in(const Scene& scene) {
     plots.counts = plots.owners;
     char name = '.';
     draw_as_planned(scene, [&]<typename Step>(const Step& step) {
-        if constexpr (std::same_as<Step, PrimitiveBegan<Quantity>>) {
+        if constexpr (std::same_as<Step, PrimitiveBegan<>>) {
             name = step.name.empty() ? '#' : step.name.front();
-        } else if constexpr (std::same_as<Step, PixelPlotted>) {
-            const std::size_t offset = scene.canvas.offset_of(step.pixel);
+        } else if constexpr (std::same_as<Step, PixelPlotted<>>) {
+            const std::size_t offset = scene.canvas.offset_of(step.pixel());
             const std::size_t place =
                 offset + offset / static_cast<std::size_t>(scene.canvas.width);
             plots.owners[place] = name;

@@ -539,13 +539,13 @@ struct OwnedPicture {
         : numbers(numbers_of_names), canvas(planned.scene.canvas), owners(canvas.area()),
           image(draw(planned.scene, planned.plan, *this)) {}
 
-    void operator()(const PrimitiveBegan<Quantity>& began) {
-        if (!began.is_part) // a part is of the primitive that began before it
+    void operator()(const PrimitiveBegan<>& began) {
+        if (!began.part) // a part is of the primitive that began before it
             current =
                 numbers.try_emplace(std::string(began.name), numbers.size() + 1).first->second;
     }
-    void operator()(const PixelPlotted& plotted) {
-        owners[canvas.offset_of(plotted.pixel)] = current;
+    void operator()(const PixelPlotted<>& plotted) {
+        owners[canvas.offset_of(plotted.pixel())] = current;
     }
 
     /// The owner and the color of a pixel, which the canvas need not have.

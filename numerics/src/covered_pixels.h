@@ -23,11 +23,13 @@ struct PixelSink {
     std::uint64_t tested = 0;
 
     template <typename Step> void operator()(const Step&) {}
-    void operator()(const PixelPlotted& step) { pixels.push_back(canvas.offset_of(step.pixel)); }
+    void operator()(const PixelPlotted<>& step) {
+        pixels.push_back(canvas.offset_of(step.pixel()));
+    }
     template <typename Scalar> void operator()(const SampleTested<Scalar>& sample) {
         ++tested;
-        if (sample.is_inside)
-            pixels.push_back(canvas.offset_of(sample.pixel));
+        if (sample.inside)
+            pixels.push_back(canvas.offset_of(sample.pixel()));
     }
     template <typename Scalar> void operator()(const ScanlineSpanned<Scalar>& span) {
         const Index last = std::min<Index>(span.to, canvas.right());

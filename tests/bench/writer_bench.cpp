@@ -78,17 +78,27 @@ void write_with_step_writer(benchmark::State& state, bool dyadic) {
         StepTracer<StepWriter> tracer(writer, arena, false);
         const std::array<std::string_view, 3> names{"A", "B", "C"};
         const std::array<Vec<Quantity, 2>, 3> places{};
-        tracer(PrimitiveBegan<Quantity>{PrimitiveKind::triangle, "ABC", names, places, {}, {}, 0});
+        tracer(PrimitiveBegan<>{.kind = PrimitiveKind::triangle,
+                                .name = "ABC",
+                                .vertices = names,
+                                .at = if_any(places)});
         for_each_step(
-            all,
+            all, [&](const Numbers& n) { tracer(PixelPlotted<>{.x = n.x, .y = n.y}); },
             [&](const Numbers& n) {
-                tracer(PixelPlotted{{n.x, n.y}, {}});
+                tracer(DepthTested<>{.x = n.x,
+                                     .y = n.y,
+                                     .depth = n.a,
+                                     .stored = OrNull<Quantity>(n.b),
+                                     .pass = true});
             },
             [&](const Numbers& n) {
-                tracer(DepthTested<Quantity>{{n.x, n.y}, n.a, n.b, true});
-            },
-            [&](const Numbers& n) {
-                tracer(ScanlineSpanned<Quantity>{n.y, n.a, n.b, n.x, n.x + 9, {0, 1}, {0, 2}});
+                tracer(ScanlineSpanned<>{.y = n.y,
+                                         .left = n.a,
+                                         .right = n.b,
+                                         .from = n.x,
+                                         .to = n.x + 9,
+                                         .left_edge = {0, 1},
+                                         .right_edge = {0, 2}});
             });
         writer.flush();
         state.counters["bytes per step"] =

@@ -31,19 +31,18 @@ public:
         add({1, s.y, s.from, s.to});
     }
     template <typename S> void operator()(const SampleTested<S>& s) {
-        add({2, s.pixel.x, s.pixel.y, s.is_inside});
+        add({2, s.x, s.y, s.inside});
     }
-    template <typename S> void operator()(const DepthTested<S>& s) {
-        add({3, s.pixel.x, s.pixel.y, s.passes});
+    template <typename S> void operator()(const DepthTested<S>& s) { add({3, s.x, s.y, s.pass}); }
+    template <typename S> void operator()(const LineSampled<S>& s) {
+        add({4, s.x.value_or(0) + s.y.value_or(0), s.pixel});
     }
-    template <typename S> void operator()(const LineSampled<S>& s) { add({4, s.at, s.pixel}); }
     template <typename S> void operator()(const FaceTested<S>& s) {
-        add({5, s.is_culled, s.is_culled_opposite});
+        add({5, s.culled, s.opposite});
     }
     template <typename S> void operator()(const FaceLit<S>& s) { add({6, as_number(s.color)}); }
-    template <typename S> void operator()(const EdgeSetUp<S>& s) { add({7, s.is_horizontal}); }
-    template <typename S> void operator()(const EdgeFunctionSetUp<S>& s) {
-        add({8, s.is_top_left});
+    template <typename S> void operator()(const EdgeSetUp<S>& s) {
+        add({7, s.dx_dy && !*s.dx_dy, s.top_left.value_or(false), s.octant.value_or(0)});
     }
     template <typename S> void operator()(const PrimitiveBegan<S>& s) {
         EXPECT_TRUE(undecided_name_.empty() || undecided_name_ == s.name);
@@ -58,17 +57,18 @@ public:
         for (const auto name : s.names)
             add({12, name.back()});
     }
-    void operator()(const PrimitiveClipped& s) { add({13, s.left}); }
-    void operator()(const SideBegan&) { add({14}); }
-    void operator()(const HalfBegan& s) { add({15, s.from_y, s.to_y}); }
-    void operator()(const RayBegan&) { add({16}); }
-    void operator()(const LineDecided& s) { add({17, s.pixel.x, s.pixel.y}); }
-    void operator()(const PixelPlotted& s) { add({18, s.pixel.x, s.pixel.y, as_number(s.color)}); }
-    void operator()(const PixelsRejected& s) { add({19, s.from_x, s.from_y, s.to_x, s.to_y}); }
-    void operator()(const RowsRejected& s) { add({20, s.from_y, s.to_y}); }
-    void operator()(const PrimitiveSkipped& s) { add({21, static_cast<std::int64_t>(s.why)}); }
-    void operator()(const BoundExceeded& s) {
-        EXPECT_FALSE(std::abs(s.difference) > s.error * 1.0001) << "that was decided";
+    void operator()(const PrimitiveClipped<>& s) { add({13, *s.out}); }
+    void operator()(const HalfBegan<>& s) { add({15, *s.from_y, *s.to_y}); }
+    void operator()(const RayBegan<>&) { add({16}); }
+    void operator()(const LineDecided<>& s) { add({17, s.x, s.y}); }
+    void operator()(const PixelPlotted<>& s) { add({18, s.x, s.y, as_number(s.color)}); }
+    void operator()(const PixelsRejected<>& s) {
+        add({19, s.x.value_or(0), *s.y, s.to_x.value_or(0), s.to_y.value_or(0)});
+    }
+    void operator()(const PrimitiveSkipped<>& s) { add({21, static_cast<std::int64_t>(s.why)}); }
+    void operator()(const BoundExceeded<>& s) {
+        EXPECT_FALSE(std::abs(s.difference.value_or(0)) > s.error.value_or(0) * 1.0001)
+            << "that was decided";
         EXPECT_TRUE(undecided_name_.empty());
         undecided_name_ = s.name;
         ++undecided;
@@ -117,12 +117,14 @@ struct NumbersTold {
     std::vector<double> numbers;
     int in_fractions = 0;
 
-    void operator()(const BoundExceeded&) { ++in_fractions; }
-    void operator()(const EdgeSetUp<Quantity>& step) { numbers.push_back(step.dx_dy.to_double()); }
-    void operator()(const ScanlineSpanned<Quantity>& step) {
+    void operator()(const BoundExceeded<>&) { ++in_fractions; }
+    void operator()(const EdgeSetUp<>& step) {
+        numbers.push_back(step.dx_dy && *step.dx_dy ? (*step.dx_dy)->to_double() : 0);
+    }
+    void operator()(const ScanlineSpanned<>& step) {
         numbers.insert(numbers.end(), {step.left.to_double(), step.right.to_double()});
     }
-    void operator()(const SampleTested<Quantity>& step) {
+    void operator()(const SampleTested<>& step) {
         for (const Quantity& weight : step.weights)
             numbers.push_back(weight.to_double());
     }
@@ -173,11 +175,11 @@ TEST(Adaptive, DrawsTheSameWhoeverListens) {
         std::vector<SkipReason> with_pixels;
         std::vector<SkipReason> without;
         const Image told = draw_as_planned(scene, [&]<typename Step>(const Step& step) {
-            if constexpr (std::same_as<Step, PrimitiveSkipped>)
+            if constexpr (std::same_as<Step, PrimitiveSkipped<>>)
                 with_pixels.push_back(step.why);
         });
         const Image skips_told = draw_as_planned(
-            scene, [&](const PrimitiveSkipped& step) { without.push_back(step.why); });
+            scene, [&](const PrimitiveSkipped<>& step) { without.push_back(step.why); });
         ASSERT_EQ(skips_told.colors(), told.colors()) << scene_text(scene);
         ASSERT_EQ(draw_as_planned(scene).colors(), told.colors()) << scene_text(scene);
         ASSERT_EQ(without, with_pixels) << scene_text(scene);

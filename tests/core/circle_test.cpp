@@ -25,16 +25,16 @@ struct CircleRecorder {
     std::vector<SkipReason> skipped;
 
     template <typename Step> void operator()(const Step& step) {
-        if constexpr (std::same_as<Step, PixelPlotted>) {
-            pixels.emplace_back(step.pixel.x, step.pixel.y);
-        } else if constexpr (std::same_as<Step, LineDecided>) {
-            decided_at.emplace_back(step.pixel.x, step.pixel.y);
+        if constexpr (std::same_as<Step, PixelPlotted<>>) {
+            pixels.emplace_back(step.x, step.y);
+        } else if constexpr (std::same_as<Step, LineDecided<>>) {
+            decided_at.emplace_back(step.x, step.y);
             decisions.push_back(step.d);
             moves.push_back(step.move);
-        } else if constexpr (std::same_as<Step, PixelsRejected>) {
-            EXPECT_EQ(std::pair(step.from_x, step.from_y), std::pair(step.to_x, step.to_y));
-            rejected.emplace_back(step.from_x, step.from_y);
-        } else if constexpr (std::same_as<Step, PrimitiveSkipped>) {
+        } else if constexpr (std::same_as<Step, PixelsRejected<>>) {
+            EXPECT_FALSE(step.to_x || step.to_y) << "one pixel";
+            rejected.emplace_back(*step.x, *step.y);
+        } else if constexpr (std::same_as<Step, PrimitiveSkipped<>>) {
             skipped.push_back(step.why);
         }
     }

@@ -29,13 +29,13 @@ struct PolygonRecorder {
     std::vector<SkipReason> skipped;
 
     template <typename Step> void operator()(const Step& step) {
-        if constexpr (std::same_as<Step, PixelPlotted>)
-            ++pixels[{step.pixel.x, step.pixel.y}];
-        else if constexpr (std::same_as<Step, ScanlineSpanned<Quantity>>)
+        if constexpr (std::same_as<Step, PixelPlotted<>>)
+            ++pixels[{step.x, step.y}];
+        else if constexpr (std::same_as<Step, ScanlineSpanned<>>)
             spans[step.y].emplace_back(step.left.exact(), step.right.exact());
-        else if constexpr (std::same_as<Step, RowCrossed<Quantity>>)
+        else if constexpr (std::same_as<Step, RowCrossed<>>)
             winding[step.y].assign(step.winding.begin(), step.winding.end());
-        else if constexpr (std::same_as<Step, PrimitiveSkipped>)
+        else if constexpr (std::same_as<Step, PrimitiveSkipped<>>)
             skipped.push_back(step.why);
     }
 };
@@ -296,9 +296,9 @@ RC_GTEST_PROP(EdgeTable, IsClippedToOnePart, ()) {
     int parts = 0;
     draw_as_planned(scene, [&]<typename Step>(const Step& step) {
         recorder(step);
-        if constexpr (std::same_as<Step, PrimitiveBegan<Quantity>>) {
-            parts += step.positions.empty() ? 0 : 1;
-            for (const auto& at : step.positions)
+        if constexpr (std::same_as<Step, PrimitiveBegan<>>) {
+            parts += step.at ? 1 : 0;
+            for (const auto& at : step.at.value_or(std::span<const Vec<Quantity, 2>>()))
                 told.emplace_back(Number::fraction(at.x.exact()), Number::fraction(at.y.exact()));
         }
     });
@@ -318,8 +318,8 @@ TEST(EdgeTable, CullsAConcaveFaceByItsArea) {
     std::vector<Rational> normals;
     draw_as_planned(scene, [&]<typename Step>(const Step& step) {
         recorder(step);
-        if constexpr (std::same_as<Step, FaceTested<Quantity>>) {
-            culled.push_back(step.is_culled);
+        if constexpr (std::same_as<Step, FaceTested<>>) {
+            culled.push_back(step.culled);
             normals.push_back(step.normal.z.exact());
         }
     });

@@ -29,15 +29,15 @@ namespace rastertrace {
 
 /// A sample point met the three edges of a triangle.
 template <typename Scalar> struct EdgesTested {
-    Pixel pixel;
+    int x, y;                     ///< of its pixel
     std::array<Scalar, 3> values; ///< of the edge functions: upper, lower and long edge
-    bool is_inside;               ///< all three admit the sample
+    bool inside;                  ///< all three admit the sample
 };
 
 /// Fills a triangle: tests every pixel of its box, top row first. A triangle without
 /// area has no inside and is skipped.
 template <typename Scalar, typename Sink>
-requires SinkFor<Sink, EdgesTested<Scalar>, PrimitiveSkipped>
+requires SinkFor<Sink, EdgesTested<Scalar>, PrimitiveSkipped<>>
 void fill_half_space(const Triangle<Scalar>& triangle, const SampleOffset<Scalar>& offset,
                      const Canvas& canvas, Sink&& sink) {
     // Three edge functions, positive inside.
@@ -45,14 +45,14 @@ void fill_half_space(const Triangle<Scalar>& triangle, const SampleOffset<Scalar
     const auto& [top, middle, bottom] = sorted;
     const int middle_side = side_of_edge(top, bottom, middle, canvas.down());
     if (middle_side == 0) {
-        sink(PrimitiveSkipped{.why = SkipReason::zero_area});
+        sink(PrimitiveSkipped<>{.why = SkipReason::zero_area});
         return;
     }
     const auto edges = edge_functions(sorted, middle_side > 0, canvas.down());
 
     const BoundingBox box = bounding_box(triangle, offset, canvas);
     if (box.is_empty()) {
-        sink(PrimitiveSkipped{.why = SkipReason::off_canvas});
+        sink(PrimitiveSkipped<>{.why = SkipReason::off_canvas});
         return;
     }
     for_each_pixel(box, canvas, [&](Pixel pixel) {
@@ -60,7 +60,8 @@ void fill_half_space(const Triangle<Scalar>& triangle, const SampleOffset<Scalar
         const std::array values{edges[0].at(sample), edges[1].at(sample), edges[2].at(sample)};
         const bool is_inside = edges[0].admits_value(values[0]) &&
                                edges[1].admits_value(values[1]) && edges[2].admits_value(values[2]);
-        sink(EdgesTested<Scalar>{.pixel = pixel, .values = values, .is_inside = is_inside});
+        sink(
+            EdgesTested<Scalar>{.x = pixel.x, .y = pixel.y, .values = values, .inside = is_inside});
     });
 }
 

@@ -34,7 +34,7 @@ struct Row {
 struct RowRecorder {
     std::vector<Row> rows;
 
-    void operator()(const ScanlineSpanned<Quantity>& step) {
+    void operator()(const ScanlineSpanned<>& step) {
         rows.push_back({step.y, step.left.text(), step.right.text(), step.from, step.to});
     }
 };
@@ -157,7 +157,7 @@ TEST(Shapes, BetweenTwoRowsThereIsNothing) {
     // numerics.md, S8
     std::vector<SkipReason> reasons;
     const auto recorder = [&reasons]<typename Step>(const Step& step) {
-        if constexpr (std::same_as<Step, PrimitiveSkipped>)
+        if constexpr (std::same_as<Step, PrimitiveSkipped<>>)
             reasons.push_back(step.why);
     };
     const Image image = draw_as_planned(
@@ -240,7 +240,7 @@ struct StepCounter {
     template <typename Step> void operator()(const Step& step) {
         if constexpr (requires { step.left_edge; })
             ++rows;
-        else if constexpr (std::same_as<Step, PixelPlotted>)
+        else if constexpr (std::same_as<Step, PixelPlotted<>>)
             ++pixels;
         else
             ++others;
@@ -483,11 +483,11 @@ RC_GTEST_PROP(ScanlineFill, ReportsEveryPixelOfThePictureAndOfTheRest, ()) {
     Image replayed(scene.canvas);
     Index in_spans = 0, plotted = 0, rejected = 0;
     const auto sink = [&]<typename Step>(const Step& step) {
-        if constexpr (std::same_as<Step, PixelPlotted>) {
-            replayed.at(step.pixel) = step.color;
+        if constexpr (std::same_as<Step, PixelPlotted<>>) {
+            replayed.at(step.pixel()) = step.color;
             ++plotted;
-        } else if constexpr (std::same_as<Step, PixelsRejected>) {
-            rejected += step.to_x - step.from_x + 1;
+        } else if constexpr (std::same_as<Step, PixelsRejected<>>) {
+            rejected += step.x ? step.to_x.value_or(*step.x) - *step.x + 1 : 0;
         } else if constexpr (requires { step.left_edge; }) {
             in_spans += std::max<Index>(0, step.to - step.from + 1);
         }

@@ -29,14 +29,14 @@ struct Counter {
     std::size_t pixels = 0, samples = 0, rows = 0;
     std::vector<bool> upper_halves;
     template <typename Step> void operator()(const Step& step) {
-        if constexpr (std::same_as<Step, PixelPlotted>)
+        if constexpr (std::same_as<Step, PixelPlotted<>>)
             ++pixels;
         else if constexpr (requires { step.weights; })
             ++samples;
         else if constexpr (requires { step.left_edge; })
             ++rows;
-        else if constexpr (requires { step.is_upper; })
-            upper_halves.push_back(step.is_upper);
+        else if constexpr (requires { step.half; })
+            upper_halves.push_back(step.half == "upper");
     }
 };
 
@@ -77,14 +77,12 @@ TEST(Painters, PaintTheRowsOfAnyFillAndTellItsSteps) {
     std::string told;
     const auto listener = [&told](const auto& step) {
         using Step = std::remove_cvref_t<decltype(step)>;
-        if constexpr (std::same_as<Step, RowsRejected>)
-            told += "above ";
+        if constexpr (std::same_as<Step, PixelsRejected<>>)
+            told += step.x ? "-" + std::to_string(step.to_x.value_or(*step.x)) + " " : "above ";
         else if constexpr (std::same_as<Step, ScanlineSpanned<double>>)
             told += "row ";
-        else if constexpr (std::same_as<Step, PixelPlotted>)
-            told += std::to_string(step.pixel.x);
-        else if constexpr (std::same_as<Step, PixelsRejected>)
-            told += "-" + std::to_string(step.to_x) + " ";
+        else if constexpr (std::same_as<Step, PixelPlotted<>>)
+            told += std::to_string(step.x);
     };
     fill_box(triangle, six_by_four, FlatPainter(image, Color{255, 0, 0}, listener));
     EXPECT_EQ(picture_of(image), ".#####\n"
@@ -142,11 +140,11 @@ TEST(Barycentric, HasTheWeightsOfTheTable) {
         {1, -3, {"0", "4/9", "5/9"}, true},        {3, 2, {"5/8", "1/72", "13/36"}, true},
         {-1, 2, {"5/8", "11/24", "-1/12"}, false}, {4, 2, {"5/8", "-7/72", "17/36"}, false}};
     std::map<std::pair<int, int>, std::pair<std::array<mpq_class, 3>, bool>> found;
-    const auto sink = [&found](const SampleTested<Quantity>& step) {
+    const auto sink = [&found](const SampleTested<>& step) {
         std::array<mpq_class, 3> weights;
         for (std::size_t i = 0; i < 3; ++i)
             weights[i] = step.weights[i].exact();
-        found[{step.pixel.x, step.pixel.y}] = {weights, step.is_inside};
+        found[{step.x, step.y}] = {weights, step.inside};
     };
     draw_as_planned(first_triangle({.scalar = ScalarKind::exact, .fill = Fill::barycentric}), sink);
     EXPECT_EQ(found.size(), 90u);
@@ -494,8 +492,8 @@ void count_pixels(const Triangle<Real>& triangle, const SampleGrid<Real>& grid,
                   const Canvas& canvas, std::vector<int>& counts) {
     Image image(canvas);
     fill_top_left(triangle, grid, canvas, FlatPainter(image, Color{}, [&](const auto& step) {
-                      if constexpr (std::same_as<std::decay_t<decltype(step)>, PixelPlotted>)
-                          ++counts[canvas.offset_of(step.pixel)];
+                      if constexpr (std::same_as<std::decay_t<decltype(step)>, PixelPlotted<>>)
+                          ++counts[canvas.offset_of(step.pixel())];
                   }));
 }
 

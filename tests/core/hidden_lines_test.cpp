@@ -120,16 +120,14 @@ struct LineSink {
     std::vector<Pixels> asked;
     std::vector<Pixels> drawn;
 
-    void operator()(const PrimitiveBegan<Quantity>&) {
+    void operator()(const PrimitiveBegan<>&) {
         asked.emplace_back();
         drawn.emplace_back();
     }
-    void operator()(const DepthTested<Quantity>& step) {
-        asked.back().emplace(step.pixel.x, step.pixel.y);
-    }
-    void operator()(const PixelPlotted& step) {
-        asked.back().emplace(step.pixel.x, step.pixel.y);
-        drawn.back().emplace(step.pixel.x, step.pixel.y);
+    void operator()(const DepthTested<>& step) { asked.back().emplace(step.x, step.y); }
+    void operator()(const PixelPlotted<>& step) {
+        asked.back().emplace(step.x, step.y);
+        drawn.back().emplace(step.x, step.y);
     }
 };
 

@@ -71,7 +71,7 @@ Method exact_method(Depth depth, Fill fill = Fill::top_left) {
 struct RowSink {
     std::vector<ScanlineSpanned<Rational>> rows;
     std::vector<std::pair<Pixel, Rational>> depths;
-    void operator()(const ScanlineSpanned<Quantity>& step) {
+    void operator()(const ScanlineSpanned<>& step) {
         ScanlineSpanned<Rational> row{};
         row.y = step.y;
         row.from = step.from;
@@ -80,8 +80,8 @@ struct RowSink {
         row.right_depth = step.right_depth->exact();
         rows.push_back(row);
     }
-    void operator()(const DepthTested<Quantity>& step) {
-        depths.emplace_back(step.pixel, step.depth.exact());
+    void operator()(const DepthTested<>& step) {
+        depths.emplace_back(step.pixel(), step.depth.exact());
     }
 };
 
@@ -146,15 +146,14 @@ TEST(DepthAt, RoundedEndsAreDecidedAlikeByAdaptiveAndExact) {
 struct FaceSink {
     std::map<std::string, FaceTested<Rational>> faces;
     std::string current;
-    void operator()(const PrimitiveBegan<Quantity>& step) { current = step.name; }
-    void operator()(const FaceTested<Quantity>& step) {
+    void operator()(const PrimitiveBegan<>& step) { current = step.name; }
+    void operator()(const FaceTested<>& step) {
         faces.emplace(current, FaceTested<Rational>{.normal = as<Rational>(step.normal),
                                                     .view = as<Rational>(step.view),
                                                     .dot = step.dot.exact(),
                                                     .cosine = step.cosine,
-                                                    .is_by_light = step.is_by_light,
-                                                    .is_culled = step.is_culled,
-                                                    .is_culled_opposite = step.is_culled_opposite});
+                                                    .culled = step.culled,
+                                                    .opposite = step.opposite});
     }
 };
 
@@ -166,8 +165,8 @@ TEST(Culling, TableOfT0sCube) {
     ASSERT_EQ(sink.faces.size(), 12u);
     std::size_t drawn = 0;
     for (const auto& [name, face] : sink.faces) {
-        drawn += face.is_culled ? 0 : 1;
-        EXPECT_NE(face.is_culled, face.is_culled_opposite) << name;
+        drawn += face.culled ? 0 : 1;
+        EXPECT_NE(face.culled, face.opposite) << name;
         const bool is_front = name == "ABC" || name == "ACD";
         const bool is_back = name == "EHG" || name == "EGF";
         EXPECT_EQ(face.dot, is_front ? 12 : is_back ? -20 : -4) << name;
@@ -205,9 +204,9 @@ TEST(Culling, TheTextsAedIsWoundInwardAndSurvives) {
     FaceSink sink;
     draw_as_planned(cube_of_t0({"AED", "ADE"}), sink);
     EXPECT_EQ(sink.faces.at("AED").dot, 4);
-    EXPECT_FALSE(sink.faces.at("AED").is_culled);
+    EXPECT_FALSE(sink.faces.at("AED").culled);
     EXPECT_EQ(sink.faces.at("ADE").dot, -4);
-    EXPECT_TRUE(sink.faces.at("ADE").is_culled);
+    EXPECT_TRUE(sink.faces.at("ADE").culled);
 }
 
 TEST(Culling, EveryChoiceAndTheEdgeOnFace) {
@@ -248,7 +247,7 @@ TEST(Culling, AnEyeOnTheFacesPlaneSeesNothing) {
         FaceSink sink;
         EXPECT_EQ(draw_as_planned(scene, sink).drawn(), 0u);
         EXPECT_EQ(sink.faces.at("f").dot, 0);
-        EXPECT_TRUE(sink.faces.at("f").is_culled);
+        EXPECT_TRUE(sink.faces.at("f").culled);
     }
 }
 
@@ -256,7 +255,7 @@ TEST(Culling, AnEyeOnTheFacesPlaneSeesNothing) {
 
 struct LightSink {
     std::vector<double> intensities;
-    void operator()(const FaceLit<Quantity>& step) { intensities.push_back(step.intensity); }
+    void operator()(const FaceLit<>& step) { intensities.push_back(step.intensity); }
 };
 
 TEST(Light, IsTheCosineAndNeverNegative) {
@@ -282,10 +281,10 @@ template <typename D> struct DepthSink {
     std::map<std::pair<int, int>, D> depths;
     std::size_t tests = 0;
     std::size_t passes = 0;
-    void operator()(const DepthTested<Quantity>& step) {
-        depths[{step.pixel.x, step.pixel.y}] = as<D>(step.depth);
+    void operator()(const DepthTested<>& step) {
+        depths[{step.x, step.y}] = as<D>(step.depth);
         ++tests;
-        passes += step.passes ? 1 : 0;
+        passes += step.pass ? 1 : 0;
     }
 };
 
@@ -293,7 +292,7 @@ template <typename D> struct DepthSink {
 /// top row.
 struct EndDepths {
     std::vector<Rational> right;
-    void operator()(const ScanlineSpanned<Quantity>& step) {
+    void operator()(const ScanlineSpanned<>& step) {
         if (step.y <= 2)
             right.push_back(step.right_depth.value().exact());
     }
@@ -608,7 +607,7 @@ RC_GTEST_PROP(Depth, RowsAndWeightsAgree, ()) {
 
 struct TieSink {
     bool has_tie = false;
-    void operator()(const DepthTested<Quantity>& step) {
+    void operator()(const DepthTested<>& step) {
         has_tie = has_tie || (step.stored && *step.stored == step.depth);
     }
 };
@@ -746,9 +745,8 @@ TEST(DepthRange, ReversedIsNoFinerInFloatButAReversedMatrixIs) {
                 {.kind = PrimitiveKind::point, .name = "P", .vertices = {i}});
         }
         std::set<double> depths;
-        draw(scene, plan_for(scene), [&depths](const DepthTested<Quantity>& test) {
-            depths.insert(test.depth.to_double());
-        });
+        draw(scene, plan_for(scene),
+             [&depths](const DepthTested<>& test) { depths.insert(test.depth.to_double()); });
         return depths.size();
     };
     EXPECT_EQ(depths_of(Depth::ndc_z, true, false), 4U);

@@ -44,15 +44,16 @@ public:
         Rational exact(static_cast<long>(below(2'000'001)) - 1'000'000,
                        static_cast<long>(below(4) == 0 ? 1 : below(1000) + 1));
         exact.canonicalize();
-        const int exponent = static_cast<int>(below(static_cast<std::uint64_t>(2 * exponents_ + 1))) -
-                             exponents_;
+        const int exponent =
+            static_cast<int>(below(static_cast<std::uint64_t>(2 * exponents_ + 1))) - exponents_;
         const Rational power(mpz_class(1) << static_cast<unsigned>(std::abs(exponent)));
         exact = exponent < 0 ? Rational(exact / power) : Rational(exact * power);
         const auto tight = Conversion<Interval>::of(exact);
         if (below(3) > 0 || !tight.is_number())
             return {tight, exact, nearest_double(exact)};
         // Wider, with the exact number at one end and the double at the other.
-        const double other = tight.middle() + std::abs(tight.middle()) * std::ldexp(1, -static_cast<int>(below(60)));
+        const double other =
+            tight.middle() + std::abs(tight.middle()) * std::ldexp(1, -static_cast<int>(below(60)));
         const Interval wide(std::min(tight.low(), other), std::max(tight.high(), other));
         return {wide, exact, other};
     }
@@ -176,8 +177,9 @@ TEST(Interval, KeepsExactResultsExact) {
 }
 
 TEST(Interval, TinyProductsAndQuotientsAreNotZero) {
-    for (const Interval& tiny : {Interval(smallest) * Interval(0.5), Interval(smallest) / Interval(3),
-                                 Interval(1e-200) * Interval(-1e-200)}) {
+    for (const Interval& tiny :
+         {Interval(smallest) * Interval(0.5), Interval(smallest) / Interval(3),
+          Interval(1e-200) * Interval(-1e-200)}) {
         EXPECT_FALSE(tiny.is_exact());
         EXPECT_THROW(static_cast<void>(tiny == Interval(0)), Undecided);
     }
@@ -227,7 +229,8 @@ TEST(Interval, HeldBetweenIsNoDecision) {
 TEST(Interval, RootsAreHeld) {
     std::mt19937_64 random(5);
     for (int i = 0; i < random_cases(2000); ++i) {
-        const double square = std::ldexp(static_cast<double>(random() >> 11), static_cast<int>(random() % 200) - 150);
+        const double square =
+            std::ldexp(static_cast<double>(random() >> 11), static_cast<int>(random() % 200) - 150);
         const Interval root = square_root(Interval(square));
         EXPECT_LE(Rational(root.low()) * Rational(root.low()), Rational(square));
         EXPECT_GE(Rational(root.high()) * Rational(root.high()), Rational(square));

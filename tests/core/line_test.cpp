@@ -27,25 +27,25 @@ struct LineRecorder {
     std::vector<Color> colors;
     std::vector<std::int64_t> decisions;
     std::vector<Move> moves;
-    std::vector<PixelsRejected> rejected;
+    std::vector<PixelsRejected<>> rejected;
     int octant = 0;
     std::size_t steps = 0;
 
     template <typename Step> void operator()(const Step& step) {
         ++steps;
-        if constexpr (std::same_as<Step, PixelPlotted>) {
-            pixels.emplace_back(step.pixel.x, step.pixel.y);
+        if constexpr (std::same_as<Step, PixelPlotted<>>) {
+            pixels.emplace_back(step.x, step.y);
             colors.push_back(step.color);
-        } else if constexpr (std::same_as<Step, LineDecided>) {
+        } else if constexpr (std::same_as<Step, LineDecided<>>) {
             decisions.push_back(step.d);
             moves.push_back(step.move);
-        } else if constexpr (std::same_as<Step, PixelsRejected>) {
+        } else if constexpr (std::same_as<Step, PixelsRejected<>>) {
             rejected.push_back(step);
         } else if constexpr (requires {
                                  step.octant;
                                  step.kind;
                              }) {
-            octant = step.octant;
+            octant = static_cast<int>(step.octant.value_or(0));
         }
     }
 };
@@ -279,9 +279,9 @@ RC_GTEST_PROP(Bresenham, OnASmallCanvasIsACutOfTheWholeLine, ()) {
     log_scene(scene);
     const LineRecorder cut = line(scene);
     RC_ASSERT(cut.pixels == expected);
-    for (const PixelsRejected& run : cut.rejected) {
-        RC_ASSERT(!small.contains(run.from_x, run.from_y));
-        RC_ASSERT(!small.contains(run.to_x, run.to_y));
+    for (const PixelsRejected<>& run : cut.rejected) {
+        RC_ASSERT(!small.contains(*run.x, *run.y));
+        RC_ASSERT(!small.contains(run.to_x.value_or(*run.x), run.to_y.value_or(*run.y)));
     }
 }
 
@@ -409,8 +409,9 @@ TEST(LineEndPixels, TheLastOneOfTheDrawnOrderIsLeftOut) {
     // Of one pixel, nothing is left; that is told.
     Scene scene = line_scene(3, 4, 3, 4, {.ends = EndPixels::first});
     std::optional<SkipReason> why;
-    EXPECT_EQ(draw_as_planned(scene, [&](const PrimitiveSkipped& step) { why = step.why; }).drawn(),
-              0u);
+    EXPECT_EQ(
+        draw_as_planned(scene, [&](const PrimitiveSkipped<>& step) { why = step.why; }).drawn(),
+        0u);
     EXPECT_EQ(why, SkipReason::last_pixel_only);
 }
 

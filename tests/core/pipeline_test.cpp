@@ -40,11 +40,11 @@ Matrix<Rational> viewport_matrix(const Viewport& viewport, const Canvas& canvas)
 
 using ::testing::ElementsAre;
 
-template <typename Scalar> Matrix<Scalar> matrix_of(const Matrix<Quantity>& told) {
+template <typename Scalar> Matrix<Scalar> matrix_of(std::span<const std::array<Quantity, 4>> told) {
     Matrix<Scalar> matrix;
     for (std::size_t row = 0; row < 4; ++row)
         for (std::size_t column = 0; column < 4; ++column)
-            matrix.rows[row][column] = as<Scalar>(told.rows[row][column]);
+            matrix.rows[row][column] = as<Scalar>(told[row][column]);
     return matrix;
 }
 
@@ -54,7 +54,7 @@ template <typename Scalar> struct PlaceSink {
     std::map<std::pair<std::string, Space>, std::vector<Scalar>> snapped;
     std::map<std::string, Matrix<Scalar>> matrices;
 
-    void operator()(const VertexPlaced<Quantity>& step) {
+    void operator()(const VertexPlaced<>& step) {
         const auto numbers = [](std::span<const Quantity> told) {
             std::vector<Scalar> result;
             for (const Quantity& number : told)
@@ -62,11 +62,11 @@ template <typename Scalar> struct PlaceSink {
             return result;
         };
         places[{std::string(step.name), step.space}] = numbers(step.at);
-        if (!step.snapped.empty())
-            snapped[{std::string(step.name), step.space}] = numbers(step.snapped);
+        if (step.snapped)
+            snapped[{std::string(step.name), step.space}] = numbers(*step.snapped);
     }
-    void operator()(const MatrixSetUp<Quantity>& step) {
-        matrices[std::string(step.name)] = matrix_of<Scalar>(step.matrix);
+    void operator()(const MatrixSetUp<>& step) {
+        matrices[std::string(step.name)] = matrix_of<Scalar>(step.rows);
     }
 
     const std::vector<Scalar>& at(const std::string& name, Space space) const {
@@ -255,7 +255,7 @@ TEST(Pipeline, SnapOfT4sTie) {
 /// Why a primitive was skipped.
 struct SkipSink {
     std::vector<SkipReason> reasons;
-    void operator()(const PrimitiveSkipped& step) { reasons.push_back(step.why); }
+    void operator()(const PrimitiveSkipped<>& step) { reasons.push_back(step.why); }
     template <typename Step> void operator()(const Step&) {}
 };
 
@@ -438,16 +438,17 @@ struct FactorSink {
     };
     std::map<std::string, Told> told = {};
 
-    void operator()(const MatrixSetUp<Quantity>& step) {
+    void operator()(const MatrixSetUp<>& step) {
         Told& one = told[std::string(step.name)];
-        one.matrix = matrix_of<Rational>(step.matrix);
+        one.matrix = matrix_of<Rational>(step.rows);
         one.product = identity<Rational>();
-        for (const auto& factor : step.factors) {
-            one.names.emplace_back(factor.name);
-            one.product = one.product * matrix_of<Rational>(factor.matrix);
-        }
-        for (const auto& v : step.camera)
-            one.camera.push_back({v.x.exact(), v.y.exact(), v.z.exact()});
+        if (step.factors)
+            one.names.assign(step.factors->begin(), step.factors->end());
+        for (std::size_t i = 0; i < one.names.size(); ++i)
+            one.product = one.product * matrix_of<Rational>(step.factor_rows->subspan(4 * i, 4));
+        if (step.camera)
+            for (const auto& v : *step.camera)
+                one.camera.push_back({v.x.exact(), v.y.exact(), v.z.exact()});
     }
 };
 

@@ -32,12 +32,12 @@ most=20
 sink() { # sink OVERLOAD...
     echo '#include <rastertrace/core.h>'
     echo 'using namespace rastertrace;'
-    echo 'struct Sink { void operator()(const PixelPlotted&) {}' "$@" '};'
+    echo 'struct Sink { void operator()(const PixelPlotted<>&) {}' "$@" '};'
     echo 'void f(const Scene& scene, const Plan& plan) { Sink sink; draw(scene, plan, sink); }'
 }
 sink 'void operator()(const ScanlineSpanned<double>&) {}' |
     says c++20 $most 'a sink takes a step over another scalar than Quantity'
-sink 'void operator()(EdgeSetUp<Quantity>&) {}' |
+sink 'void operator()(EdgeSetUp<>&) {}' |
     says c++20 $most 'a sink takes a step by a reference that is not const'
 {
     echo '#include <rastertrace/core.h>'
@@ -46,5 +46,5 @@ sink 'void operator()(EdgeSetUp<Quantity>&) {}' |
 } | says c++20 $most nothing
 sink | says c++17 0 'rastertrace needs C++20: -std=c++20'
 
-sink 'void operator()(const ScanlineSpanned<Quantity>&) {}' 'void operator()(LineDecided) {}' >"$folder/sink.cpp"
+sink 'void operator()(const ScanlineSpanned<>&) {}' 'void operator()(LineDecided<>) {}' >"$folder/sink.cpp"
 "$compiler" -std=c++20 -fsyntax-only $includes "$folder/sink.cpp"

@@ -197,8 +197,8 @@ std::map<std::pair<int, int>, int> writes_of(const Outline& outline) {
     EXPECT_TRUE(read) << to_text(read.problem());
     std::map<std::pair<int, int>, int> writes;
     if (read)
-        draw(read.value().scene, read.value().plan, [&](const PixelPlotted& step) {
-            ++writes[{step.pixel.x, step.pixel.y}];
+        draw(read.value().scene, read.value().plan, [&](const PixelPlotted<>& step) {
+            ++writes[{step.x, step.y}];
         });
     return writes;
 }

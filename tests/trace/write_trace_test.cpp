@@ -162,7 +162,7 @@ TEST(WriteTrace, NoInfinityReachesATrace) {
     Arena arena;
     StepTracer<StepWriter> tracer(writer, arena, false);
     const auto write = [&tracer](double value) {
-        tracer(EdgeSetUp<Quantity>{.edge = {0, 1}, .is_horizontal = false, .dx_dy = value});
+        tracer(EdgeSetUp<>{.edge = {0, 1}, .dx_dy = OrNull<Quantity>(value)});
     };
     EXPECT_THROW(write(HUGE_VAL), Problem);
     EXPECT_THROW(write(std::nan("")), Problem);

@@ -10,6 +10,7 @@
 // Going back starts over; snapshots.h goes back as fast as forward.
 
 #include "trace.h"
+#include "traced_steps.h"
 
 #include <rastertrace/core/raster/image.h>
 
@@ -24,10 +25,6 @@
 #include <vector>
 
 namespace rastertrace {
-
-struct DepthStep;
-struct PixelStep;
-struct PrimitiveStep;
 
 /// What a frame remembers of its pixels beside their colors, for who asks.
 struct FrameParts {

@@ -230,8 +230,8 @@ bool take_value(Cursor& text, TracedList<Value>& list, FieldNeed /*need*/) {
 
 /// Takes a field if the text goes on with it. False if it has another value, or if the kind needs it.
 template <typename Row, typename Step> bool take_field(Cursor& text, Step& step) {
-    return text.take(Row::front) ? take_value(text, Row::in(step), Row::need)
-                                 : Row::need != FieldNeed::required;
+    return text.take(front_of_field<Row>) ? take_value(text, Row::in(step), Row::need)
+                                          : Row::need != FieldNeed::required;
 }
 
 template <typename Step, typename... Rows>

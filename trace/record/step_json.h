@@ -135,12 +135,12 @@ template <typename Value> bool is_there(const Value& value) {
 }
 
 template <typename Row, typename Step> std::size_t room_of_field(const Step& step) {
-    return is_there(Row::in(step)) ? Row::front.size() + room_of(Row::in(step)) : 0;
+    return is_there(Row::in(step)) ? front_of_field<Row>.size() + room_of(Row::in(step)) : 0;
 }
 template <typename Row, typename Step> void add_field(Appender& to, const Step& step) {
     if (!is_there(Row::in(step)))
         return;
-    to.add(Row::front);
+    to.add(front_of_field<Row>);
     to.add(Row::in(step));
 }
 

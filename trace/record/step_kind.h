@@ -2,10 +2,11 @@
 #pragma once
 
 // The kinds of step that a trace file knows by name: one row each in one table (step_kind.cpp), which says
-// how its sentence reads; what it has, the table beside its struct says (traced_steps.h).
+// how its sentence reads; what it has, the table of its struct says (core/raster/steps.h).
 //
 //     fields_of(StepKind::scanline);  // y, left, right, from, ...
 
+#include <rastertrace/core/raster/steps.h>
 #include <rastertrace/trace/text/json_key.h>
 #include <rastertrace/trace/text/language.h>
 
@@ -16,40 +17,17 @@
 #include <optional>
 #include <span>
 #include <string_view>
+#include <variant>
 #include <vector>
 
 namespace rastertrace {
-
-/// In the order in which a picture meets them; the end record counts them in this order.
-enum class StepKind : std::uint8_t {
-    triangulate,
-    matrix,
-    vertex,
-    order,
-    primitive,
-    face,
-    light,
-    clip,
-    edge,
-    half,
-    ray,
-    crossings,
-    scanline,
-    along,
-    decide,
-    sample,
-    depth,
-    pixel,
-    reject,
-    skip,
-    undecided,
-};
 
 /// The value of "step" of each.
 inline constexpr std::array<std::string_view, 21> step_names{
     "triangulate", "matrix", "vertex", "order", "primitive", "face",     "light",
     "clip",        "edge",   "half",   "ray",   "crossings", "scanline", "along",
     "decide",      "sample", "depth",  "pixel", "reject",    "skip",     "undecided"};
+static_assert(step_names.size() == std::variant_size_v<StepOf<Quantity>>);
 
 inline constexpr std::size_t step_kinds = step_names.size();
 
@@ -93,21 +71,6 @@ enum class FieldType : std::uint8_t {
     list, ///< of any of these
 };
 
-/// What a field is for.
-enum class FieldRole : std::uint8_t {
-    key,      ///< which of the steps of its kind, within a primitive, it is
-    reason,   ///< the decision can be taken again from it (docs/trace-format.md, "Doing it again")
-    decision, ///< what was decided
-    told,     ///< for who wants to know
-};
-
-/// Whether a step must have a field.
-enum class FieldNeed : std::uint8_t {
-    none,
-    required, ///< without it the step cannot be understood
-    or_null,  ///< it may be absent, or null where there is no such number
-};
-
 struct StepField {
     std::string_view name;
     FieldType type;
@@ -119,7 +82,7 @@ struct StepField {
     bool may_be_null() const { return need == FieldNeed::or_null; }
 };
 
-/// The fields of a kind, in the order in which they are written: the table beside its struct (traced_steps.h).
+/// The fields of a kind, in the order in which they are written: the table of its struct (core/raster/steps.h).
 std::span<const StepField> fields_of(StepKind kind);
 
 /// The rest about a kind of step.

@@ -3,7 +3,7 @@
 
 // A sink that makes of each step of a drawing the step that a trace tells, and hands it on.
 //
-//     StepTracer<Steps> tracer(steps, steps.arena());
+//     StepTracer<Steps> tracer(steps, steps.arena(), true);
 //     draw(scene, plan, tracer);  // steps.take(ScanlineStep{...}), ...
 //
 // What is handed on refers to the arena: for as long as that, if the arena `keeps` everything, else until the next step.
@@ -15,124 +15,183 @@
 #include <rastertrace/core/numbers/quantity.h>
 #include <rastertrace/core/raster/steps.h>
 
+#include <algorithm>
 #include <array>
+#include <concepts>
 #include <cstddef>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
+#include <type_traits>
 #include <vector>
 
 namespace rastertrace {
 
-template <typename To> class StepTracer {
+/// The fields of steps as a trace holds them: what they refer to is in the arena.
+class FieldTracer {
 public:
-    StepTracer(To& to, Arena& arena, bool keeps, const StepFilter& filter = {});
-    StepTracer(const StepTracer&) = delete;
-    StepTracer& operator=(const StepTracer&) = delete;
+    FieldTracer(Arena& arena, bool keeps) : arena_(arena), keeps_(keeps) {}
 
-    /// False for steps that the filter leaves out, whatever they say.
-    template <typename Step> bool takes() const {
-        if constexpr (requires(Step * step) { kind_of(step); })
-            return wanted_[static_cast<std::size_t>(kind_of(static_cast<Step*>(nullptr)))];
-        else
-            return true;
-    }
+    /// A primitive begins: what belongs to the one before is given back, if nobody keeps it.
+    void begin(std::string_view name, std::span<const std::string_view> vertices);
 
-    void operator()(const PixelPlotted& step) {
-        if (wants(StepKind::pixel) && is_in_region(step.pixel))
-            to_.take(
-                PixelStep{.x = step.pixel.x,
-                          .y = step.pixel.y,
-                          .color = step.color == color_ ? TracedColor() : TracedColor(step.color)});
-    }
-
-    void operator()(const FaceTriangulated<Quantity>& step);
-    void operator()(const MatrixSetUp<Quantity>& step);
-    void operator()(const VertexPlaced<Quantity>& step);
-    void operator()(const PrimitivesOrdered<Quantity>& step);
-    void operator()(const PrimitiveBegan<Quantity>& step);
-    void operator()(const FaceTested<Quantity>& step);
-    void operator()(const FaceLit<Quantity>& step);
-    void operator()(const PrimitiveClipped& step);
-    void operator()(const EdgeSetUp<Quantity>& step);
-    void operator()(const EdgeFunctionSetUp<Quantity>& step);
-    void operator()(const SideBegan& step);
-    void operator()(const HalfBegan& step);
-    void operator()(const RayBegan& step);
-    void operator()(const RowCrossed<Quantity>& step);
-    void operator()(const ScanlineSpanned<Quantity>& step);
-    void operator()(const LineSampled<Quantity>& step);
-    void operator()(const LineDecided& step);
-    void operator()(const SampleTested<Quantity>& step);
-    void operator()(const DepthTested<Quantity>& step);
-    void operator()(const PixelsRejected& step);
-    void operator()(const RowsRejected& step);
-    void operator()(const PrimitiveSkipped& step);
-    void operator()(const BoundExceeded& step);
-
-private:
-    bool wants(StepKind kind) const {
-        return wanted_[static_cast<std::size_t>(kind)] && is_in_primitive_;
-    }
-
-    // Steps that need not be put together if they are left out. PrimitiveBegan says whose the others are.
-    static StepKind kind_of(const MatrixSetUp<Quantity>*) { return StepKind::matrix; }
-    static StepKind kind_of(const VertexPlaced<Quantity>*) { return StepKind::vertex; }
-    static StepKind kind_of(const FaceTested<Quantity>*) { return StepKind::face; }
-    static StepKind kind_of(const FaceLit<Quantity>*) { return StepKind::light; }
-    static StepKind kind_of(const EdgeSetUp<Quantity>*) { return StepKind::edge; }
-    static StepKind kind_of(const EdgeFunctionSetUp<Quantity>*) { return StepKind::edge; }
-    static StepKind kind_of(const RowCrossed<Quantity>*) { return StepKind::crossings; }
-    static StepKind kind_of(const ScanlineSpanned<Quantity>*) { return StepKind::scanline; }
-    static StepKind kind_of(const LineSampled<Quantity>*) { return StepKind::along; }
-    static StepKind kind_of(const SampleTested<Quantity>*) { return StepKind::sample; }
-    static StepKind kind_of(const DepthTested<Quantity>*) { return StepKind::depth; }
-    static StepKind kind_of(const SideBegan*) { return StepKind::edge; }
-    static StepKind kind_of(const HalfBegan*) { return StepKind::half; }
-    static StepKind kind_of(const RayBegan*) { return StepKind::ray; }
-    static StepKind kind_of(const LineDecided*) { return StepKind::decide; }
-    static StepKind kind_of(const PixelPlotted*) { return StepKind::pixel; }
-    static StepKind kind_of(const PixelsRejected*) { return StepKind::reject; }
-    static StepKind kind_of(const RowsRejected*) { return StepKind::reject; }
-
-    bool is_in_region(Index y, Index from, Index to) const {
-        return !region_ || (region_->has_row(y) && region_->meets(from, to));
-    }
-    bool is_in_region(Pixel pixel) const { return is_in_region(pixel.y, pixel.x, pixel.x); }
-
-    /// Hands a step on; what it refers to is given back, if nobody keeps it.
-    template <typename Step> void tell(const Step& step) {
-        to_.take(step);
+    /// The same of what belongs to a step.
+    void end_step() {
         if (!keeps_)
             arena_.rewind(of_primitive_);
     }
 
-    void begin_primitive(std::string_view name, std::span<const std::string_view> vertices);
-    void write_labels();
-    TracedText label(EdgeName edge);
+    template <typename Told, typename Step> Told step(const Step& step) {
+        Told told;
+        trace(typename Told::Fields(), typename Step::Fields(), told, step);
+        return told;
+    }
+
+private:
+    template <typename... ToldRows, typename... Rows, typename Told, typename Step>
+    void trace(FieldTable<ToldRows...> /*table*/, FieldTable<Rows...> /*table*/, Told& told,
+               const Step& step) {
+        (trace(ToldRows::in(told), Rows::in(step)), ...);
+    }
+
+    void trace(Index& told, Index value) { told = value; }
+    void trace(std::optional<Index>& told, std::optional<Index> value) { told = value; }
+    void trace(TracedFlag& told, bool value) { told = TracedFlag(value); }
+    void trace(TracedColor& told, Color value) { told = TracedColor(value); }
+    void trace(TracedText& told, std::string_view name) { told = quoted(name); }
+    void trace(TracedText& told, NameOfPrimitive /*name*/) { told = name_; }
+    void trace(TracedText& told, EdgeName edge) { told = label(edge); }
+    template <typename Enum> void trace(TracedWord<Enum>& told, Enum value) {
+        told = TracedWord<Enum>(quoted_word_of(value));
+    }
+    void trace(TracedWord<PrimitiveKind>& told, PrimitiveKind kind) {
+        told = TracedWord<PrimitiveKind>(quoted(word_of(kind)).json());
+    }
+    void trace(TracedNumber& told, const Quantity& number);
+    void trace(TracedNumber& told, std::same_as<Index> auto number) { told = TracedNumber(number); }
+    template <typename Value, typename Field>
+    void trace(TracedList<Value>& told, std::span<const Field> fields) {
+        const std::span<Value> values = arena_.array<Value>(fields.size());
+        for (std::size_t i = 0; i < fields.size(); ++i)
+            trace(values[i], fields[i]);
+        told = TracedList<Value>(std::span<const Value>(values));
+    }
+    template <typename Value, typename Field, std::size_t size>
+    void trace(TracedList<Value>& told, const std::array<Field, size>& fields) {
+        trace(told, std::span<const Field>(fields));
+    }
+    void trace(TracedList<TracedNumber>& told, const Vec<Quantity, 2>& at) {
+        trace(told, std::array{at.x, at.y});
+    }
+    void trace(TracedList<TracedNumber>& told, const Vec<Quantity, 3>& at) {
+        trace(told, std::array{at.x, at.y, at.z});
+    }
+    template <typename Told, typename Field>
+    void trace(Told& told, const std::optional<Field>& field) {
+        if (field)
+            trace(told, *field);
+    }
+    template <typename Field> void trace(TracedNumber& told, const OrNull<Field>& field) {
+        told = TracedNumber::null();
+        if (field)
+            trace(told, *field);
+    }
 
     TracedText quoted(std::string_view name);
-    TracedNumber number(const Quantity& quantity);
-    template <typename Value, typename Range, typename Make>
-    TracedList<Value> list(const Range& range, const Make& value_of);
-    TracedList<TracedNumber> numbers(std::span<const Quantity> quantities);
-    TracedList<TracedNumber> vector(const Vec<Quantity, 2>& vector);
-    TracedList<TracedNumber> vector(const Vec<Quantity, 3>& vector);
-    TracedList<TracedText> names(std::span<const std::string_view> names);
+    TracedText label(EdgeName edge);
+    void write_labels();
 
-    To& to_;
     Arena& arena_;
     bool keeps_;
-    std::array<bool, step_kinds> wanted_{};
+    TracedText name_;                        ///< of the current primitive
+    std::vector<std::string_view> vertices_; ///< its vertices' names
+    std::vector<TracedText> labels_;         ///< its edges' names, once one was asked for
+    Arena::Mark of_primitive_ =
+        arena_.mark(); ///< up to here the arena has what the primitive refers to
+};
+
+/// Which steps of a drawing are told.
+class FilterOfSteps {
+public:
+    explicit FilterOfSteps(const StepFilter& filter);
+
+    bool takes(StepKind kind) const { return kinds_[static_cast<std::size_t>(kind)]; }
+
+    /// The primitive with this name begins.
+    void begin(std::string_view name);
+    void begin(const PrimitiveBegan<>& step) {
+        begin(step.name);
+        is_circle_ = step.kind == PrimitiveKind::circle;
+    }
+
+    template <typename Step> bool takes(const Step& step) const {
+        return takes(Step::step_kind) && is_in_primitive_ && (!region_ || is_in_region(step));
+    }
+
+private:
+    // A step of rows or pixels is told if these meet the region.
+    template <typename Step> bool is_in_region(const Step& step) const {
+        if constexpr (requires { step.pixel(); })
+            return has(step.x, step.y);
+        else
+            return true;
+    }
+    bool is_in_region(const RowCrossed<>& step) const { return region_->has_row(step.y); }
+    bool is_in_region(const ScanlineSpanned<>& step) const {
+        return region_->has_row(step.y) && region_->meets(step.from, step.to);
+    }
+    bool is_in_region(const LineSampled<>& step) const {
+        return has(step.x.value_or(step.pixel), step.y.value_or(step.pixel));
+    }
+    bool is_in_region(const LineDecided<>& step) const {
+        return is_circle_ || has(step.x, step.y); // a decision of a circle is about eight pixels
+    }
+    bool is_in_region(const PixelsRejected<>& step) const;
+    bool has(Index x, Index y) const { return region_->has_row(y) && region_->meets(x, x); }
+
+    std::array<bool, step_kinds> kinds_{};
     std::optional<Region> region_;
     std::optional<std::string> primitive_;
     bool is_in_primitive_;
-    Color color_;            ///< of the current primitive
-    TracedText name_;        ///< of the same
-    bool is_circle_ = false; ///< then each decision is about pixels in all eight octants
-    std::vector<std::string_view> vertices_; ///< its vertices' names
-    std::vector<TracedText> labels_;         ///< its edges' names, once one was asked for
-    Arena::Mark of_primitive_; ///< up to here the arena has what the primitive refers to
+    bool is_circle_ = false;
+};
+
+template <typename To> class StepTracer {
+public:
+    StepTracer(To& to, Arena& arena, bool keeps, const StepFilter& filter = {})
+        : to_(to), fields_(arena, keeps), filter_(filter) {}
+
+    /// False for steps that the filter leaves out, whatever they say. Some say whose the others are.
+    template <typename Step> bool takes() const {
+        return Step::step_kind == StepKind::primitive || Step::step_kind == StepKind::undecided ||
+               filter_.takes(Step::step_kind);
+    }
+
+    /// Any step of a drawing.
+    template <template <typename> typename Step> void operator()(const Step<Quantity>& step) {
+        if constexpr (std::same_as<Step<Quantity>, PrimitiveBegan<>>) {
+            filter_.begin(step);
+            fields_.begin(step.name, step.vertices);
+            color_ = step.color;
+        } else if constexpr (std::same_as<Step<Quantity>, BoundExceeded<>>) {
+            filter_.begin(step.name);
+        }
+        if (!filter_.takes(step))
+            return;
+        auto told = fields_.template step<Step<TracedNumber>>(step);
+        if constexpr (std::same_as<Step<Quantity>, PixelPlotted<>>)
+            if (step.color == color_)
+                told.color = {};
+        to_.take(told);
+        fields_.end_step();
+    }
+
+private:
+    To& to_;
+    FieldTracer fields_;
+    FilterOfSteps filter_;
+    Color color_; ///< of the current primitive
 };
 
 } // namespace rastertrace

@@ -131,29 +131,30 @@ std::string_view word_of(PrimitiveKind kind) {
     return name_of(kind);
 }
 
-std::string_view word_of(Space space) {
-    constexpr std::array<std::string_view, 6> words{"object", "world",     "camera",
-                                                    "clip",   "canonical", "screen"};
+std::string_view quoted_word_of(Space space) {
+    constexpr std::array<std::string_view, 6> words{R"("object")", R"("world")",     R"("camera")",
+                                                    R"("clip")",   R"("canonical")", R"("screen")"};
     return words[static_cast<std::size_t>(space)];
 }
 
-std::string_view word_of(Move move) {
-    constexpr std::array<std::string_view, 8> words{"E", "NE", "N", "NW", "W", "SW", "S", "SE"};
+std::string_view quoted_word_of(Move move) {
+    constexpr std::array<std::string_view, 8> words{R"("E")", R"("NE")", R"("N")", R"("NW")",
+                                                    R"("W")", R"("SW")", R"("S")", R"("SE")"};
     return words[static_cast<std::size_t>(move)];
 }
 
-std::string_view word_of(SkipReason reason) {
+std::string_view quoted_word_of(SkipReason reason) {
     constexpr std::array<std::string_view, 10> words{
-        "off canvas",
-        "between rows",
-        "zero area",
-        "culled",
-        "behind the eye",
-        "too near",
-        "too far",
-        "outside the view",
-        "its only pixel is its last, which is left out",
-        "it leaves no diamond"};
+        R"("off canvas")",
+        R"("between rows")",
+        R"("zero area")",
+        R"("culled")",
+        R"("behind the eye")",
+        R"("too near")",
+        R"("too far")",
+        R"("outside the view")",
+        R"("its only pixel is its last, which is left out")",
+        R"("it leaves no diamond")"};
     return words[static_cast<std::size_t>(reason)];
 }
 

@@ -131,21 +131,21 @@ struct LastFrame {
     explicit LastFrame(const Canvas& canvas)
         : canvas(canvas), owners(canvas.area(), -1), depths(owners.size()) {}
 
-    void operator()(const PrimitiveBegan<Quantity>& step) { names.emplace_back(step.name); }
-    void operator()(const PixelPlotted& step) {
-        owners[canvas.offset_of(step.pixel)] = static_cast<int>(names.size()) - 1;
+    void operator()(const PrimitiveBegan<>& step) { names.emplace_back(step.name); }
+    void operator()(const PixelPlotted<>& step) {
+        owners[canvas.offset_of(step.pixel())] = static_cast<int>(names.size()) - 1;
     }
-    void operator()(const DepthTested<Quantity>& step) {
+    void operator()(const DepthTested<>& step) {
         const double depth = step.depth.to_double();
         if (!std::isfinite(depth))
             return;
         grays.include(depth);
-        if (step.reason != DepthReason::stored)
+        if (!step.is_by_stored())
             return;
         if (step.stored && step.stored->to_double() != depth)
-            grays.say_larger_is_nearer((depth > step.stored->to_double()) == step.passes);
-        if (step.passes)
-            depths[canvas.offset_of(step.pixel)] = depth;
+            grays.say_larger_is_nearer((depth > step.stored->to_double()) == step.pass);
+        if (step.pass)
+            depths[canvas.offset_of(step.pixel())] = depth;
     }
 
     /// Of each pixel the level of its depth's gray; 0: nothing is stored. Empty if there are no depths.

@@ -15,7 +15,7 @@ namespace {
 
 /// Tells how the faces of meshes that are not convex were cut.
 void tell_cut_faces(const Scene& scene, const Listener& listener) {
-    if (!listener.takes<FaceTriangulated<Quantity>>())
+    if (!listener.takes<FaceTriangulated<>>())
         return;
     for (const CutFace& face : scene.cut_faces) {
         std::vector<std::string_view> vertices;
@@ -31,12 +31,13 @@ void tell_cut_faces(const Scene& scene, const Listener& listener) {
         std::vector<std::string_view> ears;
         for (std::size_t i = 0; i < face.ears; ++i)
             ears.push_back(scene.primitives[face.first_ear + i].name);
-        listener(FaceTriangulated<Quantity>{.name = face.name,
-                                            .vertices = vertices,
-                                            .at = at,
-                                            .normal = {face.normal.x, face.normal.y, face.normal.z},
-                                            .dropped = axis_name(face.dropped),
-                                            .ears = ears});
+        const char drops = axis_name(face.dropped);
+        listener(FaceTriangulated<>{.name = face.name,
+                                    .vertices = vertices,
+                                    .at = at,
+                                    .normal = {face.normal.x, face.normal.y, face.normal.z},
+                                    .drops = {&drops, 1},
+                                    .ears = ears});
     }
 }
 

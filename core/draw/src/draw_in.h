@@ -204,23 +204,24 @@ void draw_lines(const Piece<Scalar>& primitive, const SceneDrawing<Scalar, Tests
         auto&& painter = painter_of(EdgeName{0, 0});
         if (!draw_circle({nearest_pixel(first, drawing.offset), primitive.radius},
                          primitive.colors[0], canvas, painter))
-            painter(PrimitiveSkipped{.why = SkipReason::off_canvas});
+            painter(PrimitiveSkipped<>{.why = SkipReason::off_canvas});
         return;
     }
     case PrimitiveKind::line: {
         auto&& painter = painter_of(EdgeName{0, 1});
         if (!draw_line(primitive, {0, 1}, offset, drawing.scene, painter))
-            painter(PrimitiveSkipped{.why = no_pixel});
+            painter(PrimitiveSkipped<>{.why = no_pixel});
         return;
     }
     case PrimitiveKind::outline: {
         bool has_pixels = false;
         for (const EdgeName side : {EdgeName{0, 1}, EdgeName{1, 2}, EdgeName{2, 0}}) {
             auto&& painter = painter_of(side);
-            painter(SideBegan{.edge = side, .octant = octant_of(primitive, side, offset, method)});
+            painter(
+                EdgeSetUp<>{.edge = side, .octant = octant_of(primitive, side, offset, method)});
             has_pixels = draw_line(primitive, side, offset, drawing.scene, painter) || has_pixels;
             if (side.to == 0 && !has_pixels)
-                painter(PrimitiveSkipped{.why = no_pixel});
+                painter(PrimitiveSkipped<>{.why = no_pixel});
         }
         return;
     }
@@ -251,22 +252,24 @@ void tell_beginning(const Piece<Scalar>& piece, std::string_view name,
     std::vector<std::array<DepthOf<Scalar>, 4>> levels;
     for (const auto& of_corner : piece.levels)
         levels.push_back(of_corner.of);
+    const bool is_line = piece.kind == PrimitiveKind::line;
+    const Index octant =
+        is_line ? octant_of(piece, {0, 1}, drawing.line_offset, drawing.scene.method) : 0;
     sink(PrimitiveBegan<Scalar>{
         .kind = piece.kind,
         .name = name,
         .vertices = corners,
-        .positions = piece.corners(),
+        .at = if_any(piece.corners()),
+        .depths = if_any(std::span(piece.depths).first(drawing.depth ? piece.count : 0)),
         .color = piece.color,
-        .colors = std::span(piece.colors).first(plan.mixes_colors ? piece.count : 0),
-        .octant = piece.kind == PrimitiveKind::line
-                      ? octant_of(piece, {0, 1}, drawing.line_offset, drawing.scene.method)
-                      : 0,
-        .is_part = piece.is_part,
-        .depths = std::span(piece.depths).first(drawing.depth ? piece.count : 0),
-        .is_painted = plan.stages.pixels[piece.primitive].is_painted,
-        .radius = piece.radius,
-        .face = drawing.scene.face_of(drawing.scene.primitives[piece.primitive]),
-        .levels = levels});
+        .colors = if_any(std::span(piece.colors).first(plan.mixes_colors ? piece.count : 0)),
+        .levels = if_any(levels),
+        .octant = octant != 0 ? std::optional(octant) : std::nullopt,
+        .part = piece.is_part ? std::optional(true) : std::nullopt,
+        .painted =
+            plan.stages.pixels[piece.primitive].is_painted ? std::nullopt : std::optional(false),
+        .radius = piece.kind == PrimitiveKind::circle ? std::optional(piece.radius) : std::nullopt,
+        .face = if_any(drawing.scene.face_of(drawing.scene.primitives[piece.primitive]))});
 }
 
 /// Draws a point, a line or an outline, with or without depth tests.

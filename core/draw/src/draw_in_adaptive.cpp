@@ -207,8 +207,7 @@ private:
                 if (one.state != ScreenPrimitive::State::part)
                     return draw_exactly(one.primitive, open);
             begin(one.primitive, &one);
-            listener_(
-                BoundExceeded{PieceNames(scene_, list_, one).piece, open.difference, open.error});
+            tell_open(PieceNames(scene_, list_, one).piece, open);
             return draw_exactly(list_, one, face);
         }
         if (depths_)
@@ -228,9 +227,18 @@ private:
             draw_piece(piece, trial_, NullSink());
     }
 
+    /// Tells what is open. What has left the doubles has no difference to tell.
+    void tell_open(std::string_view name, const Undecided& open) {
+        const bool is_told = std::isfinite(open.difference) && std::isfinite(open.error);
+        listener_(
+            BoundExceeded<>{.name = name,
+                            .difference = is_told ? std::optional(open.difference) : std::nullopt,
+                            .error = is_told ? std::optional(open.error) : std::nullopt});
+    }
+
     /// Draws a primitive in fractions, or what clipping has left of it.
     void draw_exactly(std::size_t index, const Undecided& open) {
-        listener_(BoundExceeded{scene_.primitives[index].name, open.difference, open.error});
+        tell_open(scene_.primitives[index].name, open);
         auto next = exact_.parts_of(index).begin();
         tell(exact_.list(), index, [&](const auto& face) {
             begin(index, nullptr);

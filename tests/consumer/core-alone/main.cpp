@@ -11,8 +11,8 @@
 using namespace rastertrace;
 
 struct PixelPrinter {
-    void operator()(const PixelPlotted& step) const {
-        std::printf("(%d,%d)", step.pixel.x, step.pixel.y);
+    void operator()(const PixelPlotted<>& step) const {
+        std::printf("(%d,%d)", step.x, step.y);
     }
     void operator()(const auto& /*another step*/) const {}
 };

@@ -198,8 +198,8 @@ public:
 
     template <typename Step> void operator()(const Step& step) const { sink_(step); }
 
-    void operator()(const PixelPlotted& plotted) const {
-        const Pixel pixel = plotted.pixel;
+    void operator()(const PixelPlotted<>& plotted) const {
+        const Pixel pixel = plotted.pixel();
         const auto row = static_cast<int>(image_.canvas().row_of(pixel.y));
         auto& cell = *tests_.row_from(pixel.x, row);
         const auto depth = points_.depth_at(pixel);
@@ -216,24 +216,21 @@ private:
     DepthVerdict verdict_on(Pixel pixel, int row, Cell& cell, const DepthOf<Scalar>& depth) const {
         DepthVerdict verdict{.passes = false};
         if (const auto face = face_before(pixel, row)) {
-            verdict.reason = DepthReason::behind;
-            verdict.other = primitive_of(*face).name;
+            verdict.behind = primitive_of(*face).name;
             return verdict;
         }
-        const auto pass_because = [&](DepthReason reason, std::uint32_t owner) {
-            verdict.passes = true;
-            verdict.reason = reason;
-            verdict.other = primitive_of(owner).name;
-        };
         const auto owner = tests_.owner_of(cell);
         if (tests_.is_behind_thin(cell, depth, thickness_)) {
             // A line does not hide the points at its ends.
             const std::uint32_t thin = *tests_.thin_owner_of(cell);
             verdict.is_by_thin = true;
-            if (thickness_ < traits_of(primitive_of(thin).kind).thickness && is_side_of(thin))
-                pass_because(DepthReason::side_of, thin);
+            verdict.passes =
+                thickness_ < traits_of(primitive_of(thin).kind).thickness && is_side_of(thin);
+            if (verdict.passes)
+                verdict.side_of = primitive_of(thin).name;
         } else if (owner && tests_.hides(cell, depth)) {
-            pass_because(is_side_of(*owner) ? DepthReason::side_of : DepthReason::beside, *owner);
+            verdict.passes = true;
+            (is_side_of(*owner) ? verdict.side_of : verdict.beside) = primitive_of(*owner).name;
         } else {
             verdict.passes = owner || tests_.is_nearer(cell, depth);
         }

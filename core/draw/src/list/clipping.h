@@ -115,10 +115,10 @@ clip_at_planes(std::string_view name, std::vector<ClipVertex<Scalar>>& polygon,
         std::vector<ClipVertex<Scalar>> left = clip(polygon, plane);
         if (left.size() < fewest)
             left.clear();
-        listener(PrimitiveClipped{.name = name,
-                                  .plane = plane.name,
-                                  .is_inside = {is_inside.get(), count},
-                                  .left = static_cast<int>(left.size())});
+        listener(PrimitiveClipped<>{.name = name,
+                                    .plane = plane.name,
+                                    .inside = {is_inside.get(), count},
+                                    .out = static_cast<Index>(left.size())});
         const SkipReason reason = reason_of(plane, polygon);
         polygon = std::move(left);
         if (polygon.empty())

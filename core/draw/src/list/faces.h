@@ -55,9 +55,9 @@ FaceTested<Scalar> tested_face(const Scene& scene, const Vec<Scalar, 3>& eye,
             .view = view,
             .dot = product,
             .cosine = cosine ? std::optional(to_double(*cosine)) : std::nullopt,
-            .is_by_light = is_by_light,
-            .is_culled = is_culled(cull, product),
-            .is_culled_opposite = is_culled(cull, Scalar(-product))};
+            .by = is_by_light ? std::optional<std::string_view>("light") : std::nullopt,
+            .culled = is_culled(cull, product),
+            .opposite = is_culled(cull, Scalar(-product))};
 }
 
 /// Lights a face by Lambert's law. A face turned from the light is black.
@@ -87,7 +87,7 @@ Face<Scalar> face_of(const Scene& scene, const Transforms<Scalar>& transforms,
     Face<Scalar> face;
     if (scene.method.cull != Cull::none) {
         face.tested = tested_face<Scalar>(scene, transforms.eye, normal, centroid);
-        if (face.tested->is_culled) {
+        if (face.tested->culled) {
             face.skip = SkipReason::culled;
             return face;
         }

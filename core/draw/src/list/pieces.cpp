@@ -328,11 +328,11 @@ void tell_pieces(const Scene& scene, const ScreenList<Scalar>& list, std::size_t
     sink(PrimitiveBegan<Scalar>{.kind = primitive.kind,
                                 .name = primitive.name,
                                 .vertices = names,
-                                .positions = {},
                                 .color = found.color,
-                                .colors = {},
-                                .radius = primitive.radius,
-                                .face = scene.face_of(primitive)});
+                                .radius = primitive.kind == PrimitiveKind::circle
+                                              ? std::optional(primitive.radius)
+                                              : std::nullopt,
+                                .face = if_any(scene.face_of(primitive))});
     if (!tell_face(found.face, sink))
         return;
     int made = 0;
@@ -349,7 +349,7 @@ void tell_pieces(const Scene& scene, const ScreenList<Scalar>& list, std::size_t
                 draw_next({});
         });
     if (reason)
-        listener(PrimitiveSkipped{.why = *reason});
+        listener(PrimitiveSkipped<>{.why = *reason});
 }
 
 template Face<Rational> face_of(const Scene&, const Transforms<Rational>&, const ScenePrimitive&,

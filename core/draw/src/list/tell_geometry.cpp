@@ -61,8 +61,18 @@ void tell_matrix(std::string_view name, std::string_view object,
         factors.clear();
         vectors.clear();
     }
-    ListenerSink{listener}(MatrixSetUp<Scalar>{
-        .name = name, .object = object, .matrix = *matrix, .factors = factors, .camera = vectors});
+    std::vector<std::string_view> names;
+    std::vector<std::array<Scalar, 4>> rows;
+    for (const auto& [factor, of_factor] : factors) {
+        names.push_back(factor);
+        rows.insert(rows.end(), of_factor.rows.begin(), of_factor.rows.end());
+    }
+    ListenerSink{listener}(MatrixSetUp<Scalar>{.name = name,
+                                               .object = if_any(object),
+                                               .rows = matrix->rows,
+                                               .factors = if_any(names),
+                                               .factor_rows = if_any(rows),
+                                               .camera = if_any(vectors)});
 }
 
 /// Tells the matrices of a scene.
@@ -96,14 +106,14 @@ void tell_geometry(const Scene& scene, const ScreenList<Scalar>& list, const Lis
         tell_vertices(scene, transforms, listener);
     if (list.order) {
         std::vector<std::string_view> names;
-        std::vector<std::size_t> indices;
+        std::vector<std::int64_t> listed;
         for (const std::size_t i : list.order->primitives)
             if (is_filled(scene.primitives[i].kind)) {
                 names.push_back(scene.primitives[i].name);
-                indices.push_back(i);
+                listed.push_back(static_cast<std::int64_t>(i) + 1);
             }
         sink(PrimitivesOrdered<Scalar>{
-            .names = names, .distances = list.order->keys, .indices = indices});
+            .names = names, .distances = list.order->keys, .listed = listed});
     }
 }
 

@@ -167,7 +167,7 @@ void tell_position(std::string_view name, Space space, const Vec<Scalar, 4>& at,
                    const Listener& listener) {
     const std::array<Scalar, 4> coordinates{at.x, at.y, at.z, at.w};
     ListenerSink{listener}(VertexPlaced<Scalar>{
-        .name = name, .space = space, .at = std::span(coordinates).first(count), .snapped = {}});
+        .name = name, .space = space, .at = std::span(coordinates).first(count)});
 }
 
 /// Tells the spaces of a vertex after clip space.
@@ -179,12 +179,11 @@ void tell_positions_on_screen(std::string_view name, const Vec<Scalar, 4>& clip,
         tell_position<Scalar>(name, Space::canonical, positions.canonical, 3, listener);
     const std::array<Scalar, 2> screen{positions.screen.x, positions.screen.y};
     const std::array<Scalar, 2> pixel{positions.pixel.x, positions.pixel.y};
-    ListenerSink{listener}(VertexPlaced<Scalar>{.name = name,
-                                                .space = Space::screen,
-                                                .at = screen,
-                                                .snapped = transforms.snap == Snap::none
-                                                               ? std::span<const Scalar>()
-                                                               : std::span<const Scalar>(pixel)});
+    ListenerSink{listener}(VertexPlaced<Scalar>{
+        .name = name,
+        .space = Space::screen,
+        .at = screen,
+        .snapped = transforms.snap == Snap::none ? std::nullopt : if_any(pixel)});
 }
 
 } // namespace rastertrace

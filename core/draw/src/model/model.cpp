@@ -51,7 +51,7 @@ private:
         }
         for (std::uint16_t i = 0; corners.size() == 3 && has_sides && i < 3; ++i) {
             const auto next = static_cast<std::uint16_t>((i + 1) % 3);
-            sink_(SideBegan{.edge = {i, next}, .octant = 0});
+            sink_(EdgeSetUp<>{.edge = EdgeName{i, next}, .octant = 0});
             draw_line(corners[i], corners[next]);
         }
     }
@@ -82,7 +82,7 @@ private:
         if (traits_of(method_.fill).rule == PixelRule::row_ends)
             fill_by_rows(triangle);
         else if (area2_ == 0)
-            sink_(PrimitiveSkipped{.why = SkipReason::zero_area});
+            sink_(PrimitiveSkipped<>{.why = SkipReason::zero_area});
         else
             fill_by_samples(triangle);
     }
@@ -111,7 +111,10 @@ private:
             for (Index x = first; x <= std::min<Index>(box.last_x, canvas_.right()); ++x) {
                 const bool covers = rules_.covers(triangle, {x, y}, weights);
                 if (method_.fill == Fill::barycentric)
-                    sink_(SampleTested<Rational>{pixel_at({x, y * down_}), weights, covers});
+                    sink_(SampleTested<Rational>{.x = static_cast<int>(x),
+                                                 .y = static_cast<int>(y * down_),
+                                                 .weights = weights,
+                                                 .inside = covers});
                 if (covers)
                     test_and_plot(triangle, {x, y}, [&] {
                         const auto& [a, b, c] = triangle;
@@ -128,8 +131,10 @@ private:
                            const ModelVertex& to) const {
         ModelEdge edge{role, from, to};
         edge.dx_dy = rules_.slope(edge);
-        sink_(EdgeSetUp<Rational>{
-            {from.index, to.index}, from.at.y == to.at.y, Rational(edge.dx_dy * down_)});
+        sink_(EdgeSetUp<Rational>{.edge = {from.index, to.index},
+                                  .dx_dy = from.at.y == to.at.y
+                                               ? OrNull<Rational>()
+                                               : OrNull<Rational>(edge.dx_dy * down_)});
         return edge;
     }
 
@@ -164,13 +169,13 @@ private:
         ModelRow row{rules_.x_on(left, y), rules_.x_on(right, y)};
         std::tie(row.from, row.to) = rules_.span(row.left, row.right);
         const Rational offset = offset_of_triangles();
-        ScanlineSpanned<Rational> told{static_cast<int>(y * down_),
-                                       row.left + offset,
-                                       row.right + offset,
-                                       row.from,
-                                       row.to,
-                                       {left.from.index, left.to.index},
-                                       {right.from.index, right.to.index}};
+        ScanlineSpanned<Rational> told{.y = static_cast<int>(y * down_),
+                                       .left = row.left + offset,
+                                       .right = row.right + offset,
+                                       .from = row.from,
+                                       .to = row.to,
+                                       .left_edge = {left.from.index, left.to.index},
+                                       .right_edge = {right.from.index, right.to.index}};
         if (has_buffer_) {
             told.left_depth = row.left_depth = depth_on(left, y);
             told.right_depth = row.right_depth = depth_on(right, y);
@@ -211,8 +216,9 @@ private:
             std::optional<Rational>& stored = buffer_[canvas_.offset_of(pixel_at(*found))];
             const std::optional<Rational> held = stored ? stored : rules_.cleared;
             const bool passes = rules_.passes(depth, held);
+            const Pixel pixel = pixel_at(*found);
             sink_(DepthTested<Rational>{
-                .pixel = pixel_at(*found), .depth = depth, .stored = held, .passes = passes});
+                .x = pixel.x, .y = pixel.y, .depth = depth, .stored = held, .pass = passes});
             if (!passes)
                 return;
             stored = depth;
@@ -299,7 +305,10 @@ private:
             const GridPoint kept = is_straight ? line.straight : line.kept;
             const GridPoint next{at.x + step.x, at.y + step.y};
             if (i < last && canvas_.contains(pixel.x, pixel.y) && canvas_.contains(next.x, next.y))
-                sink_(LineDecided{pixel_at(pixel), d, move_of(step)});
+                sink_(LineDecided<>{.x = static_cast<int>(pixel.x),
+                                    .y = static_cast<int>(pixel.y),
+                                    .d = d,
+                                    .move = move_of(step)});
             d += is_straight ? line.d_straight : line.d_diagonal;
             at = {at.x + kept.x, at.y + kept.y};
             pixel = next;
@@ -317,7 +326,11 @@ private:
             const Index rounded = pixel_across(across, rounding, falls);
             if (canvas_.contains(line.is_x_major ? along : canvas_.left(),
                                  line.is_x_major ? canvas_.top() : along))
-                sink_(LineSampled<Rational>{line.is_x_major, along, across + offset, rounded});
+                sink_(LineSampled<Rational>{
+                    .x = line.is_x_major ? std::optional(along) : std::nullopt,
+                    .y = line.is_x_major ? std::nullopt : std::optional(along),
+                    .value = across + offset,
+                    .pixel = rounded});
             const GridPoint at =
                 line.is_x_major ? GridPoint{along, rounded} : GridPoint{rounded, along};
             plot(at, rules_.color_of_step(pixels, at, i, line.steps));
@@ -327,9 +340,10 @@ private:
     void plot(GridPoint at, Color color) {
         const auto found = rules_.on_canvas(at);
         if (!found)
-            return sink_(PixelsRejected{at.x, at.y, at.x, at.y});
-        image_.at(pixel_at(*found)) = color;
-        sink_(PixelPlotted{pixel_at(*found), color});
+            return sink_(pixels_off_canvas(at.x, at.y, at.x, at.y));
+        const Pixel pixel = pixel_at(*found);
+        image_.at(pixel) = color;
+        sink_(PixelPlotted<>{.x = pixel.x, .y = pixel.y, .color = color});
     }
 
     const ModelRules& rules_;

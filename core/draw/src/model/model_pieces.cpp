@@ -81,11 +81,11 @@ private:
             face.skip = SkipReason::zero_area;
         if (!face.skip && method_.cull != Cull::none) {
             face.tested = tested_face<Rational>(scene_, eye(), normal, centroid);
-            auto& [n, view, dot, cosine, is_by_light, culls, culls_opposite] = *face.tested;
-            dot = rules_.facing(normal, view);
-            culls = is_culled(method_.cull, dot);
-            culls_opposite = is_culled(method_.cull, Rational(-dot));
-            if (culls)
+            auto& tested = *face.tested;
+            tested.dot = rules_.facing(normal, tested.view);
+            tested.culled = is_culled(method_.cull, tested.dot);
+            tested.opposite = is_culled(method_.cull, Rational(-tested.dot));
+            if (tested.culled)
                 face.skip = SkipReason::culled;
         }
         if (!face.skip && method_.shade == Shade::lambert) {
@@ -129,11 +129,8 @@ private:
         // The sides of an outline are clipped one by one; what is left of a triangle is a fan.
         sink_(PrimitiveBegan<Rational>{.kind = primitive.kind,
                                        .name = primitive.name,
-                                       .vertices = {},
-                                       .positions = {},
                                        .color = color,
-                                       .colors = {},
-                                       .face = scene_.face_of(primitive)});
+                                       .face = if_any(scene_.face_of(primitive))});
         if (!tell_face(face, sink_))
             return;
         const bool is_outline = primitive.kind == PrimitiveKind::outline;
@@ -197,13 +194,13 @@ private:
         sink_(PrimitiveBegan<Rational>{.kind = kind,
                                        .name = name,
                                        .vertices = told_names,
-                                       .positions = positions,
+                                       .at = if_any(positions),
+                                       .depths = if_any(depths),
                                        .color = color,
-                                       .colors = colors,
-                                       .is_part = is_part,
-                                       .depths = depths,
-                                       .face = scene_.face_of(primitive),
-                                       .levels = levels});
+                                       .colors = if_any(colors),
+                                       .levels = if_any(levels),
+                                       .part = is_part ? std::optional(true) : std::nullopt,
+                                       .face = if_any(scene_.face_of(primitive))});
         if (tell_face(face, sink_))
             draw_({kind, std::move(on_screen), color});
     }

@@ -3,7 +3,7 @@
 
 // A number of a step, whatever Scalar the scene is drawn with.
 //
-//     [](const ScanlineSpanned<Quantity>& step) { step.left.to_double(); step.left.text(); }
+//     [](const ScanlineSpanned<>& step) { step.left.to_double(); step.left.text(); }
 
 #include <rastertrace/core/numbers/conversion.h>
 
@@ -16,11 +16,11 @@ namespace rastertrace {
 class Quantity {
 public:
     Quantity() = default;
-    Quantity(float value) : held_(value) {}              // NOLINT: a number is a quantity
-    Quantity(double value) : held_(value) {}             // NOLINT
+    Quantity(float value) : held_(value) {}             // NOLINT: a number is a quantity
+    Quantity(double value) : held_(value) {}            // NOLINT
     Quantity(const Fraction64& value) : held_(value) {} // NOLINT
     Quantity(const Rational& value) : held_(&value) {}  // NOLINT
-    Quantity(Rational&&) = delete;                       // the reference would dangle
+    Quantity(Rational&&) = delete;                      // the reference would dangle
 
     /// The nearest double.
     double to_double() const;

@@ -65,7 +65,7 @@ inline bool meets(const GridCircle& circle, const Canvas& canvas) {
 /// Draws a circle, each of its pixels once; false if it is nowhere near the canvas. The time is
 /// proportional to the radius.
 template <typename Sink>
-requires SinkFor<Sink, LineDecided, PixelPlotted, PixelsRejected>
+requires SinkFor<Sink, LineDecided<>, PixelPlotted<>, PixelsRejected<>>
 bool draw_circle(const GridCircle& circle, Color color, const Canvas& canvas, Sink&& sink) {
     if (!meets(circle, canvas))
         return false;
@@ -80,10 +80,10 @@ bool draw_circle(const GridCircle& circle, Color color, const Canvas& canvas, Si
     while (at.x < at.y) {
         // Is the midpoint of the next two pixels inside?
         const bool goes_east = d < 0;
-        sink(LineDecided{
-            .pixel = {static_cast<int>(center.x + at.x), static_cast<int>(center.y + at.y)},
-            .d = d,
-            .move = goes_east ? Move::e : Move::se});
+        sink(LineDecided<>{.x = static_cast<int>(center.x + at.x),
+                           .y = static_cast<int>(center.y + at.y),
+                           .d = d,
+                           .move = goes_east ? Move::e : Move::se});
         d += goes_east ? 2 * at.x + 3 : 2 * (at.x - at.y) + 5;
         at = {at.x + 1, goes_east ? at.y : at.y - 1};
 

@@ -87,8 +87,7 @@ edge_table(std::span<const Vec<Scalar, 2>> corners, const SampleOffset<Scalar>& 
         const Vertex<Scalar>& upper = runs_down ? from : to;
         const Vertex<Scalar>& lower = runs_down ? to : from;
         const Edge<Scalar> edge = edge_between(upper, lower);
-        sink(EdgeSetUp<Scalar>{
-            .edge = edge.name, .is_horizontal = edge.is_horizontal, .dx_dy = edge.dx_dy});
+        sink(set_up(edge));
         if (edge.is_horizontal)
             continue;
         const Scalar low = offset.in_rows((down > 0 ? upper : lower).position.y);
@@ -156,7 +155,7 @@ void tell_crossings(int y, const std::vector<TableEdge<Scalar>*>& active, Sink&&
         return;
     std::vector<EdgeName> edges;
     std::vector<Scalar> x;
-    std::vector<int> winding;
+    std::vector<std::int64_t> winding;
     for (const TableEdge<Scalar>* const edge : active) {
         edges.push_back(edge->walk.name());
         x.push_back(edge->x);
@@ -202,13 +201,13 @@ spans_beyond(std::vector<ScanlineSpanned<Scalar>> spans,
 /// The time is proportional to the rows on the canvas times the edges that they meet. Coordinates and
 /// the slopes of the edges must be finite; at most 65,535 corners.
 template <typename Scalar, typename Sink>
-requires SinkFor<Sink, EdgeSetUp<Scalar>, RowCrossed<Scalar>, ScanlineSpanned<Scalar>, RowsRejected,
-                 PrimitiveSkipped>
+requires SinkFor<Sink, EdgeSetUp<Scalar>, RowCrossed<Scalar>, ScanlineSpanned<Scalar>,
+                 PixelsRejected<>, PrimitiveSkipped<>>
 void fill_edge_table(std::span<const Vec<Scalar, 2>> corners, const SampleOffset<Scalar>& offset,
                      const EdgeTableRules& rules, const Canvas& canvas, Sink&& sink) {
     auto table = edge_table<Scalar>(corners, offset, rules.rows, canvas, sink);
     if (table.empty()) {
-        sink(PrimitiveSkipped{.why = SkipReason::zero_area});
+        sink(PrimitiveSkipped<>{.why = SkipReason::zero_area});
         return;
     }
     Index end_row = table.front().end_row;

@@ -34,7 +34,7 @@ struct FanRules {
 /// Draws the triangle whose vertices are the pixels with the samples nearest to the given ones. `colors` are those
 /// of the vertices; along a line they are mixed.
 template <typename Scalar, typename Sink>
-requires SinkFor<Sink, SideBegan, RayBegan, LineDecided, PixelPlotted, PixelsRejected>
+requires SinkFor<Sink, EdgeSetUp<>, RayBegan<>, LineDecided<>, PixelPlotted<>, PixelsRejected<>>
 void fill_fan(const Triangle<Scalar>& triangle, const std::array<Color, 3>& colors,
               const SampleOffset<Scalar>& offset, const FanRules& rules, Canvas canvas,
               Sink&& sink) {
@@ -58,14 +58,14 @@ void fill_fan(const Triangle<Scalar>& triangle, const std::array<Color, 3>& colo
         const GridPoint target = vertex(apex);
         const GridLine base =
             from_lower_x({vertex(from), vertex(to), colors[from], colors[to], rules.colors});
-        sink(SideBegan{.edge = {from, to}, .octant = octant_of(base.from, base.to)});
+        sink(EdgeSetUp<>{.edge = {from, to}, .octant = octant_of(base.from, base.to)});
 
         // A line from each pixel of the edge.
         const BresenhamLine edge(base.from, base.to, line_rules.ties);
         for (Index step = 0; step <= edge.steps(); ++step) {
             const GridPoint start = edge.pixel(step);
             const Color color = color_on_line(base, line_rules, start, step, edge.steps());
-            sink(RayBegan{.x = start.x, .y = start.y});
+            sink(RayBegan<>{.x = start.x, .y = start.y});
             draw_bresenham(from_lower_x({start, target, color, colors[apex], rules.colors}),
                            line_rules, canvas, sink);
         }

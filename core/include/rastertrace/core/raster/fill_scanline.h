@@ -62,6 +62,12 @@ Index first_lower_y(const JoinedEdges<Scalar>& edges, const SampleOffset<Scalar>
                : first_row_below(offset.in_rows(edges.middle.position.y), down);
 }
 
+/// What is known of an edge once it is set up.
+template <typename Scalar> EdgeSetUp<Scalar> set_up(const Edge<Scalar>& edge) {
+    return {.edge = edge.name,
+            .dx_dy = edge.is_horizontal ? OrNull<Scalar>() : OrNull<Scalar>(edge.dx_dy)};
+}
+
 /// Reports the three edges.
 template <typename Scalar, typename Sink>
 requires SinkFor<Sink, EdgeSetUp<Scalar>>
@@ -69,8 +75,7 @@ void tell_edges(const JoinedEdges<Scalar>& edges, Sink&& sink) {
     if (!takes<EdgeSetUp<Scalar>>(sink))
         return;
     for (const Edge<Scalar>* edge : {&edges.upper, &edges.lower, &edges.long_edge})
-        sink(EdgeSetUp<Scalar>{
-            .edge = edge->name, .is_horizontal = edge->is_horizontal, .dx_dy = edge->dx_dy});
+        sink(set_up(*edge));
 }
 
 /// True if every span of the triangle lies left of the canvas, or every one lies right of it.
@@ -108,7 +113,8 @@ requires SinkFor<Sink, ScanlineSpanned<Scalar>>
 /// proportional to the rows on the canvas, not to the size of the triangle. Coordinates and the
 /// slopes of the edges must be finite.
 template <typename Scalar, typename Sink>
-requires SinkFor<Sink, EdgeSetUp<Scalar>, ScanlineSpanned<Scalar>, RowsRejected, PrimitiveSkipped>
+requires SinkFor<Sink, EdgeSetUp<Scalar>, ScanlineSpanned<Scalar>, PixelsRejected<>,
+                 PrimitiveSkipped<>>
 void fill_scanline(const Triangle<Scalar>& triangle, const SampleOffset<Scalar>& offset,
                    const ScanlineRules& rules, Canvas canvas, Sink&& sink) {
     const int down = canvas.down();

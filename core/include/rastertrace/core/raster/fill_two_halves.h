@@ -40,8 +40,8 @@ void fill_half(const JoinedEdges<Scalar>& edges, const Edge<Scalar>& short_edge,
 
 /// Fills a triangle half by half. In exact arithmetic it draws the pixels of fill_scanline.
 template <typename Scalar, typename Sink>
-requires SinkFor<Sink, EdgeSetUp<Scalar>, HalfBegan, ScanlineSpanned<Scalar>, RowsRejected,
-                 PrimitiveSkipped>
+requires SinkFor<Sink, EdgeSetUp<Scalar>, HalfBegan<>, ScanlineSpanned<Scalar>, PixelsRejected<>,
+                 PrimitiveSkipped<>>
 void fill_two_halves(const Triangle<Scalar>& triangle, const SampleOffset<Scalar>& offset,
                      const ScanlineRules& rules, Canvas canvas, Sink&& sink) {
     const int down = canvas.down();
@@ -64,9 +64,9 @@ void fill_two_halves(const Triangle<Scalar>& triangle, const SampleOffset<Scalar
 
     // The lower half, then the upper one.
     const auto y_of = [&canvas](Index row) { return canvas.y_of(row); };
-    sink(HalfBegan{.is_upper = false, .from_y = y_of(bottom_row), .to_y = y_of(middle_row)});
+    sink(HalfBegan<>{.half = "lower", .from_y = y_of(bottom_row), .to_y = y_of(middle_row)});
     fill_half(edges, edges.lower, bottom_row, middle_row, offset, rules, canvas, sink);
-    sink(HalfBegan{.is_upper = true, .from_y = y_of(middle_row - 1), .to_y = y_of(top_row)});
+    sink(HalfBegan<>{.half = "upper", .from_y = y_of(middle_row - 1), .to_y = y_of(top_row)});
     fill_half(edges, edges.upper, middle_row - 1, top_row, offset, rules, canvas, sink);
 }
 

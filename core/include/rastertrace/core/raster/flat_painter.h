@@ -44,23 +44,23 @@ public:
         Color* const colors = row.colors - row.left;
         for (int x = pixels.first; x <= pixels.last; ++x) {
             colors[x] = color;
-            sink_(PixelPlotted{.pixel = {x, row.y}, .color = color});
+            sink_(PixelPlotted<>{.x = x, .y = row.y, .color = color});
         }
         tell_rejected_right(row, span.from, span.to, sink_);
     }
 
     /// A sample that lies in the triangle is one pixel.
     template <typename Sample>
-    requires std::same_as<decltype(Sample::is_inside), bool>
+    requires std::same_as<decltype(Sample::inside), bool>
     [[gnu::always_inline]] void operator()(const Sample& sample) const {
         sink_(sample);
-        if (sample.is_inside)
-            (*this)(PixelPlotted{.pixel = sample.pixel, .color = color_});
+        if (sample.inside)
+            (*this)(PixelPlotted<>{.x = sample.x, .y = sample.y, .color = color_});
     }
 
     /// A pixel of a line, or of the fan, brings its color.
-    [[gnu::always_inline]] void operator()(const PixelPlotted& plotted) const {
-        image_.at(plotted.pixel) = plotted.color;
+    [[gnu::always_inline]] void operator()(const PixelPlotted<>& plotted) const {
+        image_.at(plotted.pixel()) = plotted.color;
         sink_(plotted);
     }
 

@@ -78,13 +78,13 @@ struct GridLine {
 
 /// Draws a point: one pixel.
 template <typename Sink>
-requires SinkFor<Sink, PixelPlotted, PixelsRejected>
+requires SinkFor<Sink, PixelPlotted<>, PixelsRejected<>>
 void draw_point(GridPoint point, Color color, const Canvas& canvas, Sink&& sink) {
     if (canvas.contains(point.x, point.y))
-        sink(PixelPlotted{.pixel = {static_cast<int>(point.x), static_cast<int>(point.y)},
-                          .color = color});
+        sink(PixelPlotted<>{
+            .x = static_cast<int>(point.x), .y = static_cast<int>(point.y), .color = color});
     else
-        sink(PixelsRejected{point.x, point.y, point.x, point.y});
+        sink(pixels_off_canvas(point.x, point.y, point.x, point.y));
 }
 
 /// Steps of a line, counted from its start: from `first` to `last`; none if last < first.
@@ -105,25 +105,25 @@ inline StepRange steps_between(Index low, Index high, Index first, bool goes_bac
 /// Reports the pixels before those on the canvas: all up to step `end`, if the canvas has none of
 /// them. `pixel_at(step)` is the pixel of a step.
 template <typename PixelAt, typename Sink>
-requires SinkFor<Sink, PixelsRejected>
+requires SinkFor<Sink, PixelsRejected<>>
 void reject_before(const StepRange& on_canvas, Index end, PixelAt&& pixel_at, Sink&& sink) {
     const Index last = on_canvas.is_empty() ? end : on_canvas.first - 1;
     if (last < 0)
         return;
     const GridPoint p = pixel_at(Index{0});
     const GridPoint q = pixel_at(last);
-    sink(PixelsRejected{p.x, p.y, q.x, q.y});
+    sink(pixels_off_canvas(p.x, p.y, q.x, q.y));
 }
 
 /// Reports the pixels behind those on the canvas, up to step `end`.
 template <typename PixelAt, typename Sink>
-requires SinkFor<Sink, PixelsRejected>
+requires SinkFor<Sink, PixelsRejected<>>
 void reject_behind(const StepRange& on_canvas, Index end, PixelAt&& pixel_at, Sink&& sink) {
     if (on_canvas.is_empty() || on_canvas.last >= end)
         return;
     const GridPoint p = pixel_at(on_canvas.last + 1);
     const GridPoint q = pixel_at(end);
-    sink(PixelsRejected{p.x, p.y, q.x, q.y});
+    sink(pixels_off_canvas(p.x, p.y, q.x, q.y));
 }
 
 /// The octant of a direction, 1 to 8, by the signs of dx and dy and whether |dx| >= |dy|: 1

@@ -38,7 +38,7 @@ inline Move move_of(GridPoint step) {
 /// Draws a line; false if its only pixel is the last one, which `ends: first` leaves out. The
 /// time is proportional to the pixels on the canvas. The ends must lie within +-farthest_index / 4.
 template <typename Sink>
-requires SinkFor<Sink, LineDecided, PixelPlotted, PixelsRejected>
+requires SinkFor<Sink, LineDecided<>, PixelPlotted<>, PixelsRejected<>>
 bool draw_bresenham(const GridLine& line, const LineRules& rules, const Canvas& canvas,
                     Sink&& sink) {
     const BresenhamLine path(line.from, line.to, rules.ties);
@@ -56,14 +56,14 @@ bool draw_bresenham(const GridLine& line, const LineRules& rules, const Canvas& 
     for (Index i = steps.first;; ++i) {
         const Color color = color_on_line(line, rules, at, i, path.steps());
         const Pixel pixel{static_cast<int>(at.x), static_cast<int>(at.y)};
-        sink(PixelPlotted{.pixel = pixel, .color = color});
+        sink(PixelPlotted<>{.x = pixel.x, .y = pixel.y, .color = color});
         if (i == steps.last)
             break;
 
         // Straight on, or diagonally?
         const bool goes_straight = path.goes_straight(d);
         const GridPoint step = goes_straight ? path.straight() : path.diagonal();
-        sink(LineDecided{.pixel = pixel, .d = d, .move = move_of(step)});
+        sink(LineDecided<>{.x = pixel.x, .y = pixel.y, .d = d, .move = move_of(step)});
         d += goes_straight ? path.d_straight() : path.d_diagonal();
         at = {at.x + step.x, at.y + step.y};
     }

@@ -113,7 +113,7 @@ private:
 /// Draws a line between any two points; false if it leaves no diamond. The time is proportional to the
 /// canvas.
 template <typename Scalar, typename Sink>
-requires SinkFor<Sink, LineSampled<Scalar>, PixelPlotted, PixelsRejected>
+requires SinkFor<Sink, LineSampled<Scalar>, PixelPlotted<>, PixelsRejected<>>
 bool draw_diamond_exit_line(const Segment<Scalar>& segment, const SampleOffset<Scalar>& offset,
                             const LineSampling& sampling, const Canvas& canvas, Sink&& sink) {
     const int down = canvas.down();
@@ -144,18 +144,18 @@ bool draw_diamond_exit_line(const Segment<Scalar>& segment, const SampleOffset<S
         const Scalar across = line.across(along);
         const GridPoint at = pixel(along, across);
         const Scalar turned = is_x_major && down > 0 ? Scalar(-across) : across;
-        sink(LineSampled<Scalar>{.is_x_major = is_x_major,
-                                 .at = is_x_major ? at.x : at.y,
+        sink(LineSampled<Scalar>{.x = is_x_major ? std::optional(at.x) : std::nullopt,
+                                 .y = is_x_major ? std::nullopt : std::optional(at.y),
                                  .value = turned,
                                  .pixel = is_x_major ? at.y : at.x});
         if (!canvas.contains(at.x, at.y)) {
-            sink(PixelsRejected{at.x, at.y, at.x, at.y});
+            sink(pixels_off_canvas(at.x, at.y, at.x, at.y));
             continue;
         }
         // The end's color belongs to the pixel that the line stops in.
         const Color color = color_on_line(sampling.colors, sampling.rules, at, i, end + 1);
-        sink(PixelPlotted{.pixel = {static_cast<int>(at.x), static_cast<int>(at.y)},
-                          .color = color});
+        sink(PixelPlotted<>{
+            .x = static_cast<int>(at.x), .y = static_cast<int>(at.y), .color = color});
     }
     reject_behind(steps, end, pixel_at, sink);
     return true;

@@ -18,7 +18,7 @@ namespace rastertrace {
 /// Draws a line between any two points; false if it has no pixel to draw (SampledLine::last_step).
 /// The time is proportional to the canvas. On a steep line x and y are exchanged.
 template <typename Scalar, typename Sink>
-requires SinkFor<Sink, LineSampled<Scalar>, PixelPlotted, PixelsRejected>
+requires SinkFor<Sink, LineSampled<Scalar>, PixelPlotted<>, PixelsRejected<>>
 bool draw_naive_line(const Segment<Scalar>& segment, const SampleOffset<Scalar>& offset,
                      const LineSampling& sampling, const Canvas& canvas, Sink&& sink) {
     const SampledLine<Scalar> line(segment, offset, sampling, canvas);

@@ -121,14 +121,16 @@ public:
     /// Rounds the coordinate across at a step, and plots the pixel if the canvas has it.
     template <typename Sink> void plot(Index step, const Scalar& across, Sink&& sink) const {
         const Index pixel = rounded(across);
-        sink(LineSampled<Scalar>{
-            .is_x_major = is_x_major_, .at = along(step), .value = across, .pixel = pixel});
+        sink(LineSampled<Scalar>{.x = is_x_major_ ? std::optional(along(step)) : std::nullopt,
+                                 .y = is_x_major_ ? std::nullopt : std::optional(along(step)),
+                                 .value = across,
+                                 .pixel = pixel});
         const GridPoint at = point(along(step), pixel);
         if (!canvas_.contains(at.x, at.y))
-            return sink(PixelsRejected{at.x, at.y, at.x, at.y});
+            return sink(pixels_off_canvas(at.x, at.y, at.x, at.y));
         const Color color = color_on_line(sampling_.colors, sampling_.rules, at, step, steps_);
-        sink(PixelPlotted{.pixel = {static_cast<int>(at.x), static_cast<int>(at.y)},
-                          .color = color});
+        sink(PixelPlotted<>{
+            .x = static_cast<int>(at.x), .y = static_cast<int>(at.y), .color = color});
     }
 
 private:

@@ -25,31 +25,30 @@ struct RowRange {
 
 /// Emits the rows above and below the canvas.
 template <typename Sink>
-requires SinkFor<Sink, RowsRejected>
+requires SinkFor<Sink, PixelsRejected<>>
 void tell_rejected_rows(Index first_row, Index last_row, Canvas canvas, Sink&& sink) {
-    if (!takes<RowsRejected>(sink))
+    if (!takes<PixelsRejected<>>(sink))
         return;
     if (first_row < 0)
-        sink(RowsRejected{.from_y = canvas.y_of(first_row), .to_y = canvas.y_of(Index{-1})});
+        sink(rows_off_canvas(canvas.y_of(first_row), canvas.y_of(Index{-1})));
     if (last_row >= canvas.height)
-        sink(RowsRejected{.from_y = canvas.y_of(Index{canvas.height}),
-                          .to_y = canvas.y_of(last_row)});
+        sink(rows_off_canvas(canvas.y_of(Index{canvas.height}), canvas.y_of(last_row)));
 }
 
 /// The rows from `first_row` to `last_row` that are on the canvas. Emits the others. A triangle
 /// that lies between two rows, or off the canvas, has none and is skipped. `misses_sides()` is true
 /// if all of the triangle lies left of the canvas, or all of it right.
 template <typename MissesSides, typename Sink>
-requires SinkFor<Sink, RowsRejected, PrimitiveSkipped>
+requires SinkFor<Sink, PixelsRejected<>, PrimitiveSkipped<>>
 [[gnu::always_inline]] inline RowRange rows_on_canvas(Index first_row, Index last_row,
                                                       MissesSides&& misses_sides, Canvas canvas,
                                                       Sink&& sink) {
     if (last_row < first_row) {
-        sink(PrimitiveSkipped{.why = SkipReason::between_rows});
+        sink(PrimitiveSkipped<>{.why = SkipReason::between_rows});
         return {};
     }
     if (last_row < 0 || first_row >= canvas.height || misses_sides()) {
-        sink(PrimitiveSkipped{.why = SkipReason::off_canvas});
+        sink(PrimitiveSkipped<>{.why = SkipReason::off_canvas});
         return {};
     }
     tell_rejected_rows(first_row, last_row, canvas, sink);
@@ -77,26 +76,20 @@ struct PixelSpan {
 
 /// Emits the pixels left of the canvas. Called before the row is painted.
 template <typename Sink>
-requires SinkFor<Sink, PixelsRejected>
+requires SinkFor<Sink, PixelsRejected<>>
 [[gnu::always_inline]] inline void tell_rejected_left(const ImageRow& row, Index from, Index to,
                                                       Sink&& sink) {
     if (from <= to && from < row.left)
-        sink(PixelsRejected{.from_x = from,
-                            .from_y = row.y,
-                            .to_x = std::min<Index>(to, row.left - 1),
-                            .to_y = row.y});
+        sink(pixels_off_canvas(from, row.y, std::min<Index>(to, row.left - 1), row.y));
 }
 
 /// Emits the pixels right of the canvas. Called after the row is painted.
 template <typename Sink>
-requires SinkFor<Sink, PixelsRejected>
+requires SinkFor<Sink, PixelsRejected<>>
 [[gnu::always_inline]] inline void tell_rejected_right(const ImageRow& row, Index from, Index to,
                                                        Sink&& sink) {
     if (from <= to && to > row.right)
-        sink(PixelsRejected{.from_x = std::max<Index>(from, row.right + 1),
-                            .from_y = row.y,
-                            .to_x = to,
-                            .to_y = row.y});
+        sink(pixels_off_canvas(std::max<Index>(from, row.right + 1), row.y, to, row.y));
 }
 
 } // namespace rastertrace

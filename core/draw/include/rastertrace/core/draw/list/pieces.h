@@ -45,7 +45,7 @@ bool tell_face(const Face<Coordinate>& face, Sink&& sink) {
     if (face.lit)
         sink(*face.lit);
     if (face.skip)
-        sink(PrimitiveSkipped{.why = *face.skip});
+        sink(PrimitiveSkipped<>{.why = *face.skip});
     return !face.skip;
 }
 

@@ -135,12 +135,14 @@ bool decide_and_tell(Tests& tests, Pixel pixel, const Cell& cell, const Depth& d
     const auto nearest =
         of_thin && !tests.hides_thin(cell) ? of_thin : tests.template stored_face<Depth>(cell);
     const DepthVerdict verdict = test();
-    sink(DepthTested<Depth>{.pixel = pixel,
+    sink(DepthTested<Depth>{.x = pixel.x,
+                            .y = pixel.y,
                             .depth = tests.turned(depth),
                             .stored = verdict.is_by_thin ? of_thin : nearest,
-                            .passes = verdict.passes,
-                            .reason = verdict.reason,
-                            .other = verdict.other});
+                            .pass = verdict.passes,
+                            .side_of = verdict.side_of,
+                            .beside = verdict.beside,
+                            .behind = verdict.behind});
     return verdict.passes;
 }
 

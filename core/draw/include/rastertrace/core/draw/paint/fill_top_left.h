@@ -46,7 +46,7 @@ struct TriangleOrder {
 /// Emits the edge functions. Not inlined, so that it leaves no trace in the code of a fill without
 /// a listener.
 template <typename Scalar, typename Sink>
-requires SinkFor<Sink, EdgeFunctionSetUp<Scalar>>
+requires SinkFor<Sink, EdgeSetUp<Scalar>>
 [[gnu::noinline]] void tell_edge_functions(const Triangle<Scalar>& triangle,
                                            const TriangleOrder& order, int down, Sink&& sink) {
     const auto vertex = [&triangle](std::uint16_t index) {
@@ -55,10 +55,10 @@ requires SinkFor<Sink, EdgeFunctionSetUp<Scalar>>
     for (const EdgeFunction<Scalar>& function :
          edge_functions<Scalar>({vertex(order.top), vertex(order.middle), vertex(order.bottom)},
                                 order.long_edge_is_left, down))
-        sink(EdgeFunctionSetUp<Scalar>{.edge = function.name,
-                                       .a = function.a,
-                                       .b = function.b,
-                                       .is_top_left = function.is_top_left});
+        sink(EdgeSetUp<Scalar>{.edge = function.name,
+                               .a = function.a,
+                               .b = function.b,
+                               .top_left = function.is_top_left});
 }
 
 /// Adds the crossings of a row with its two edges.
@@ -124,8 +124,8 @@ requires SinkFor<Sink, ScanlineSpanned<Scalar>>
 /// says where the samples lie. Top and left are those of the picture, whichever way y points. A
 /// triangle without area has no inside and is skipped.
 template <typename Scalar, typename Sink>
-requires SinkFor<Sink, EdgeFunctionSetUp<Scalar>, ScanlineSpanned<Scalar>, RowsRejected,
-                 PrimitiveSkipped>
+requires SinkFor<Sink, EdgeSetUp<Scalar>, ScanlineSpanned<Scalar>, PixelsRejected<>,
+                 PrimitiveSkipped<>>
 void fill_top_left(const Triangle<Scalar>& triangle, const SampleGrid<Scalar>& grid, Canvas canvas,
                    Sink&& sink) {
     // Sort the vertices by height. The long edge runs from top to bottom, the two short ones meet
@@ -133,12 +133,12 @@ void fill_top_left(const Triangle<Scalar>& triangle, const SampleGrid<Scalar>& g
     const auto [top, middle, bottom] = sorted_from_top(grid.in_lengths(triangle), grid.down());
     const int middle_side = side_of_edge(top, bottom, middle, grid.down());
     if (middle_side == 0) {
-        sink(PrimitiveSkipped{.why = SkipReason::zero_area});
+        sink(PrimitiveSkipped<>{.why = SkipReason::zero_area});
         return;
     }
     const bool long_edge_is_left = middle_side > 0;
     const TriangleOrder order{top.index, middle.index, bottom.index, long_edge_is_left};
-    if (takes<EdgeFunctionSetUp<Scalar>>(sink))
+    if (takes<EdgeSetUp<Scalar>>(sink))
         tell_edge_functions(triangle, order, canvas.down(), sink);
 
     // The rows of samples from the top vertex, included, to the bottom vertex, not included, as far

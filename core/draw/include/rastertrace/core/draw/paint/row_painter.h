@@ -109,18 +109,18 @@ struct RowPainter {
     /// A sample that lies in the triangle is one pixel.
     void operator()(const SampleTested<Scalar>& sample) const {
         sink(sample);
-        if (!sample.is_inside)
+        if (!sample.inside)
             return;
         if (!triangle)
-            return paint_pixel(sample.pixel, {});
+            return paint_pixel(sample.pixel(), {});
         const auto& [a, b, c] = sample.weights;
-        paint_pixel(sample.pixel,
+        paint_pixel(sample.pixel(),
                     triangle->by_weights({depth_scalar(a), depth_scalar(b), depth_scalar(c)}));
     }
 
     /// A pixel of the fan brings its color.
-    void operator()(const PixelPlotted& plotted) const {
-        image.at(plotted.pixel) = plotted.color;
+    void operator()(const PixelPlotted<>& plotted) const {
+        image.at(plotted.pixel()) = plotted.color;
         sink(plotted);
     }
 
@@ -192,7 +192,7 @@ private:
         if (!stages.is_painted)
             return;
         plotted = color_at(pixel);
-        sink(PixelPlotted{.pixel = pixel, .color = plotted});
+        sink(PixelPlotted<>{.x = pixel.x, .y = pixel.y, .color = plotted});
     }
 
     Color color_at(Pixel pixel) const {

@@ -10,6 +10,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string_view>
 #include <unordered_map>
 
@@ -18,8 +19,9 @@ namespace rastertrace {
 /// The result of a depth test, as DepthTested has it.
 struct DepthVerdict {
     bool passes;
-    DepthReason reason = DepthReason::stored;
-    std::string_view other = {};
+    std::optional<std::string_view> side_of = {};
+    std::optional<std::string_view> beside = {};
+    std::optional<std::string_view> behind = {};
     bool is_by_thin = false; ///< by a point or a line in the pixel, even if a face is nearer
 };
 

@@ -15,11 +15,12 @@
 
 #include <memory>
 #include <tuple>
+#include <variant>
 
 namespace rastertrace {
 
 /// A step as a listener gets it: its numbers as Quantity.
-template <typename Step> struct AsTold { using type = Step; };
+template <typename Step> struct AsTold;
 template <template <typename> typename Step, typename Scalar> struct AsTold<Step<Scalar>> {
     using type = Step<Quantity>;
 };
@@ -65,12 +66,11 @@ public:
 
     /// True if it takes a step that fires while a primitive is drawn, but for PrimitiveSkipped.
     bool takes_pixels() const {
-        return takes<EdgeSetUp<Quantity>>() || takes<EdgeFunctionSetUp<Quantity>>() ||
-               takes<SideBegan>() || takes<HalfBegan>() || takes<RayBegan>() ||
-               takes<RowCrossed<Quantity>>() || takes<ScanlineSpanned<Quantity>>() ||
-               takes<LineSampled<Quantity>>() || takes<LineDecided>() ||
-               takes<SampleTested<Quantity>>() || takes<DepthTested<Quantity>>() ||
-               takes<PixelPlotted>() || takes<PixelsRejected>() || takes<RowsRejected>();
+        const auto is_one = []<typename Step>(Way<Step> way) {
+            return StepKind::edge <= Step::step_kind && Step::step_kind <= StepKind::reject &&
+                   way != nullptr;
+        };
+        return std::apply([&](const auto... ways) { return (is_one(ways) || ...); }, ways_);
     }
 
     /// Hands a step over Quantity, or one without numbers, to the callable if it takes such.
@@ -82,16 +82,11 @@ public:
 private:
     /// How a kind of step comes to the callable.
     template <typename Step> using Way = void (*)(void* callable, const Step& step);
-    using Ways =
-        std::tuple<Way<MatrixSetUp<Quantity>>, Way<VertexPlaced<Quantity>>,
-                   Way<PrimitivesOrdered<Quantity>>, Way<FaceTested<Quantity>>,
-                   Way<FaceLit<Quantity>>, Way<PrimitiveClipped>, Way<PrimitiveBegan<Quantity>>,
-                   Way<EdgeSetUp<Quantity>>, Way<EdgeFunctionSetUp<Quantity>>, Way<SideBegan>,
-                   Way<HalfBegan>, Way<RayBegan>, Way<RowCrossed<Quantity>>,
-                   Way<ScanlineSpanned<Quantity>>, Way<LineSampled<Quantity>>, Way<LineDecided>,
-                   Way<SampleTested<Quantity>>, Way<DepthTested<Quantity>>, Way<PixelPlotted>,
-                   Way<PixelsRejected>, Way<RowsRejected>, Way<BoundExceeded>,
-                   Way<PrimitiveSkipped>, Way<FaceTriangulated<Quantity>>>;
+    template <typename Variant> struct WaysOf;
+    template <typename... Steps> struct WaysOf<std::variant<Steps...>> {
+        using type = std::tuple<Way<Steps>...>;
+    };
+    using Ways = WaysOf<StepOf<Quantity>>::type;
 
     template <typename Callable, typename... Steps>
     static void find_ways(Callable& callable, std::tuple<Way<Steps>...>& ways) {
