@@ -102,8 +102,8 @@ Vec<double, 3> in_doubles(const TracedList<TracedNumber>& list) {
 
 } // namespace
 
-SpaceAgain::SpaceAgain(const Trace& trace, const RulesTold& rules, Findings& findings)
-    : trace_(trace), rules_(rules), findings_(findings),
+SpaceAgain::SpaceAgain(const Trace& trace, Findings& findings)
+    : trace_(trace), rules_(trace.method), findings_(findings),
       projection_(projection_named(trace.projection.substr(0, trace.projection.find(',')))) {
     // A vertex without a model begins in the world.
     std::map<std::string, std::string> firsts;

@@ -65,7 +65,7 @@ void primitive(Sheet& sheet) {
     const auto octant = sheet.step.as<PrimitiveStep>().octant;
     if (sheet.primitive.kind == PrimitiveKind::line)
         return put_octant(sheet, ends_of_line(sheet.replay, sheet.primitive),
-                          sheet.trace().method_value("line") == "bresenham"
+                          sheet.trace().method.draws_lines_by(LineMethod::bresenham)
                               ? SampleOffset<Rational>() // they are pixels
                               : told_samples(sheet.trace()).lines,
                           octant);
@@ -180,7 +180,7 @@ void put_crossing(Sheet& sheet, const EndOfRow& end) {
     const Rational y = offset.y_of(end.y);
     const Lerp x{.d1 = from->x, .i1 = from->y, .d2 = to->x, .i2 = to->y, .i = y};
     // A row that adds to the one before says so in its sentence.
-    const bool adds = sheet.trace().method_value("lerp") == "incremental";
+    const bool adds = sheet.trace().method.triangles.lerp == LerpForm::incremental;
     if (told && !adds && sheet.agrees(x.value(), *told))
         sheet.put(fmt::format("{} {}: {}{}{} -> {}", end.name(), end.edge.text(), x_of_edge,
                               x.written_out(*told),
@@ -214,7 +214,7 @@ void put_crossing(Sheet& sheet, const EndOfRow& end) {
 /// Which boundary each end of a row lies on (T3): A leads from the lowest vertex t0 to the highest t2, B by way of t1.
 void put_boundaries(Sheet& sheet, const ScanlineStep& row) {
     const auto corners = corners_of(sheet.primitive);
-    if (sheet.trace().method_value("fill") != "two-halves" || !corners)
+    if (sheet.trace().method.triangles.fill != Fill::two_halves || !corners)
         return;
     const auto [top, middle, bottom] =
         sorted_from_top(Triangle<Rational>{*corners}, sheet.trace().canvas.down());
@@ -268,7 +268,7 @@ void scanline(Sheet& sheet) {
     const auto left_depth = row.left_depth.exact();
     const auto right_depth = row.right_depth.exact();
     // Where the depths of the ends lie: on the edges, or in the first and the last pixel.
-    const bool has_rounded_ends = sheet.trace().method_value("depth_at") == "rounded-ends";
+    const bool has_rounded_ends = sheet.trace().method.triangles.depth_at == DepthAt::rounded_ends;
     const auto offset = told_samples(sheet.trace()).triangles;
     const auto end_at = [&](Index pixel, const std::optional<Rational>& end) {
         return has_rounded_ends ? std::optional(Rational(pixel))
@@ -473,8 +473,9 @@ void along(Sheet& sheet) {
                           minor, major, text(second.y), minus(text(first.y)), text(second.x),
                           minus(text(first.x)), text(m), text(first.y), product(m, first.x),
                           text(b)));
-    const std::size_t before =
-        sheet.trace().method_value("line") == "dda" ? along_before(sheet.replay, sheet.number) : 0;
+    const std::size_t before = sheet.trace().method.others.line == LineMethod::dda
+                                   ? along_before(sheet.replay, sheet.number)
+                                   : 0;
     const auto step_before = before == 0 ? AlongStep{} : sheet.trace().step(before).as<AlongStep>();
     const auto last = step_before.value.exact();
     const auto last_at = is_x_major ? step_before.x : step_before.y;
