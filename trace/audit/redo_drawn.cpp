@@ -247,8 +247,7 @@ bool DrawnAgain::tells_rules(PrimitiveKind kind) const {
 }
 
 bool DrawnAgain::tests_faces() const {
-    return (rules_.says("cull") && scene_.method.cull != Cull::none) ||
-           (rules_.says("shade") && scene_.method.shade == Shade::lambert);
+    return scene_.method.cull != Cull::none || scene_.method.shade == Shade::lambert;
 }
 
 /// The primitive that begins with step n, which the scene gets if it is no part of the one before.

@@ -159,8 +159,8 @@ void SpaceAgain::redo(std::size_t n) {
 /// A number that is worked out in an order that is not told: exact ones have to be the same.
 void SpaceAgain::expect_near(const Rational& redone, const TracedNumber& told, const Rational& size,
                              const std::string& what) {
-    const bool is_exact = rules_.says("scalar") && rules_.triangles.scalar == ScalarKind::exact &&
-                          told.json().starts_with('"');
+    const bool is_exact =
+        rules_.triangles.scalar == ScalarKind::exact && told.json().starts_with('"');
     expect_rounded(redone, told, is_exact ? Rational(0) : size, what);
 }
 

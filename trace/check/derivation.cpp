@@ -209,7 +209,7 @@ public:
     }
 
     Formulas of_snapped() const {
-        const Snap snap = numbers_.trace().method.triangles.snap;
+        const Snap snap = method().snap;
         const Rounding rounding = snap == Snap::floor      ? Rounding::floor
                                   : snap == Snap::truncate ? Rounding::truncate
                                                            : Rounding::nearest;
@@ -228,7 +228,7 @@ public:
             return {{FaceCosine{*normal, *view, numbers_.one(step_, "dot"), field == "intensity"}}};
         if (field == "culled")
             if (const auto dot = numbers_.one(step_, "dot"))
-                return {{IsCulled{*dot, numbers_.trace().method.triangles.cull != Cull::front}}};
+                return {{IsCulled{*dot, method().cull != Cull::front}}};
         if (!corners)
             return {};
         if (field == "normal")
@@ -320,8 +320,7 @@ public:
 
     /// Of a pixel on a line with two colors, or in a triangle with three.
     Formulas of_color() const {
-        const bool is_cut =
-            numbers_.trace().method.triangles.color_rounding == ColorRounding::truncate;
+        const bool is_cut = method().color_rounding == ColorRounding::truncate;
         Replay replay(numbers_.trace());
         replay.go_to(step_);
         const PrimitiveText primitive = primitive_of(replay);
@@ -484,8 +483,7 @@ private:
             const auto right_depth = numbers_.one(row, "right_depth");
             if (numbers_.index().primitive_of(row) != primitive_ || !left_depth || !right_depth)
                 continue;
-            const bool is_rounded =
-                numbers_.trace().method.triangles.depth_at == DepthAt::rounded_ends;
+            const bool is_rounded = method().depth_at == DepthAt::rounded_ends;
             const auto first = numbers_.one(row, is_rounded ? "from" : "left");
             const auto last = numbers_.one(row, is_rounded ? "to" : "right");
             const auto offset = told_samples(numbers_.trace()).triangles;
@@ -513,9 +511,9 @@ private:
         return values.size() == 3 ? std::optional(Vec3{values[0], values[1], values[2]})
                                   : std::nullopt;
     }
-    bool has_inverse_z() const {
-        return numbers_.trace().method.triangles.depth == Depth::inverse_z;
-    }
+
+    const Method& method() const { return numbers_.trace().method.triangles; }
+    bool has_inverse_z() const { return method().depth == Depth::inverse_z; }
 
     const Numbers& numbers_;
     std::size_t step_;

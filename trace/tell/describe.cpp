@@ -320,13 +320,9 @@ std::string rounded_by(const std::string& rule, const std::string& ties, std::st
     return is_tie ? text + said({", ties {}", ", empates {}"}, ties.empty() ? "up" : ties) : text;
 }
 
-/// What is rounded instead of x, or y: `x - 1/2`; "" if samples lie at integers.
+/// What is rounded instead of x, or y: `(x - 1/2)`; "" if samples lie at integers.
 std::string among_samples(std::string_view axis, const Rational& offset) {
-    return sgn(offset) == 0 ? std::string() : fmt::format("{} {}", axis, minus(text(offset)));
-}
-
-std::string as_argument(const std::string& among_samples) {
-    return among_samples.empty() ? among_samples : "(" + among_samples + ")";
+    return sgn(offset) == 0 ? std::string() : fmt::format("({} {})", axis, minus(text(offset)));
 }
 
 } // namespace
@@ -334,8 +330,7 @@ std::string as_argument(const std::string& among_samples) {
 std::string rule_of_end(const Trace& trace, const EndOfRow& end,
                         const TracedWord<PrimitiveKind>& kind) {
     const auto offset = told_samples(trace).of(kind);
-    const std::string moved = among_samples("x", offset.x());
-    const std::string argument = as_argument(moved);
+    const std::string argument = among_samples("x", offset.x());
     const std::string rounding = rule_of_rows(trace, "rounding");
     const auto x = end.x.exact();
     if (rounding == "inside")
@@ -698,7 +693,7 @@ constexpr Part parts[] = {
          if (value)
              *value -= across;
          return rounded_by(rule_of_lines(trace, "rounding"), rule_of_lines(trace, "ties"),
-                           as_argument(among_samples(along.x ? "y" : "x", across)), value);
+                           among_samples(along.x ? "y" : "x", across), value);
      }},
     {"sign_of_d",
      [](const Context& context) { return sign_of_d(context, context.as<DecideStep>()); }},

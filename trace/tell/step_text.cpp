@@ -312,32 +312,31 @@ std::optional<EdgeEnds> current_edge(const Replay& replay, const PrimitiveText& 
 
 std::optional<LineEnds> ends_of_line(const Replay& replay, const PrimitiveText& primitive) {
     const auto& positions = primitive.positions;
-    const bool is_bresenham = replay.trace().method.draws_lines_by(LineMethod::bresenham);
-    const ToldSamples samples = told_samples(replay.trace());
-    const auto as_drawn = [](const std::optional<LineEnds>& ends, bool between_pixels,
-                             const SampleOffset<Rational>& offset) {
-        return ends && between_pixels ? between_nearest_pixels(*ends, offset) : ends;
+    const Trace& trace = replay.trace();
+    const ToldSamples samples = told_samples(trace);
+    const auto as_drawn = [&](const std::vector<std::string>& from,
+                              const std::vector<std::string>& to) {
+        const auto line = line_between(vec2_in(from), vec2_in(to));
+        return line && trace.method.draws_lines_by(LineMethod::bresenham)
+                   ? between_nearest_pixels(*line, samples.lines)
+                   : line;
     };
     if (primitive.kind == PrimitiveKind::line && positions.size() == 2)
-        return as_drawn(line_between(vec2_in(positions[0]), vec2_in(positions[1])), is_bresenham,
-                        samples.lines);
+        return as_drawn(positions[0], positions[1]);
     const auto ends = current_edge(replay, primitive);
     if (!ends)
         return std::nullopt;
     if (primitive.kind == PrimitiveKind::outline)
-        return as_drawn(line_between(vec2_in(ends->from), vec2_in(ends->to)), is_bresenham,
-                        samples.lines);
+        return as_drawn(ends->from, ends->to);
     if (replay.ray() == 0)
         return std::nullopt;
-    const auto ray = replay.trace().step(replay.ray()).as<RayStep>();
-    const auto line_to_apex = [&](const std::optional<Vec2>& apex) {
-        return apex ? std::optional(
-                          LineEnds{Vec2{ray.x, ray.y}, pixel_near(*apex, samples.triangles)})
-                    : std::nullopt;
-    };
-    for (const auto& apex : positions)
-        if (apex != ends->from && apex != ends->to)
-            return line_to_apex(vec2_in(apex));
+    const auto ray = trace.step(replay.ray()).as<RayStep>();
+    for (const auto& corner : positions)
+        if (corner != ends->from && corner != ends->to) {
+            const auto apex = vec2_in(corner);
+            return apex ? line_between(Vec2{ray.x, ray.y}, pixel_near(*apex, samples.triangles))
+                        : std::nullopt;
+        }
     return std::nullopt;
 }
 

@@ -203,8 +203,7 @@ void write_color(Sheet& sheet) {
         for (std::string& level : levels)
             sheet.put(std::move(level));
     } else if (color && is_triangle &&
-               (sheet.replay.ray() == 0 ||
-                sheet.trace().method.triangles.color_lerp == ColorLerp::space)) {
+               (sheet.replay.ray() == 0 || sheet.method().color_lerp == ColorLerp::space)) {
         put_mixed_color(sheet, *color);
     }
     put_alpha(sheet, told);
