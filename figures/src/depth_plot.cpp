@@ -102,9 +102,9 @@ Side along_side(const Replay& replay, double offset) {
 std::optional<Depths> depths_of(const Panel& panel) {
     const Replay& replay = panel.replay;
     const Trace& trace = panel.trace();
-    const std::string kind = trace.method_value("depth");
-    const bool is_inverse = kind == "inverse-z";
-    if (replay.primitive() == 0 || (!is_inverse && kind != "linear-z"))
+    const auto kind = trace.method.triangles.depth;
+    const bool is_inverse = kind == Depth::inverse_z;
+    if (replay.primitive() == 0 || (!is_inverse && kind != Depth::linear_z))
         return std::nullopt;
 
     // What was drawn, as z.

@@ -10,7 +10,7 @@ namespace rastertrace {
 
 std::optional<Decisions> decisions_of(const Replay& replay) {
     const Trace& trace = replay.trace();
-    if (replay.primitive() == 0 || trace.method_value("line") != "bresenham")
+    if (replay.primitive() == 0 || !trace.method.draws_lines_by(LineMethod::bresenham))
         return std::nullopt;
     // An outline has three lines: each begins with its edge.
     std::size_t first = replay.primitive();

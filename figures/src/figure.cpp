@@ -211,8 +211,8 @@ struct Beside {
 
 /// Why there is no plot.
 Problem problem_of_plot(const Trace& trace) {
-    const std::string depth = trace.method_value("depth");
-    if ((depth == "linear-z" || depth == "inverse-z") && has_step(trace, StepKind::depth))
+    const auto depth = trace.method.triangles.depth;
+    if ((depth == Depth::linear_z || depth == Depth::inverse_z) && has_step(trace, StepKind::depth))
         return problem_of("",
                           "--with plot: expected a frame with two depths along a row or a side, "
                           "found fewer",

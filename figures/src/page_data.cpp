@@ -252,7 +252,7 @@ private:
                         std::min(canvas.top(), canvas.bottom()),
                         std::max(canvas.top(), canvas.bottom())),
             "the pixels that there are");
-        for (const auto& [key, value] : trace_.method) {
+        for (const auto& [key, value] : trace_.method.words) {
             const MethodKey* const row = find_method_key(key);
             add(key, value, row == nullptr ? std::string() : std::string(row->meaning));
         }

@@ -240,8 +240,7 @@ StepSubject subject_of(const Replay& replay, std::size_t n) {
 }
 
 bool tests_samples(const Trace& trace) {
-    const std::string fill = trace.method_value("fill");
-    return fill == "barycentric" || fill == "top-left";
+    return traits_of(trace.method.triangles.fill).rule == PixelRule::samples;
 }
 
 std::set<std::size_t> pixels_not_drawn(const Trace& trace, ShownSteps steps) {

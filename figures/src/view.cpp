@@ -52,15 +52,10 @@ std::string cleared_depth(const Trace& trace) {
             break;
         return short_number(stored.text());
     }
-    return trace.method_value("depth") == "linear-z" &&
-                   trace.method_value("depth_compare") != "greater"
+    const Method& method = trace.method.triangles;
+    return method.depth == Depth::linear_z && method.depth_compare != DepthCompare::greater
                ? "inf"
                : std::string(empty_cell);
-}
-
-bool has_depth_buffer(const Trace& trace) {
-    const std::string depth = trace.method_value("depth");
-    return !depth.empty() && depth != "none" && depth != "painter";
 }
 
 /// How far `p` lies from the line through two points; positive on the left side with y up.
@@ -69,6 +64,12 @@ double distance_from_line(const Place& p, const Place& from, const Place& to) {
 }
 
 } // namespace
+
+bool has_depth_buffer(const Trace& trace) {
+    const auto depth = trace.method.triangles.depth;
+    return !trace.method.word_of("depth").empty() && depth != Depth::none &&
+           depth != Depth::painter;
+}
 
 std::vector<std::string_view> view_names() {
     return {words_of_views.begin(), words_of_views.end()};

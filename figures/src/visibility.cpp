@@ -28,9 +28,8 @@ std::optional<std::array<double, 3>> depths_over(const Path& corners,
 Visibility::Visibility(const Panel& panel)
     : frame_(panel.lattice.frame()), cell_(panel.lattice.cell) {
     const Trace& trace = panel.trace();
-    const std::string depth = trace.method_value("depth");
-    is_painted_ = depth == "painter";
-    if (depth.empty() || depth == "none")
+    is_painted_ = trace.method.triangles.depth == Depth::painter;
+    if (!is_painted_ && !has_depth_buffer(trace))
         return;
     larger_is_nearer_ = larger_is_nearer(trace);
     for (const std::size_t step : panel.replay.primitives()) {

@@ -68,7 +68,7 @@ TEST(Conventions, DrawASharedEdgeAsOftenAsTheirRuleSays) {
         const Trace trace = trace_of(scene_in(
             square(std::string(row.name), R"(,"method":{"scalar":"exact","depth":"none"})")));
         EXPECT_EQ(pixels_drawn_twice(trace), twice.at(std::string(row.name))) << row.name;
-        EXPECT_EQ(trace.method_value("convention"), row.name);
+        EXPECT_EQ(trace.method.word_of("convention"), row.name);
         const Redone redone = redo(trace);
         EXPECT_EQ(redone.wrong, 0U) << row.name << redone.first.what;
     }
@@ -108,7 +108,7 @@ TEST(Conventions, OfHardwareSnapVerticesUnlessAskedForOtherNumbers) {
                        method);
         const Trace trace = trace_of(scene.value().scene);
         const bool has_pixel = trace.end->count.contains("pixel");
-        return std::pair(std::string(trace.method_value("scalar")), has_pixel);
+        return std::pair(std::string(trace.method.word_of("scalar")), has_pixel);
     };
     using Found = std::pair<std::string, bool>;
     for (const ConventionRow& row : convention_rows()) {

@@ -170,14 +170,14 @@ struct FilledTriangle {
 /// The triangle of a primitive, if the rule is stated here: not for lines of a fan, nor where corners are not told
 /// exactly.
 std::optional<FilledTriangle> filled_triangle(const Trace& trace, const PrimitiveStep& primitive) {
-    const std::string rounding = trace.method_value("rounding");
+    const std::string rounding = trace.method.word_of("rounding");
     FilledTriangle triangle{.at = {},
-                            .fill = trace.method_value("fill"),
+                            .fill = trace.method.word_of("fill"),
                             .rounding = rounding.substr(0, rounding.find('+')),
                             .offset = told_samples(trace).triangles,
                             .is_y_up = trace.canvas.down() < 0};
-    const bool has_ties = trace.method_value("ties") != "" && triangle.rounding == "nearest";
-    if (trace.method_value("scalar") != "exact" || triangle.fill == "fan" || has_ties ||
+    const bool has_ties = trace.method.word_of("ties") != "" && triangle.rounding == "nearest";
+    if (trace.method.word_of("scalar") != "exact" || triangle.fill == "fan" || has_ties ||
         primitive.kind != PrimitiveKind::triangle)
         return std::nullopt;
     for (const auto& place : primitive.at.values()) {

@@ -126,7 +126,7 @@ TEST(ColorsInSpace, OfAFanAreThoseOfOtherFills) {
 TEST(ColorsInSpace, AreToldWorkedOutAndChecked) {
     const std::string scene = line_scene(R"(,"scalar":"exact")");
     const Trace trace = trace_of(scene_in(scene));
-    EXPECT_EQ(trace.method_value("color_lerp"), "space");
+    EXPECT_EQ(trace.method.word_of("color_lerp"), "space");
     Replay replay(trace);
     replay.go_to(pixel_in_column(trace, 5));
     EXPECT_THAT(describe_step(replay), ::testing::HasSubstr("#d52b00 (1/6 of the color of p2)"));

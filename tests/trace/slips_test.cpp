@@ -142,8 +142,8 @@ Result lose_the_minus(const Place& place) {
 Result cut_off(const Place& place) {
     const Rational x =
         told_samples(place.trace).triangles.in_columns(*place.step<ScanlineStep>().left.exact());
-    const std::string rounding = place.trace.method_value("rounding");
-    if (place.trace.method_value("fill") == "top-left" || // it asks samples
+    const std::string rounding = place.trace.method.word_of("rounding");
+    if (place.trace.method.word_of("fill") == "top-left" || // it asks samples
         rounding.substr(0, rounding.find('+')) != "floor" || sgn(x) >= 0 || x.get_den() == 1)
         return std::nullopt;
     const mpz_class toward_zero = x.get_num() / x.get_den();
@@ -249,10 +249,10 @@ Result forget_to_move(const Place& place) {
 Result take_z_for_its_inverse(const Place& place) {
     const auto step = place.step<DepthStep>();
     const Rational depth = *step.depth.exact();
-    const std::string fill = place.trace.method_value("fill");
-    if (place.trace.method_value("depth") != "inverse-z" || sgn(depth) == 0 || abs(depth) == 1 ||
+    const std::string fill = place.trace.method.word_of("fill");
+    if (place.trace.method.word_of("depth") != "inverse-z" || sgn(depth) == 0 || abs(depth) == 1 ||
         place.owner().kind != PrimitiveKind::triangle || depth.get_den() == 1 ||
-        place.trace.method_value("depth_at") == "rounded-ends")
+        place.trace.method.word_of("depth_at") == "rounded-ends")
         return std::nullopt;
     return Planted{"z-for-inverse-z", R"({"step":"depth",)" + place.in() + R"("x":)" +
                                           std::to_string(step.x) + R"(,"y":)" +
@@ -292,7 +292,7 @@ Result decide_ties_otherwise(const Place& place) {
     const Rational minor = std::min(dx, dy);
     if (right.size() != major.get_num().get_ui())
         return std::nullopt; // the canvas does not have all of it
-    const bool steps_at_ties = place.trace.method_value("ties").ends_with("step");
+    const bool steps_at_ties = place.trace.method.word_of("ties").ends_with("step");
     std::vector<Rational> wrong;
     Rational d = 2 * minor - major;
     for (std::size_t i = 0; i < right.size(); ++i) {
@@ -417,8 +417,8 @@ mpz_class floor_of(const Rational& number) {
 Result planted_pixel(const Place& place, const std::string& slip, const std::string& field,
                      const Rational& wrong) {
     const auto row = place.step<ScanlineStep>();
-    const std::string rounding = place.trace.method_value("rounding");
-    if (place.trace.method_value("fill") == "top-left" || // it asks samples
+    const std::string rounding = place.trace.method.word_of("rounding");
+    if (place.trace.method.word_of("fill") == "top-left" || // it asks samples
         rounding.substr(0, rounding.find('+')) != "floor" ||
         wrong == Rational(field == "from" ? row.from : row.to))
         return std::nullopt;

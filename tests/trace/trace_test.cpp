@@ -57,7 +57,7 @@ TEST(Trace, RoundTripInBothLayouts) {
         const Trace trace = sound_trace(trace_text(first_triangle(), {layout, {}}));
         EXPECT_EQ(trace.title, "A triangle");
         EXPECT_EQ(trace.canvas, first_triangle().canvas);
-        EXPECT_EQ(trace.method_value("scalar"), "exact");
+        EXPECT_EQ(trace.method.word_of("scalar"), "exact");
         EXPECT_EQ(trace.size(), 62u);
         ASSERT_TRUE(trace.end);
         EXPECT_EQ(trace.end->steps, 62u);
@@ -390,7 +390,7 @@ TEST(Trace, WhatWasWrittenIsReadAlikeWithAndWithoutChecks) {
         const PlannedScene& planned = read.value();
         const Trace drawn = drawn_trace(planned.scene, planned.plan, "trace.json", 1'000'000);
         ASSERT_EQ(drawn.size(), checked.size()) << text;
-        EXPECT_EQ(drawn.method, checked.method);
+        EXPECT_EQ(drawn.method.words, checked.method.words);
         EXPECT_EQ(drawn.end->frame, checked.end->frame);
         for (std::size_t i = 1; i <= drawn.size(); ++i) {
             const std::size_t n = seed % 2 == 0 ? i : 1 + i * 7919 % drawn.size();

@@ -573,7 +573,7 @@ protected:
     static void hear(const Player& player) {
         const auto kinds = step_kind_names();
         std::set<std::string> words_of_trace(kinds.begin(), kinds.end());
-        for (const auto& [key, value] : player.playback().trace().method)
+        for (const auto& [key, value] : player.playback().trace().method.words)
             for (const std::string& word : split_at(key + " " + value, ' '))
                 words_of_trace.insert(word);
         const auto look_at = [&words_of_trace](const std::string& line) {

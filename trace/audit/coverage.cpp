@@ -76,9 +76,9 @@ Coverage coverage_of(DrawnTriangle& triangle, const CanvasSamples& grid) {
 
 /// What one rounding puts a number of the trace off, relative to it.
 double one_rounding_of(const Trace& trace) {
-    const std::string scalar = trace.method_value("scalar");
-    const bool is_exact = scalar == "exact" || scalar == "adaptive" || scalar == "fixed";
-    return is_exact ? 0 : has_floats(trace) ? 0x1p-24 : 0x1p-53;
+    const Method& method = trace.method.triangles;
+    const bool is_exact = decides_exactly(method) || method.scalar == ScalarKind::fixed;
+    return is_exact ? 0 : trace.method.has_floats() ? 0x1p-24 : 0x1p-53;
 }
 
 /// Judges all triangles with area by samples that are so far from the integer points.
@@ -104,9 +104,9 @@ bool explains_all(const Stats& stats) {
 /// True if a trace says where its sample points are. The fills that go from row to row, and the
 /// fan, have them at integer points.
 bool tells_sample(const Trace& trace) {
-    const std::string fill = trace.method_value("fill");
-    return !trace.method_value("sample").empty() || fill == "scanline" || fill == "two-halves" ||
-           fill == "fan";
+    const ToldMethod& method = trace.method;
+    return !method.word_of("sample").empty() ||
+           (method.says("fill") && traits_of(method.triangles.fill).rule != PixelRule::samples);
 }
 
 } // namespace

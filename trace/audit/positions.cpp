@@ -29,13 +29,9 @@ std::optional<ScreenPoint> position_in(const TracedList<TracedNumber>& told, boo
 
 } // namespace
 
-bool has_floats(const Trace& header) {
-    return header.method_value("scalar") == "float";
-}
-
 std::optional<std::array<ScreenPoint, 3>> positions_in(const PrimitiveStep& step,
                                                        const Trace& header) {
-    const bool is_float = has_floats(header);
+    const bool is_float = header.method.has_floats();
     std::array<ScreenPoint, 3> found;
     const auto places = step.at.values();
     if (places.size() != found.size())

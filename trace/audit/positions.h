@@ -16,9 +16,6 @@
 
 namespace rastertrace {
 
-/// True if the numbers of a trace stand for floats.
-bool has_floats(const Trace& header);
-
 /// The corners that a primitive's step gives, if they are three pairs of numbers and given exactly.
 std::optional<std::array<ScreenPoint, 3>> positions_in(const PrimitiveStep& step,
                                                        const Trace& header);

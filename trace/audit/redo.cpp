@@ -15,10 +15,9 @@
 namespace rastertrace {
 
 Redone redo(const Trace& trace) {
-    const RulesTold rules(trace);
     Findings findings;
-    SpaceAgain space(trace, rules, findings);
-    DrawnAgain drawn(trace, rules, findings);
+    SpaceAgain space(trace, findings);
+    DrawnAgain drawn(trace, findings);
     const StepKindSet begins{StepKind::primitive};
     for (std::size_t n = 1; n <= trace.size(); ++n) {
         const auto kind = trace.kind_of(n);
@@ -27,7 +26,7 @@ Redone redo(const Trace& trace) {
         if (kind == StepKind::primitive) {
             const std::size_t last = trace.next_of(begins, n + 1, trace.size()) - 1;
             if (!drawn.redo(n, last))
-                redo_beside(trace, rules, n, last, findings);
+                redo_beside(trace, n, last, findings);
         }
         space.redo(n);
     }

@@ -2,6 +2,7 @@
 #include "redo_beside.h"
 
 #include <rastertrace/core/raster/rounding.h>
+#include <rastertrace/trace/record/told_samples.h>
 
 #include <algorithm>
 
@@ -10,19 +11,18 @@ namespace rastertrace {
 namespace {
 
 /// The pixels of a row, if the header tells how its ends become them.
-std::optional<SpanRounding> rounding_of(const RulesTold& rules, bool is_triangle) {
-    if (is_triangle && rules.says("fill") && rules.triangles.fill == Fill::top_left)
+std::optional<SpanRounding> rounding_of(const ToldMethod& rules, bool is_triangle) {
+    if (is_triangle && rules.triangles.fill == Fill::top_left)
         return SpanRounding{.rounding = Rounding::half_open};
     return rules.says("rounding") ? std::optional(span_rounding(rules.triangles)) : std::nullopt;
 }
 
 } // namespace
 
-void redo_beside(const Trace& trace, const RulesTold& rules, std::size_t first, std::size_t last,
-                 Findings& findings) {
+void redo_beside(const Trace& trace, std::size_t first, std::size_t last, Findings& findings) {
     const auto primitive = trace.step(first).as<PrimitiveStep>();
-    const auto offset = rules.samples.of(primitive.kind);
-    const auto rounding = rounding_of(rules, primitive.kind == PrimitiveKind::triangle);
+    const auto offset = told_samples(trace).of(primitive.kind);
+    const auto rounding = rounding_of(trace.method, primitive.kind == PrimitiveKind::triangle);
     std::optional<ScanlineStep> row;
     const auto redo = [&](std::size_t n, const StepView& step, StepKind kind) {
         if (kind == StepKind::scanline) {
@@ -33,7 +33,7 @@ void redo_beside(const Trace& trace, const RulesTold& rules, std::size_t first, 
                 findings.expect(n, first_pixel(left, *rounding), row->from, "scanline: from");
                 findings.expect(n, last_pixel(right, *rounding), row->to, "scanline: to");
             }
-        } else if (kind == StepKind::sample && rules.says("fill")) {
+        } else if (kind == StepKind::sample && trace.method.says("fill")) {
             const auto sample = step.as<SampleStep>();
             const auto weights = numbers_of<Rational>(sample.weights);
             const bool is_inside = std::all_of(weights.begin(), weights.end(),

@@ -9,7 +9,6 @@
 namespace rastertrace {
 
 /// The primitive that begins with step `first`, and its steps up to `last`.
-void redo_beside(const Trace& trace, const RulesTold& rules, std::size_t first, std::size_t last,
-                 Findings& findings);
+void redo_beside(const Trace& trace, std::size_t first, std::size_t last, Findings& findings);
 
 } // namespace rastertrace

@@ -37,7 +37,7 @@ template <typename Scalar> Scalar coordinate_of(const TracedNumber& told) {
 }
 
 /// The method of a scene whose header says this, with two values for triangles and for all else.
-Method method_of(const RulesTold& rules) {
+Method method_of(const ToldMethod& rules) {
     Method method = rules.triangles;
     const auto join = [&](auto Method::*choice) {
         if (rules.others.*choice != rules.triangles.*choice)
@@ -45,9 +45,9 @@ Method method_of(const RulesTold& rules) {
     };
     join(&Method::rounding);
     join(&Method::ties);
-    const Sample of_triangles = rules.triangles.sample.value_or(Sample::integer);
+    const Sample of_triangles = sample_of_others(rules.triangles);
     method.sample = of_triangles;
-    if (rules.others.sample.value_or(Sample::integer) != of_triangles &&
+    if (sample_of_others(rules.others) != of_triangles &&
         traits_of(method.fill).sample == of_triangles)
         method.sample = std::nullopt;
     method.mistake = nullptr; // what it does is wrong
@@ -72,19 +72,19 @@ std::string key_of(const StepView& step, StepKind kind) {
 
 } // namespace
 
-DrawnAgain::DrawnAgain(const Trace& trace, const RulesTold& rules, Findings& findings)
-    : trace_(trace), rules_(rules), findings_(findings) {
+DrawnAgain::DrawnAgain(const Trace& trace, Findings& findings)
+    : trace_(trace), rules_(trace.method), findings_(findings) {
     scene_.canvas = trace.canvas;
-    scene_.method = method_of(rules);
+    scene_.method = method_of(rules_);
     const std::string projection = trace.projection.substr(0, trace.projection.find(','));
     scene_.projection.type = projection_named(projection).value_or(ProjectionType::none);
     find_depths();
     const bool has_any_fractions = trace.numbers == "fractions of any size";
-    if (!rules.says("scalar")) { // what goes from pixel to pixel
+    if (!rules_.says("scalar")) { // what goes from pixel to pixel
         draw_ = drawing_in<Rational>();
         return;
     }
-    switch (rules.triangles.scalar) {
+    switch (rules_.triangles.scalar) {
     case ScalarKind::single_precision:
         draw_ = drawing_in<float>();
         break;
@@ -247,8 +247,7 @@ bool DrawnAgain::tells_rules(PrimitiveKind kind) const {
 }
 
 bool DrawnAgain::tests_faces() const {
-    return (rules_.says("cull") && scene_.method.cull != Cull::none) ||
-           (rules_.says("shade") && scene_.method.shade == Shade::lambert);
+    return scene_.method.cull != Cull::none || scene_.method.shade == Shade::lambert;
 }
 
 /// The primitive that begins with step n, which the scene gets if it is no part of the one before.

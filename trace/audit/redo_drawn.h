@@ -4,7 +4,7 @@
 // Primitives drawn again by the book, from their corners in the trace. What is told of each is held against that, field
 // by field (traced_steps.h).
 //
-//     DrawnAgain drawn(trace, rules, findings);
+//     DrawnAgain drawn(trace, findings);
 //     drawn.redo(n, last);  // the primitive that begins with step n, and its steps up to `last`
 
 #include "redo_findings.h"
@@ -45,7 +45,7 @@ class Steps;
 
 class DrawnAgain {
 public:
-    DrawnAgain(const Trace& trace, const RulesTold& rules, Findings& findings);
+    DrawnAgain(const Trace& trace, Findings& findings);
 
     /// False, and nothing is done, if the trace does not tell a number or a rule that the primitive is drawn by.
     bool redo(std::size_t first, std::size_t last);
@@ -71,7 +71,7 @@ private:
     template <typename Scalar> Draw drawing_in();
 
     const Trace& trace_;
-    const RulesTold& rules_;
+    const ToldMethod& rules_;
     Findings& findings_;
     Scene scene_;
     DepthRegion region_;

@@ -7,12 +7,9 @@
 
 #include "redo.h"
 
-#include <rastertrace/core/draw/scene/method.h>
 #include <rastertrace/core/numbers/conversion.h>
-#include <rastertrace/trace/record/told_samples.h>
 #include <rastertrace/trace/record/trace.h>
 #include <rastertrace/trace/record/traced_steps.h>
-#include <rastertrace/trace/text/method_names.h>
 #include <rastertrace/trace/text/text.h>
 
 #include <fmt/core.h>
@@ -26,21 +23,9 @@
 
 namespace rastertrace {
 
-/// Thrown where a trace does not tell what a value hangs on.
+/// Thrown where a trace does not tell what a value hangs on. What hangs on a rule that the header does not say is not done
+/// again.
 struct NotTold {};
-
-/// What a header says of the rules. What hangs on a rule that it does not say is not done again.
-struct RulesTold : ToldMethod {
-    explicit RulesTold(const Trace& header)
-        : ToldMethod(told_method(header.method)), samples(told_samples(header)) {}
-
-    bool says(std::string_view key) const { return keys.contains(key); }
-    bool has_floats() const {
-        return says("scalar") && triangles.scalar == ScalarKind::single_precision;
-    }
-
-    ToldSamples samples;
-};
 
 /// A value as a message tells it.
 inline std::string in_words(bool value) {

@@ -102,8 +102,8 @@ Vec<double, 3> in_doubles(const TracedList<TracedNumber>& list) {
 
 } // namespace
 
-SpaceAgain::SpaceAgain(const Trace& trace, const RulesTold& rules, Findings& findings)
-    : trace_(trace), rules_(rules), findings_(findings),
+SpaceAgain::SpaceAgain(const Trace& trace, Findings& findings)
+    : trace_(trace), rules_(trace.method), findings_(findings),
       projection_(projection_named(trace.projection.substr(0, trace.projection.find(',')))) {
     // A vertex without a model begins in the world.
     std::map<std::string, std::string> firsts;
@@ -159,8 +159,8 @@ void SpaceAgain::redo(std::size_t n) {
 /// A number that is worked out in an order that is not told: exact ones have to be the same.
 void SpaceAgain::expect_near(const Rational& redone, const TracedNumber& told, const Rational& size,
                              const std::string& what) {
-    const bool is_exact = rules_.says("scalar") && rules_.triangles.scalar == ScalarKind::exact &&
-                          told.json().starts_with('"');
+    const bool is_exact =
+        rules_.triangles.scalar == ScalarKind::exact && told.json().starts_with('"');
     expect_rounded(redone, told, is_exact ? Rational(0) : size, what);
 }
 

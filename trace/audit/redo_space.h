@@ -4,11 +4,12 @@
 // What is told in front of the primitives, and of their faces, done again: matrices, vertices from space to space, faces,
 // light, the painter's order, the cuts of faces and of clipping.
 //
-//     SpaceAgain space(trace, rules, findings);
+//     SpaceAgain space(trace, findings);
 //     space.redo(n);  // the steps one after the other
 
 #include "redo_findings.h"
 
+#include <rastertrace/core/draw/scene/transforms.h>
 #include <rastertrace/core/numbers/vec.h>
 #include <rastertrace/core/transform/projection.h>
 
@@ -23,7 +24,7 @@ namespace rastertrace {
 
 class SpaceAgain {
 public:
-    SpaceAgain(const Trace& trace, const RulesTold& rules, Findings& findings);
+    SpaceAgain(const Trace& trace, Findings& findings);
 
     /// Step n, if it is one of these.
     void redo(std::size_t n);
@@ -64,7 +65,7 @@ private:
     }
 
     const Trace& trace_;
-    const RulesTold& rules_;
+    const ToldMethod& rules_;
     Findings& findings_;
     std::optional<ProjectionType> projection_;
     std::size_t n_ = 0;                 ///< the step

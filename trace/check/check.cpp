@@ -198,7 +198,7 @@ private:
             if (!has_open(field))
                 checked.remark = said({"the scene's `{}` has {}, exact arithmetic {}",
                                        "`{}`, da cena, dá {}; a aritmética exata, {}"},
-                                      truth_.decided().trace().method_value("scalar"),
+                                      truth_.decided().trace().method.word_of("scalar"),
                                       as_written(field, checked.expected),
                                       as_written(field, joined(*exact, ", ")));
             if (!comparison.is_right)

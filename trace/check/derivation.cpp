@@ -5,7 +5,6 @@
 #include <rastertrace/trace/record/traced_steps.h>
 #include <rastertrace/trace/tell/describe.h>
 #include <rastertrace/trace/tell/step_text.h>
-#include <rastertrace/trace/text/method_names.h>
 
 #include <fmt/core.h>
 
@@ -14,10 +13,6 @@
 #include <utility>
 
 namespace rastertrace {
-
-Method method_of(const Trace& trace) {
-    return told_method(trace.method).triangles;
-}
 
 namespace {
 
@@ -38,7 +33,7 @@ std::string edge_of_end(const ScanlineStep& row, const std::string& side) {
 /// Of samples, a row has those from its left end on, up to the one before its right end.
 RoundedEnd rounded_end(const Numbers& numbers, std::size_t row, const std::string& side) {
     const Trace& trace = numbers.trace();
-    const Method method = method_of(trace);
+    const Method& method = trace.method.triangles;
     const auto x = numbers.one(row, side);
     const bool is_by_samples = traits_of(method.fill).rule == PixelRule::samples;
     const auto offset = offset_of(trace, numbers.index().primitive_of(row));
@@ -214,7 +209,7 @@ public:
     }
 
     Formulas of_snapped() const {
-        const Snap snap = method_of(numbers_.trace()).snap;
+        const Snap snap = method().snap;
         const Rounding rounding = snap == Snap::floor      ? Rounding::floor
                                   : snap == Snap::truncate ? Rounding::truncate
                                                            : Rounding::nearest;
@@ -233,7 +228,7 @@ public:
             return {{FaceCosine{*normal, *view, numbers_.one(step_, "dot"), field == "intensity"}}};
         if (field == "culled")
             if (const auto dot = numbers_.one(step_, "dot"))
-                return {{IsCulled{*dot, method_of(numbers_.trace()).cull != Cull::front}}};
+                return {{IsCulled{*dot, method().cull != Cull::front}}};
         if (!corners)
             return {};
         if (field == "normal")
@@ -279,7 +274,7 @@ public:
         auto ends = ends_of_line(replay, primitive_of(replay));
         const auto line = ends ? decisions_between(numbers_.trace(), *ends) : std::nullopt;
         if (!line || steps.empty() || line->major > most_decisions ||
-            numbers_.trace().method_value("line") != "bresenham" ||
+            !numbers_.trace().method.draws_lines_by(LineMethod::bresenham) ||
             view_.as<PrimitiveStep>().kind != PrimitiveKind::line)
             return {};
         const StepView first = numbers_.step(steps.front());
@@ -325,7 +320,7 @@ public:
 
     /// Of a pixel on a line with two colors, or in a triangle with three.
     Formulas of_color() const {
-        const bool is_cut = numbers_.trace().method_value("color_rounding") == "truncate";
+        const bool is_cut = method().color_rounding == ColorRounding::truncate;
         Replay replay(numbers_.trace());
         replay.go_to(step_);
         const PrimitiveText primitive = primitive_of(replay);
@@ -488,7 +483,7 @@ private:
             const auto right_depth = numbers_.one(row, "right_depth");
             if (numbers_.index().primitive_of(row) != primitive_ || !left_depth || !right_depth)
                 continue;
-            const bool is_rounded = numbers_.trace().method_value("depth_at") == "rounded-ends";
+            const bool is_rounded = method().depth_at == DepthAt::rounded_ends;
             const auto first = numbers_.one(row, is_rounded ? "from" : "left");
             const auto last = numbers_.one(row, is_rounded ? "to" : "right");
             const auto offset = told_samples(numbers_.trace()).triangles;
@@ -516,7 +511,9 @@ private:
         return values.size() == 3 ? std::optional(Vec3{values[0], values[1], values[2]})
                                   : std::nullopt;
     }
-    bool has_inverse_z() const { return numbers_.trace().method_value("depth") == "inverse-z"; }
+
+    const Method& method() const { return numbers_.trace().method.triangles; }
+    bool has_inverse_z() const { return method().depth == Depth::inverse_z; }
 
     const Numbers& numbers_;
     std::size_t step_;

@@ -8,7 +8,6 @@
 
 #include "numbers.h"
 
-#include <rastertrace/core/draw/scene/method.h>
 #include <rastertrace/trace/tell/formula.h>
 
 #include <cstddef>
@@ -23,8 +22,5 @@ std::vector<Formula> formulas_of(const Numbers& numbers, std::size_t step, std::
 
 /// Whether a row, a `scanline` step, has the pixel x.
 Formula in_row(const Numbers& numbers, std::size_t row, Rational x);
-
-/// The method that a trace was drawn by, as its header tells.
-Method method_of(const Trace& trace);
 
 } // namespace rastertrace

@@ -66,7 +66,7 @@ ToldValues told_angle(const StepIndex& index, std::size_t face) {
 /// z, or 1/z, by a depth test.
 ToldValues told_z(const StepIndex& index, std::size_t test, bool is_inverse) {
     const auto depth = index.trace().step(test).as<DepthStep>().depth.exact();
-    const bool holds_inverse = index.trace().method_value("depth") == "inverse-z";
+    const bool holds_inverse = index.trace().method.triangles.depth == Depth::inverse_z;
     if (!depth || (is_inverse != holds_inverse && sgn(*depth) == 0))
         return std::nullopt;
     return std::vector{(is_inverse == holds_inverse ? *depth : Rational(1 / *depth)).get_str()};
@@ -289,10 +289,11 @@ ToldValues told_as_decided(const Subject& subject, const ClaimedField& field) {
 }
 
 NumbersHeld numbers_held(const Subject& subject) {
-    const std::string scalar = subject.exact->trace().method_value("scalar");
-    return scalar == "exact" || scalar == "fixed" ? NumbersHeld::fractions
-           : scalar == "float"                    ? NumbersHeld::floats
-                                                  : NumbersHeld::doubles;
+    const ToldMethod& method = subject.exact->trace().method;
+    const ScalarKind scalar = method.triangles.scalar;
+    return scalar == ScalarKind::exact || scalar == ScalarKind::fixed ? NumbersHeld::fractions
+           : method.has_floats()                                      ? NumbersHeld::floats
+                                                                      : NumbersHeld::doubles;
 }
 
 std::string name_of_number(const Subject& subject, const ClaimedField& field) {

@@ -75,7 +75,7 @@ struct Truth::State {
 
     /// The same scene in exact numbers; nullptr if it is drawn in them.
     const Trace* drawn_exactly() {
-        if (!scene || decided->method_value("scalar") == "exact")
+        if (!scene || decided->method.triangles.scalar == ScalarKind::exact)
             return nullptr;
         if (!exact)
             exact = draw({{"scalar", "exact"}});

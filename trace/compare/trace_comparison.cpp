@@ -105,8 +105,7 @@ OwnerOfPixels DiffSide::primitive(std::uint32_t number) const {
 
 TraceComparison::TraceComparison(const Trace& a, const Trace& b, const DiffOptions& options)
     : options_(options), compared_(a, b, options), has_primitives_(compared_.has_primitives()),
-      fields_(options, (a.method_value("scalar") == "float" ? 1 : 0) +
-                           (b.method_value("scalar") == "float" ? 1 : 0)),
+      fields_(options, int{a.method.has_floats()} + int{b.method.has_floats()}),
       a_(a, true, options.keys), b_(b, false, options.keys), tally_(options.compares_order),
       steps_to_search_(a.size() + b.size()), remarks_(compared_.remarks()) {
     if (!has_primitives_)

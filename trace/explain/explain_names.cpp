@@ -143,7 +143,7 @@ std::string text_of(const Fate& fate, bool lacks_depths) {
 
 /// Why no step tests whether a face is turned away.
 std::string why_not_tested(const Trace& trace) {
-    const std::string cull = trace.method_value("cull");
+    const std::string cull = trace.method.word_of("cull");
     return cull.empty() || cull == "none"
                ? said({"no face is tested: the method does not cull",
                        "nenhuma face é testada: o método não elimina faces"})
@@ -168,11 +168,12 @@ std::set<std::string> passing_through(const Trace& trace, int y) {
 
 /// Why a trace that lacks no step has none of a row.
 std::string why_no_row(const Trace& trace, int y) {
-    const std::string fill = trace.method_value("fill");
-    if (fill == "barycentric" || fill == "fan")
+    const Fill fill = trace.method.triangles.fill;
+    if (fill == Fill::barycentric || fill == Fill::fan)
         return said(
-            {"no primitive has rows: {} goes {}", "nenhuma primitiva tem linhas: {} vai {}"}, fill,
-            fill == "fan"
+            {"no primitive has rows: {} goes {}", "nenhuma primitiva tem linhas: {} vai {}"},
+            traits_of(fill).name,
+            fill == Fill::fan
                 ? said({"line by line", "segmento a segmento"})
                 : said({"through every pixel of a box", "por todos os pixels de uma caixa"}));
     const auto lines = passing_through(trace, y);

@@ -27,7 +27,7 @@ bool is_in_region(const Trace& trace, const Pixel& pixel) {
 std::vector<std::string> what_lacks(const Trace& trace, std::initializer_list<StepKind> kinds,
                                     std::optional<Pixel> pixel) {
     std::vector<std::string> lacks;
-    const bool has_depths = !trace.method_value("depth").empty();
+    const bool has_depths = !trace.method.word_of("depth").empty();
     for (const StepKind kind : kinds)
         if (trace.lacks(kind) && (kind != StepKind::depth || has_depths))
             lacks.push_back(

@@ -98,12 +98,12 @@ PlaceOnLine beyond_ends(const Trace& trace, const LineSteps& line, Pixel pixel) 
         return {said({"{}: {} = {} lies beyond it, by {}", "{}: {} = {} fica além, por {}"}, goes,
                      axis, text(at), text(gap)),
                 gap};
-    if (trace.method_value("line") == "diamond-exit")
+    if (trace.method.others.line == LineMethod::diamond_exit)
         return {said({"{}, and does not leave the diamond of a pixel at {} = {}{}",
                       "{}, e não sai do losango de nenhum pixel em {} = {}{}"},
                      goes, axis, text(at), by_convention(trace)),
                 Rational(0)};
-    if (trace.method_value("ends") == "first")
+    if (trace.method.others.ends == EndPixels::first)
         for (const Pixel& end : {pixel_at(to, offset), pixel_at(from, offset)})
             if ((line.is_x_major ? end.x : end.y) == (line.is_x_major ? pixel.x : pixel.y))
                 return {said({"the last pixel of {}, ({}, {}), is left out (ends: first)",

@@ -239,7 +239,7 @@ std::optional<WhyNot> by_rows(const Case& c) {
     const std::size_t corner = outermost_corner(c, is_above);
     const Rational distance = abs(c.sample.y - (*corners)[corner].y);
     const bool is_left_out =
-        is_below && sgn(distance) == 0 && c.trace.method_value("rows") == "half-open";
+        is_below && sgn(distance) == 0 && c.trace.method.triangles.rows == RowRule::half_open;
     const std::string left_out = is_left_out
                                      ? said({", and half-open rows leave out the lowest{}",
                                              ", e linhas half-open deixam de fora a mais baixa{}"},
@@ -299,7 +299,7 @@ Rational beyond(const Rational& number, const Rational& low, const Rational& hig
 
 /// `barycentric`: the box around the triangle, beyond which no sample is tested.
 std::optional<WhyNot> by_box(const Case& c) {
-    if (c.trace.method_value("fill") != "barycentric" || !c.corners())
+    if (c.trace.method.triangles.fill != Fill::barycentric || !c.corners())
         return std::nullopt;
     const auto& corners = c.corners();
     const auto& [p, q, r] = *corners;
@@ -319,7 +319,7 @@ std::optional<WhyNot> by_box(const Case& c) {
 /// Lines from one side to the corner across: `fan`.
 bool is_fan(const Case& c) {
     const auto edge = find_step(c.trace, c.steps, StepKind::edge);
-    return c.trace.method_value("fill") == "fan" || (edge && edge->as<EdgeStep>().octant);
+    return c.trace.method.triangles.fill == Fill::fan || (edge && edge->as<EdgeStep>().octant);
 }
 
 /// No rule can be told: which steps would say more?

@@ -128,13 +128,6 @@ bool Trace::lacks(StepKind kind) const {
     return only && std::find(only->begin(), only->end(), name_of(kind)) == only->end();
 }
 
-std::string Trace::method_value(std::string_view key) const {
-    for (const auto& [name, value] : method)
-        if (name == key)
-            return value;
-    return {};
-}
-
 /// The text that step n was read from. One that is written as this program writes it has the n-th line behind the header,
 /// but for lines without anything.
 std::string_view Trace::text_of(std::size_t n) const {

@@ -13,6 +13,7 @@
 
 #include <rastertrace/core/raster/canvas.h>
 #include <rastertrace/core/raster/image.h>
+#include <rastertrace/trace/text/method_names.h>
 #include <rastertrace/trace/text/problem.h>
 
 #include <algorithm>
@@ -124,8 +125,8 @@ public:
     Index version = 0; ///< of the format
     std::string title;
     Canvas canvas;
-    std::optional<Color> background;                         ///< of pixels that nothing draws
-    std::vector<std::pair<std::string, std::string>> method; ///< key and value, as in the header
+    std::optional<Color> background; ///< of pixels that nothing draws
+    ToldMethod method;
     std::vector<std::string> stages; ///< those that ran, as in the header; see stages.h
     std::string numbers;             ///< those that were drawn with, where the plan chose them
     std::string projection;  ///< how camera space came to the view plane; "" without transforms
@@ -201,9 +202,6 @@ public:
 
     /// True if steps of this kind were left out.
     bool lacks(StepKind kind) const;
-
-    /// The value of a method's key, or "".
-    std::string method_value(std::string_view key) const;
 
 private:
     friend class TraceReader;

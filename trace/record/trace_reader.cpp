@@ -311,8 +311,9 @@ private:
             trace_.projection = projection->text;
         if (const auto method = header.find("method"))
             for (const auto& [key, value] : method->members())
-                trace_.method.emplace_back(key.text, value.text);
+                trace_.method.words.emplace_back(key.text, value.text);
         add_convention();
+        trace_.method = told_method(std::move(trace_.method.words));
         if (const auto stages = header.find("stages"))
             for (const JsonValue& stage : stages->elements())
                 read_stage(stage);
@@ -325,12 +326,12 @@ private:
     /// A named set stands for all that it sets, as in a scene. What the header says itself wins; the numbers
     /// that a foreign trace was drawn with, nothing else tells.
     void add_convention() {
-        const std::string name = trace_.method_value("convention");
+        const std::string name = trace_.method.word_of("convention");
         for (const ConventionRow& row : convention_rows())
             if (row.name == name)
                 for (const auto& [key, value] : row.method)
-                    if (key != "scalar" && trace_.method_value(key).empty())
-                        trace_.method.emplace_back(key, value);
+                    if (key != "scalar" && trace_.method.word_of(key).empty())
+                        trace_.method.words.emplace_back(key, value);
     }
 
     /// What nobody reads because it is not as the format says.

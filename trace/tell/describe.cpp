@@ -215,12 +215,15 @@ std::string inverse_of(const std::string& number) {
 std::string depth_rule(const Context& context) {
     const Replay& replay = context.replay;
     const auto test = context.as<DepthStep>();
-    const std::string kind = replay.trace().method_value("depth");
-    const std::string asked = replay.trace().method_value("depth_compare");
+    const ToldMethod& method = replay.trace().method;
+    const bool is_inverse = method.triangles.depth == Depth::inverse_z;
+    const std::string asked = method.word_of("depth_compare");
     const auto depth = test.depth.nearest_double();
     const auto stored = test.stored.nearest_double();
     const auto larger = larger_depth_passes(replay.trace(), replay.step());
-    const std::string what = kind == "inverse-z" ? "1/z" : kind == "linear-z" ? "z" : kind;
+    const std::string what = is_inverse                                  ? "1/z"
+                             : method.triangles.depth == Depth::linear_z ? "z"
+                                                                         : method.word_of("depth");
     if (what.empty() || !larger)
         return {};
     const bool is_usual = asked.empty() || asked == "auto";
@@ -229,7 +232,7 @@ std::string depth_rule(const Context& context) {
                            : said({" ({}, larger passes", " ({}, o maior passa"}, what)
         : is_usual ? said({" ({}, smaller is nearer", " ({}, o menor está mais perto"}, what)
                    : said({" ({}, smaller passes", " ({}, o menor passa"}, what);
-    if (kind == "inverse-z" && depth && *depth != 0)
+    if (is_inverse && depth && *depth != 0)
         text += "; z = " + inverse_of(test.depth.text()) +
                 (stored && *stored != 0
                      ? said({" against {}", " contra {}"}, inverse_of(test.stored.text()))
@@ -299,11 +302,11 @@ std::optional<std::string> slope_of(const Replay& replay, const TracedText& edge
 /// A method names one rule for the rows of triangles and one for lines, as in `floor+nearest`, if it needs
 /// both.
 std::string rule_of_rows(const Trace& trace, std::string_view key) {
-    const std::string rules = trace.method_value(key);
+    const std::string rules = trace.method.word_of(key);
     return rules.substr(0, rules.find('+'));
 }
 std::string rule_of_lines(const Trace& trace, std::string_view key) {
-    const std::string rules = trace.method_value(key);
+    const std::string rules = trace.method.word_of(key);
     return rules.substr(rules.find('+') + 1);
 }
 
@@ -317,13 +320,9 @@ std::string rounded_by(const std::string& rule, const std::string& ties, std::st
     return is_tie ? text + said({", ties {}", ", empates {}"}, ties.empty() ? "up" : ties) : text;
 }
 
-/// What is rounded instead of x, or y: `x - 1/2`; "" if samples lie at integers.
+/// What is rounded instead of x, or y: `(x - 1/2)`; "" if samples lie at integers.
 std::string among_samples(std::string_view axis, const Rational& offset) {
-    return sgn(offset) == 0 ? std::string() : fmt::format("{} {}", axis, minus(text(offset)));
-}
-
-std::string as_argument(const std::string& among_samples) {
-    return among_samples.empty() ? among_samples : "(" + among_samples + ")";
+    return sgn(offset) == 0 ? std::string() : fmt::format("({} {})", axis, minus(text(offset)));
 }
 
 } // namespace
@@ -331,8 +330,7 @@ std::string as_argument(const std::string& among_samples) {
 std::string rule_of_end(const Trace& trace, const EndOfRow& end,
                         const TracedWord<PrimitiveKind>& kind) {
     const auto offset = told_samples(trace).of(kind);
-    const std::string moved = among_samples("x", offset.x());
-    const std::string argument = as_argument(moved);
+    const std::string argument = among_samples("x", offset.x());
     const std::string rounding = rule_of_rows(trace, "rounding");
     const auto x = end.x.exact();
     if (rounding == "inside")
@@ -342,7 +340,7 @@ std::string rule_of_end(const Trace& trace, const EndOfRow& end,
     if (!rounding.empty())
         return rounded_by(rounding, rule_of_rows(trace, "ties"), argument,
                           x ? std::optional(offset.in_columns(*x)) : std::nullopt);
-    if (!x || trace.method_value("fill") != "top-left")
+    if (!x || trace.method.triangles.fill != Fill::top_left)
         return {};
     const Rational sample = offset.x_of(end.pixel);
     if (end.is_left ? *x > sample : *x <= sample)
@@ -361,7 +359,7 @@ template <std::size_t which> std::string end_of_row(const Context& context) {
 
     const auto slope = slope_of(replay, end.edge);
     const auto ends = ends_of_edge(primitive, end.edge.text());
-    const bool adds = replay.trace().method_value("lerp") == "incremental";
+    const bool adds = replay.trace().method.triangles.lerp == LerpForm::incremental;
     // Between two rows of a polygon there may be other spans: it adds up all the same.
     const bool has_formula = !adds || primitive.kind != PrimitiveKind::polygon;
     std::string x_before;
@@ -416,8 +414,9 @@ std::string slope_form(const Context& context) {
     const auto form = ends ? slope_form_of(*ends, is_x_major) : std::nullopt;
     if (!form || !value || !at)
         return {};
-    const std::size_t before =
-        replay.trace().method_value("line") == "dda" ? along_before(replay, replay.step()) : 0;
+    const std::size_t before = replay.trace().method.others.line == LineMethod::dda
+                                   ? along_before(replay, replay.step())
+                                   : 0;
     if (before != 0) {
         const auto last = replay.trace().step(before).as<AlongStep>();
         const auto last_value = last.value.exact();
@@ -479,8 +478,8 @@ std::string sign_of_d(const Context& context, const DecideStep& step) {
     const std::string d = step.d.text();
     if (d == "NaN")
         return said({"(neither above 0 nor below)", "(nem acima de 0 nem abaixo)"});
-    const bool steps_at_0 =
-        steps_at_ties(context.replay.trace()) || context.primitive.kind == PrimitiveKind::circle;
+    const bool steps_at_0 = context.replay.trace().method.others.ties == Ties::step ||
+                            context.primitive.kind == PrimitiveKind::circle;
     const bool is_diagonal = steps_at_0 ? !d.starts_with('-') : !d.starts_with('-') && d != "0";
     const std::string_view compared = steps_at_0    ? is_diagonal ? ">= 0" : "< 0"
                                       : is_diagonal ? "> 0"
@@ -662,7 +661,7 @@ constexpr Part parts[] = {
     {"crossings", crossings},
     {"fill_rule",
      [](const Context& context) {
-         return context.replay.trace().method_value("fill_rule") == "non-zero"
+         return context.replay.trace().method.others.fill_rule == FillRule::non_zero
                     ? said({"not 0", "diferente de 0"})
                     : said({"odd", "ímpar"});
      }},
@@ -685,7 +684,7 @@ constexpr Part parts[] = {
     {"rule_of_line",
      [](const Context& context) {
          const Trace& trace = context.replay.trace();
-         if (trace.method_value("line") == "diamond-exit")
+         if (trace.method.others.line == LineMethod::diamond_exit)
              return said({" -> diamond", " -> losango"});
          const auto along = context.as<AlongStep>();
          const auto offset = told_samples(trace).lines;
@@ -693,8 +692,8 @@ constexpr Part parts[] = {
          auto value = along.value.exact();
          if (value)
              *value -= across;
-         return rounded_by(rule_of_lines(trace, "rounding"), ties_of_lines(trace),
-                           as_argument(among_samples(along.x ? "y" : "x", across)), value);
+         return rounded_by(rule_of_lines(trace, "rounding"), rule_of_lines(trace, "ties"),
+                           among_samples(along.x ? "y" : "x", across), value);
      }},
     {"sign_of_d",
      [](const Context& context) { return sign_of_d(context, context.as<DecideStep>()); }},
@@ -777,19 +776,18 @@ std::vector<Placeholder> placeholders_in(std::string_view pattern) {
 } // namespace
 
 std::optional<bool> larger_depth_passes(const Trace& trace, std::size_t n) {
-    const std::string asked = trace.method_value("depth_compare");
-    if (asked == "greater" || asked == "less")
-        return asked == "greater";
+    const Method& method = trace.method.triangles;
+    if (method.depth_compare != DepthCompare::automatic)
+        return method.depth_compare == DepthCompare::greater;
     const auto test = trace.step(n).as<DepthStep>();
     const auto depth = test.depth.nearest_double();
     const auto stored = test.stored.nearest_double();
     const bool is_decided_by_them = !test.side_of && !test.beside && !test.behind;
     if (is_decided_by_them && depth && stored && *depth != *stored)
         return test.pass.is_true() == (*depth > *stored);
-    const std::string kind = trace.method_value("depth");
-    return kind == "inverse-z"  ? std::optional(true)
-           : kind == "linear-z" ? std::optional(false)
-                                : std::nullopt;
+    return method.depth == Depth::inverse_z  ? std::optional(true)
+           : method.depth == Depth::linear_z ? std::optional(false)
+                                             : std::nullopt;
 }
 
 Sentence sentence_of_step(const Replay& replay) {

@@ -130,7 +130,7 @@ std::string put_in(std::string_view formula, const Letters& letters) {
 
 std::string formula_of_mistake(const Replay& replay) {
     const Trace& trace = replay.trace();
-    const Mistake* const mistake = find_mistake(trace.method_value("mistake"));
+    const Mistake* const mistake = trace.method.triangles.mistake;
     if (mistake == nullptr || !trace.numbers_give)
         return {};
     const auto given = trace.numbers_give->find(trace.number_of(replay.step()));

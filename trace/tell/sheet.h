@@ -30,6 +30,10 @@ struct Sheet {
     void put(std::string line) { lines.push_back(std::move(line)); }
 
     const Trace& trace() const { return replay.trace(); }
+    const Method& method() const { return trace().method.triangles; }
+
+    /// From the integer points of the primitive's pixels to their samples.
+    SampleOffset<Rational> samples() const { return told_samples(trace()).of(primitive.kind); }
 
     /// True if a result is what the trace tells.
     bool agrees(const Rational& worked_out, const Rational& told) const {

@@ -119,7 +119,7 @@ std::string minus(const std::string& number) {
 }
 
 bool agrees(const Rational& worked_out, const Rational& told, const Trace& trace) {
-    const bool is_float = trace.method_value("scalar") == "float";
+    const bool is_float = trace.method.has_floats();
     const double tolerance = is_float ? 1e-4 : 1e-9;
     const double nothing = is_float ? 1e-9 : 1e-12; // what is left of numbers that cancel
     const double difference = std::abs(nearest_double(worked_out - told));
@@ -193,12 +193,12 @@ std::optional<Levels<Rational>> PrimitiveText::color_of(std::size_t vertex) cons
 std::optional<Divisors> divisors_of(const Replay& replay, const PrimitiveText& primitive) {
     const Trace& trace = replay.trace();
     const auto& stages = trace.stages;
-    if (trace.method_value("shade") == "affine" ||
+    if (trace.method.triangles.shade == Shade::affine ||
         std::find(stages.begin(), stages.end(), "perspective") == stages.end())
         return std::nullopt;
     // Depths of 1/z tell it, too: who asks about one pixel of a long trace may not have the spaces of vertices.
     const auto depths = primitive.depths.values();
-    const bool has_z = trace.method_value("depth") == "inverse-z" && !depths.empty();
+    const bool has_z = trace.method.triangles.depth == Depth::inverse_z && !depths.empty();
     Divisors result{has_z ? "z" : "w", {}};
     for (std::size_t i = 0; i < primitive.vertices.size(); ++i) {
         std::optional<Rational> divisor;
@@ -312,32 +312,31 @@ std::optional<EdgeEnds> current_edge(const Replay& replay, const PrimitiveText& 
 
 std::optional<LineEnds> ends_of_line(const Replay& replay, const PrimitiveText& primitive) {
     const auto& positions = primitive.positions;
-    const bool is_bresenham = replay.trace().method_value("line") == "bresenham";
-    const ToldSamples samples = told_samples(replay.trace());
-    const auto as_drawn = [](const std::optional<LineEnds>& ends, bool between_pixels,
-                             const SampleOffset<Rational>& offset) {
-        return ends && between_pixels ? between_nearest_pixels(*ends, offset) : ends;
+    const Trace& trace = replay.trace();
+    const ToldSamples samples = told_samples(trace);
+    const auto as_drawn = [&](const std::vector<std::string>& from,
+                              const std::vector<std::string>& to) {
+        const auto line = line_between(vec2_in(from), vec2_in(to));
+        return line && trace.method.draws_lines_by(LineMethod::bresenham)
+                   ? between_nearest_pixels(*line, samples.lines)
+                   : line;
     };
     if (primitive.kind == PrimitiveKind::line && positions.size() == 2)
-        return as_drawn(line_between(vec2_in(positions[0]), vec2_in(positions[1])), is_bresenham,
-                        samples.lines);
+        return as_drawn(positions[0], positions[1]);
     const auto ends = current_edge(replay, primitive);
     if (!ends)
         return std::nullopt;
     if (primitive.kind == PrimitiveKind::outline)
-        return as_drawn(line_between(vec2_in(ends->from), vec2_in(ends->to)), is_bresenham,
-                        samples.lines);
+        return as_drawn(ends->from, ends->to);
     if (replay.ray() == 0)
         return std::nullopt;
-    const auto ray = replay.trace().step(replay.ray()).as<RayStep>();
-    const auto line_to_apex = [&](const std::optional<Vec2>& apex) {
-        return apex ? std::optional(
-                          LineEnds{Vec2{ray.x, ray.y}, pixel_near(*apex, samples.triangles)})
-                    : std::nullopt;
-    };
-    for (const auto& apex : positions)
-        if (apex != ends->from && apex != ends->to)
-            return line_to_apex(vec2_in(apex));
+    const auto ray = trace.step(replay.ray()).as<RayStep>();
+    for (const auto& corner : positions)
+        if (corner != ends->from && corner != ends->to) {
+            const auto apex = vec2_in(corner);
+            return apex ? line_between(Vec2{ray.x, ray.y}, pixel_near(*apex, samples.triangles))
+                        : std::nullopt;
+        }
     return std::nullopt;
 }
 
@@ -361,11 +360,6 @@ struct ColoredLine {
     std::array<std::string, 2> names;
     bool is_along_x;
 };
-
-ColorRounding color_rounding_of(const Trace& trace) {
-    return trace.method_value("color_rounding") == "truncate" ? ColorRounding::truncate
-                                                              : ColorRounding::nearest;
-}
 
 /// Between two of a primitive's vertices, from the first one. Ends that are pixels have no offset.
 std::optional<ColoredLine> colored_line(const LineEnds& ends, const PrimitiveText& primitive,
@@ -393,7 +387,7 @@ void reverse(ColoredLine& line) {
 /// A fan draws its edges and its lines from the end with the lower x. Its lines lead between whole levels.
 void begin_left(ColoredLine& line, const Trace& trace) {
     for (Levels<Rational>* const end : {&line.from, &line.to})
-        *end = end->rounded(color_rounding_of(trace));
+        *end = end->rounded(trace.method.triangles.color_rounding);
     if (line.to_pixel.x < line.from_pixel.x)
         reverse(line);
 }
@@ -411,10 +405,11 @@ ColorOnLine color_at(const ColoredLine& line, GridPoint at, const Trace& trace) 
     };
     const Index step = steps_to(at);
     const Index steps = steps_to(to);
+    const Method& method = trace.method.others;
     const ColorLerp lerp =
-        trace.method_value("color_lerp") == "distance" ? ColorLerp::distance : ColorLerp::axis;
+        method.color_lerp == ColorLerp::distance ? ColorLerp::distance : ColorLerp::axis;
     // The first and the last pixel have the colors of the ends, wherever rounding has put them.
-    const ColorRounding rounding = color_rounding_of(trace);
+    const ColorRounding rounding = method.color_rounding;
     const Rational length = square_of_distance(from, to);
     return {.from = line.from,
             .to = line.to,
@@ -496,7 +491,7 @@ std::optional<ColoredLine> line_of_fan(const Replay& replay, const PrimitiveText
 
 std::optional<ColorOnLine> color_on_edge_of_fan(const Replay& replay,
                                                 const PrimitiveText& primitive) {
-    if (replay.trace().method_value("color_lerp") == "space")
+    if (replay.trace().method.others.color_lerp == ColorLerp::space)
         return std::nullopt; // mixed of those of all corners
     const auto edge = current_edge(replay, primitive);
     const bool is_fan = primitive.kind == PrimitiveKind::triangle && replay.ray() != 0;
@@ -517,9 +512,9 @@ std::optional<ColorOnLine> color_on_line(const Replay& replay, const PrimitiveTe
     } else {
         const auto side = current_edge(replay, primitive);
         const auto [first, second] = side ? side->vertices : std::array<std::size_t, 2>{0, 1};
-        if (replay.trace().method_value("color_lerp") == "space")
+        if (replay.trace().method.others.color_lerp == ColorLerp::space)
             return color_in_space(replay, primitive, {first, second});
-        const bool are_pixels = replay.trace().method_value("line") == "bresenham";
+        const bool are_pixels = replay.trace().method.draws_lines_by(LineMethod::bresenham);
         line = colored_line(*ends, primitive, {first, second},
                             are_pixels ? SampleOffset<Rational>()
                                        : told_samples(replay.trace()).lines);
@@ -529,7 +524,7 @@ std::optional<ColorOnLine> color_on_line(const Replay& replay, const PrimitiveTe
             line->is_along_x = replay.trace().step(reason).as<AlongStep>().x.has_value();
         const bool runs_down =
             line && line->is_along_x ? ends->to.x < ends->from.x : ends->to.y < ends->from.y;
-        if (line && runs_down && replay.trace().method_value("from") == "low")
+        if (line && runs_down && replay.trace().method.others.from == LineStart::low)
             reverse(*line);
     }
     if (!line)
@@ -572,15 +567,6 @@ std::optional<SlopeForm> slope_form_of(const LineEnds& ends, bool is_x_major) {
     return m ? std::optional(SlopeForm{*m, at_0.value()}) : std::nullopt;
 }
 
-std::string ties_of_lines(const Trace& trace) {
-    const std::string ties = trace.method_value("ties");
-    return ties.substr(ties.find('+') + 1);
-}
-
-bool steps_at_ties(const Trace& trace) {
-    return ties_of_lines(trace) == "step";
-}
-
 std::optional<Rational> next_d_told(const Replay& replay) {
     constexpr std::size_t between = 4; // a depth test and a pixel, and what a later program may add
     const Trace& trace = replay.trace();
@@ -606,7 +592,7 @@ std::optional<BresenhamDecisions> decisions_between(const Trace& trace, const Li
     return BresenhamDecisions{.major = longer,
                               .minor = std::min(dx, dy),
                               .steps = static_cast<std::size_t>(longer.get_num().get_ui()),
-                              .steps_at_ties = steps_at_ties(trace)};
+                              .steps_at_ties = trace.method.others.ties == Ties::step};
 }
 
 std::optional<Vec2> center_of(const PrimitiveText& primitive, const Trace& trace) {
@@ -641,11 +627,11 @@ Rational sample_of_lines(const Trace& trace, bool is_column, Index at) {
 }
 
 bool has_bottom_rule(const Trace& trace) {
-    return trace.method_value("horizontal_edge") == "bottom";
+    return trace.method.triangles.horizontal_edge == HorizontalEdge::bottom;
 }
 
 std::string by_convention(const Trace& trace) {
-    const std::string convention = trace.method_value("convention");
+    const std::string convention = trace.method.word_of("convention");
     return convention.empty()
                ? convention
                : said({", by the rule of {}", ", pela regra de {}"}, printable(convention));

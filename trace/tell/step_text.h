@@ -218,12 +218,6 @@ std::optional<BresenhamDecisions> decisions_between(const Trace& trace, const Li
 /// rasterizer, may add something else than the decision says.
 std::optional<Rational> next_d_told(const Replay& replay);
 
-/// Where a line goes that is halfway between two pixels, as the header says; "" if it does not.
-std::string ties_of_lines(const Trace& trace);
-
-/// True if Bresenham goes diagonally at d = 0.
-bool steps_at_ties(const Trace& trace);
-
 /// Where a circle decides, seen from the pixel of its center.
 struct CircleDecision {
     Rational x;

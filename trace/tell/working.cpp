@@ -65,7 +65,7 @@ void primitive(Sheet& sheet) {
     const auto octant = sheet.step.as<PrimitiveStep>().octant;
     if (sheet.primitive.kind == PrimitiveKind::line)
         return put_octant(sheet, ends_of_line(sheet.replay, sheet.primitive),
-                          sheet.trace().method_value("line") == "bresenham"
+                          sheet.trace().method.draws_lines_by(LineMethod::bresenham)
                               ? SampleOffset<Rational>() // they are pixels
                               : told_samples(sheet.trace()).lines,
                           octant);
@@ -145,8 +145,7 @@ void edge(Sheet& sheet) {
     }
     if (const auto y = slope_form_of({*from, *to}, true))
         sheet.put(fmt::format("y = {} x {}", text(y->m), plus(text(y->b))));
-    put_octant(sheet, LineEnds{*from, *to}, told_samples(sheet.trace()).of(sheet.primitive.kind),
-               step.octant);
+    put_octant(sheet, LineEnds{*from, *to}, sheet.samples(), step.octant);
     const auto corners = corners_of(sheet.primitive);
     const auto function = edge_function_in(sheet.trace(), step, sheet.primitive);
     if (!corners || !function)
@@ -176,11 +175,11 @@ void put_crossing(Sheet& sheet, const EndOfRow& end) {
     const auto told = end.x.exact();
     if (!from || !to || sgn(to->y - from->y) == 0)
         return;
-    const auto offset = told_samples(sheet.trace()).of(sheet.primitive.kind);
+    const auto offset = sheet.samples();
     const Rational y = offset.y_of(end.y);
     const Lerp x{.d1 = from->x, .i1 = from->y, .d2 = to->x, .i2 = to->y, .i = y};
     // A row that adds to the one before says so in its sentence.
-    const bool adds = sheet.trace().method_value("lerp") == "incremental";
+    const bool adds = sheet.method().lerp == LerpForm::incremental;
     if (told && !adds && sheet.agrees(x.value(), *told))
         sheet.put(fmt::format("{} {}: {}{}{} -> {}", end.name(), end.edge.text(), x_of_edge,
                               x.written_out(*told),
@@ -214,7 +213,7 @@ void put_crossing(Sheet& sheet, const EndOfRow& end) {
 /// Which boundary each end of a row lies on (T3): A leads from the lowest vertex t0 to the highest t2, B by way of t1.
 void put_boundaries(Sheet& sheet, const ScanlineStep& row) {
     const auto corners = corners_of(sheet.primitive);
-    if (sheet.trace().method_value("fill") != "two-halves" || !corners)
+    if (sheet.method().fill != Fill::two_halves || !corners)
         return;
     const auto [top, middle, bottom] =
         sorted_from_top(Triangle<Rational>{*corners}, sheet.trace().canvas.down());
@@ -237,7 +236,7 @@ void put_boundaries(Sheet& sheet, const ScanlineStep& row) {
 
 /// What the edge function of an end of a row says of the sample of its pixel, where there are such functions.
 void put_edge_function(Sheet& sheet, const EndOfRow& end) {
-    const auto offset = told_samples(sheet.trace()).of(sheet.primitive.kind);
+    const auto offset = sheet.samples();
     const Vec2 sample{offset.x_of(end.pixel), offset.y_of(end.y)};
     for (const std::size_t n : sheet.replay.edges()) {
         const auto edge = sheet.trace().step(n).as<EdgeStep>();
@@ -268,7 +267,7 @@ void scanline(Sheet& sheet) {
     const auto left_depth = row.left_depth.exact();
     const auto right_depth = row.right_depth.exact();
     // Where the depths of the ends lie: on the edges, or in the first and the last pixel.
-    const bool has_rounded_ends = sheet.trace().method_value("depth_at") == "rounded-ends";
+    const bool has_rounded_ends = sheet.method().depth_at == DepthAt::rounded_ends;
     const auto offset = told_samples(sheet.trace()).triangles;
     const auto end_at = [&](Index pixel, const std::optional<Rational>& end) {
         return has_rounded_ends ? std::optional(Rational(pixel))
@@ -473,8 +472,9 @@ void along(Sheet& sheet) {
                           minor, major, text(second.y), minus(text(first.y)), text(second.x),
                           minus(text(first.x)), text(m), text(first.y), product(m, first.x),
                           text(b)));
-    const std::size_t before =
-        sheet.trace().method_value("line") == "dda" ? along_before(sheet.replay, sheet.number) : 0;
+    const std::size_t before = sheet.trace().method.others.line == LineMethod::dda
+                                   ? along_before(sheet.replay, sheet.number)
+                                   : 0;
     const auto step_before = before == 0 ? AlongStep{} : sheet.trace().step(before).as<AlongStep>();
     const auto last = step_before.value.exact();
     const auto last_at = is_x_major ? step_before.x : step_before.y;

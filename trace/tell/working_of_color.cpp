@@ -34,7 +34,7 @@ std::array<int, 4> channels_of(Color color) {
 /// True if a level rounds to the one that the trace tells, as its header says that levels are rounded.
 bool rounds_to(const Trace& trace, double level, int told) {
     const double of_told = std::clamp(level, 0.0, 255.0) - told;
-    const bool is_cut = trace.method_value("color_rounding") == "truncate";
+    const bool is_cut = trace.method.triangles.color_rounding == ColorRounding::truncate;
     return std::abs(is_cut ? of_told - 0.5 : of_told) <= 0.5 + 1e-6;
 }
 
@@ -203,7 +203,7 @@ void write_color(Sheet& sheet) {
         for (std::string& level : levels)
             sheet.put(std::move(level));
     } else if (color && is_triangle &&
-               (sheet.replay.ray() == 0 || sheet.trace().method_value("color_lerp") == "space")) {
+               (sheet.replay.ray() == 0 || sheet.method().color_lerp == ColorLerp::space)) {
         put_mixed_color(sheet, *color);
     }
     put_alpha(sheet, told);

@@ -5,6 +5,7 @@
 #include "text.h"
 
 #include <rastertrace/core/draw/model/mistakes.h>
+#include <rastertrace/core/draw/scene/scene.h>
 
 #include <fmt/core.h>
 
@@ -447,10 +448,15 @@ std::string value_in_force(const MethodKey& key, const Scene& scene) {
     return said.empty() ? key.otherwise(scene) : said;
 }
 
-ToldMethod told_method(const std::vector<std::pair<std::string, std::string>>& header) {
+std::string ToldMethod::word_of(std::string_view key) const {
+    const auto found = std::ranges::find(words, key, &MethodOverrides::value_type::first);
+    return found == words.end() ? std::string() : found->second;
+}
+
+ToldMethod told_method(std::vector<std::pair<std::string, std::string>> words) {
     ToldMethod told;
     bool has_two_samples = false;
-    for (const auto& [name, value] : header) {
+    for (const auto& [name, value] : words) {
         const MethodKey* const key = find_method_key(name);
         if (key == nullptr)
             continue;
@@ -463,10 +469,11 @@ ToldMethod told_method(const std::vector<std::pair<std::string, std::string>>& h
         has_two_samples = has_two_samples || (has_two && name == "sample");
     }
     const bool tests_samples =
-        (told.keys.contains("fill") && traits_of(told.triangles.fill).rule == PixelRule::samples) ||
-        (told.keys.contains("line") && traits_of(told.others.line).rule == LineRule::diamonds);
+        (told.says("fill") && traits_of(told.triangles.fill).rule == PixelRule::samples) ||
+        (told.says("line") && traits_of(told.others.line).rule == LineRule::diamonds);
     if (tests_samples && !has_two_samples)
         told.others.sample.reset();
+    told.words = std::move(words);
     return told;
 }
 

@@ -7,7 +7,6 @@
 #include "problem.h"
 
 #include <rastertrace/core/draw/scene/method.h>
-#include <rastertrace/core/draw/scene/scene.h>
 
 #include <functional>
 #include <set>
@@ -18,6 +17,8 @@
 #include <vector>
 
 namespace rastertrace {
+
+struct Scene;
 
 /// One choice that a method makes.
 struct MethodKey {
@@ -51,16 +52,28 @@ std::string value_in_force(const MethodKey& key, const Scene& scene);
 /// The key of that name, or nullptr.
 const MethodKey* find_method_key(std::string_view name);
 
-/// What a header says of its triangles, and of what else it draws.
+/// The method of a trace, as its header tells it. What that does not say, or in words that are not ours, is as in Method{}.
 struct ToldMethod {
     Method triangles;
-    Method others;
-    std::set<std::string, std::less<>> keys; ///< those that say it
+    Method others;                           ///< of what else is drawn
+    std::set<std::string, std::less<>> keys; ///< those that the header says in our words
+    std::vector<std::pair<std::string, std::string>> words; ///< key and value, as in the header
+
+    bool says(std::string_view key) const { return keys.contains(key); }
+
+    /// True if it says that lines are drawn by this.
+    bool draws_lines_by(LineMethod line) const { return says("line") && others.line == line; }
+
+    /// True if the numbers of the trace stand for floats.
+    bool has_floats() const { return triangles.scalar == ScalarKind::single_precision; }
+
+    /// The value of a key, as in the header; "" if it has none.
+    std::string word_of(std::string_view key) const;
 };
 
-/// Reads the method of a header, whose values may be two, as of value_in_force. What it does not say, or in words that
-/// are not ours, is as in Method{}; samples that only triangles have are not those of the others.
-ToldMethod told_method(const std::vector<std::pair<std::string, std::string>>& header);
+/// Reads the method of a header, whose values may be two, as of value_in_force. Samples that only triangles have are not
+/// those of the others.
+ToldMethod told_method(std::vector<std::pair<std::string, std::string>> words);
 
 /// Choices made on the command line instead of in the scene: key and value.
 using MethodOverrides = std::vector<std::pair<std::string, std::string>>;

@@ -460,7 +460,7 @@ std::optional<Pixel> pixel_looked_at(const Replay& replay, std::size_t n) {
 }
 
 std::string title_of(const Trace& trace, std::size_t columns) {
-    const std::string mistake = trace.method_value("mistake");
+    const std::string mistake = trace.method.word_of("mistake");
     const std::string marked = mistake.empty() ? "" : said({", with {}", ", com {}"}, mistake);
     return shortened(printable(trace.title), columns - std::min(columns, marked.size())) + marked;
 }

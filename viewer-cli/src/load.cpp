@@ -96,7 +96,7 @@ Trace InputFrames::trace(std::size_t frame) {
         return titled(std::move(trace), path_);
     }
     Trace trace = drawn(scene(frame), source_.name, options_.limits);
-    if (options_.tells_steps && !trace.method_value("mistake").empty())
+    if (options_.tells_steps && trace.method.triangles.mistake != nullptr)
         mark_wrong_steps(trace);
     return titled(std::move(trace), path_);
 }

@@ -146,7 +146,7 @@ TextLines working_panel(const Player& player, std::size_t columns, std::size_t c
 /// The choices of the trace's header: `fill scanline, rounding floor, ...`.
 std::string conventions(const Trace& trace, std::size_t columns) {
     std::vector<std::string> words;
-    for (const auto& [key, value] : trace.method)
+    for (const auto& [key, value] : trace.method.words)
         words.push_back(printable(key + " " + value));
     return shortened(joined(words, ", "), columns);
 }

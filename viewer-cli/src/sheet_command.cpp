@@ -51,7 +51,7 @@ std::string given_lines(const Source& scene, const Trace& trace) {
         lines += fmt::format("# {}: {}\n", key.text, text);
     }
     std::vector<std::string> rules;
-    for (const auto& [key, value] : trace.method)
+    for (const auto& [key, value] : trace.method.words)
         if (key != "scalar") // who works by hand has exact numbers
             rules.push_back(fmt::format("{} {}", key, value));
     return lines + fmt::format("# method: {}\n", joined(rules, ", "));

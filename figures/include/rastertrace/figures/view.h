@@ -39,6 +39,9 @@ std::optional<View> view_named(std::string_view name);
 /// `plotted`.
 View default_view(const Trace& trace);
 
+/// True if pixels pass a test of depths, be it of a kind that we do not know.
+bool has_depth_buffer(const Trace& trace);
+
 /// True if a nearer depth is a larger one, as far as the tests of a trace tell.
 bool larger_is_nearer(const Trace& trace);
 
