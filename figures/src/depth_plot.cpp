@@ -2,7 +2,7 @@
 #include "depth_plot.h"
 
 #include <rastertrace/figures/corners.h>
-#include <rastertrace/trace/record/told_samples.h>
+#include <rastertrace/trace/tell/told_samples.h>
 #include <rastertrace/trace/record/traced_steps.h>
 #include <rastertrace/trace/tell/step_text.h>
 

@@ -37,7 +37,7 @@
 #include <rastertrace/figures/face_groups.h>
 #include <rastertrace/figures/shown_steps.h>
 #include <rastertrace/trace/explain/explain_pixels.h>
-#include <rastertrace/trace/record/told_samples.h>
+#include <rastertrace/trace/tell/told_samples.h>
 #include <rastertrace/trace/record/traced_steps.h>
 #include <rastertrace/trace/tell/describe.h>
 #include <rastertrace/trace/tell/step_text.h>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <rastertrace/figures/shown_steps.h>
 
-#include <rastertrace/trace/record/told_samples.h>
+#include <rastertrace/trace/tell/told_samples.h>
 #include <rastertrace/trace/tell/step_text.h>
 
 #include <algorithm>

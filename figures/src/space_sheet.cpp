@@ -3,7 +3,7 @@
 
 #include "clip.h"
 
-#include <rastertrace/trace/record/told_samples.h>
+#include <rastertrace/trace/tell/told_samples.h>
 
 #include <fmt/core.h>
 

@@ -5,7 +5,7 @@
 
 #include <rastertrace/figures/shown_steps.h>
 #include <rastertrace/figures/view.h>
-#include <rastertrace/trace/record/told_samples.h>
+#include <rastertrace/trace/tell/told_samples.h>
 #include <rastertrace/trace/record/traced_steps.h>
 #include <rastertrace/trace/tell/meeting_point.h>
 #include <rastertrace/trace/tell/step_text.h>

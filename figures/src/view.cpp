@@ -2,7 +2,7 @@
 #include <rastertrace/figures/view.h>
 
 #include <rastertrace/figures/corners.h>
-#include <rastertrace/trace/record/told_samples.h>
+#include <rastertrace/trace/tell/told_samples.h>
 #include <rastertrace/trace/record/traced_steps.h>
 #include <rastertrace/trace/tell/describe.h>
 #include <rastertrace/trace/tell/formula.h>

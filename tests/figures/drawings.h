@@ -6,7 +6,7 @@
 #include "traces.h"
 
 #include <rastertrace/figures/figure.h>
-#include <rastertrace/trace/record/selector.h>
+#include <rastertrace/trace/tell/selector.h>
 
 #include <string>
 #include <utility>

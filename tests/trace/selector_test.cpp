@@ -5,7 +5,7 @@
 #include "told_problem.h"
 #include "traces.h"
 
-#include <rastertrace/trace/record/selector.h>
+#include <rastertrace/trace/tell/selector.h>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

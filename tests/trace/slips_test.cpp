@@ -10,7 +10,7 @@
 
 #include <rastertrace/trace/check/check.h>
 #include <rastertrace/trace/check/slips.h>
-#include <rastertrace/trace/record/told_samples.h>
+#include <rastertrace/trace/tell/told_samples.h>
 #include <rastertrace/trace/record/traced_steps.h>
 
 #include <fmt/core.h>

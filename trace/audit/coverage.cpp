@@ -6,7 +6,7 @@
 #include "shared_edges.h"
 #include "triangle_samples.h"
 
-#include <rastertrace/trace/record/told_samples.h>
+#include <rastertrace/trace/tell/told_samples.h>
 
 #include <algorithm>
 #include <cstdint>

@@ -2,7 +2,7 @@
 #include "redo_beside.h"
 
 #include <rastertrace/core/raster/rounding.h>
-#include <rastertrace/trace/record/told_samples.h>
+#include <rastertrace/trace/tell/told_samples.h>
 
 #include <algorithm>
 

@@ -7,7 +7,7 @@
 #include "claim_line.h"
 #include "claims.h"
 
-#include <rastertrace/trace/record/verdict_words.h>
+#include <rastertrace/trace/tell/verdict_words.h>
 
 #include <array>
 #include <optional>

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "derivation.h"
 
-#include <rastertrace/trace/record/told_samples.h>
 #include <rastertrace/trace/record/traced_steps.h>
 #include <rastertrace/trace/tell/describe.h>
 #include <rastertrace/trace/tell/step_text.h>
+#include <rastertrace/trace/tell/told_samples.h>
 
 #include <fmt/core.h>
 

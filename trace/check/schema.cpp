@@ -3,7 +3,7 @@
 
 #include "schema_claims.h"
 
-#include <rastertrace/trace/record/schema_trace.h>
+#include "schema_trace.h"
 #include <rastertrace/trace/scene/schema_scene.h>
 
 namespace rastertrace {

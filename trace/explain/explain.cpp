@@ -3,7 +3,7 @@
 
 #include "explanation.h"
 
-#include <rastertrace/trace/record/selector.h>
+#include <rastertrace/trace/tell/selector.h>
 #include <rastertrace/trace/tell/describe.h>
 #include <rastertrace/trace/tell/step_text.h>
 #include <rastertrace/trace/tell/working.h>

@@ -74,7 +74,7 @@ private:
 
     Replay ahead_;
     std::vector<Snapshot> kept_; ///< one every `interval_` steps
-    std::size_t interval_ = 1 << 14;
+    std::size_t interval_ = 1 << 12;
     std::size_t bytes_ = 0;
     std::size_t most_bytes_;
 };

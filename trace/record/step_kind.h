@@ -17,17 +17,9 @@
 #include <optional>
 #include <span>
 #include <string_view>
-#include <variant>
 #include <vector>
 
 namespace rastertrace {
-
-/// The value of "step" of each.
-inline constexpr std::array<std::string_view, 21> step_names{
-    "triangulate", "matrix", "vertex", "order", "primitive", "face",     "light",
-    "clip",        "edge",   "half",   "ray",   "crossings", "scanline", "along",
-    "decide",      "sample", "depth",  "pixel", "reject",    "skip",     "undecided"};
-static_assert(step_names.size() == std::variant_size_v<StepOf<Quantity>>);
 
 inline constexpr std::size_t step_kinds = step_names.size();
 

@@ -68,7 +68,7 @@ using SkipStep = PrimitiveSkipped<TracedNumber>;
 using UndecidedStep = BoundExceeded<TracedNumber>;
 
 /// A step of a known kind.
-using AnyStep = StepOf<TracedNumber>;
+using AnyStep = AnyStepOf<TracedNumber>;
 
 /// What a step begins with: this, the name of its kind, and a quotation mark.
 inline constexpr std::string_view front_of_step = R"({"step":")";

@@ -6,13 +6,13 @@
 
 #include "formula.h"
 
+#include "told_samples.h"
 #include <rastertrace/core/numbers/conversion.h>
 #include <rastertrace/core/numbers/vec.h>
 #include <rastertrace/core/raster/image.h>
 #include <rastertrace/core/raster/line.h>
 #include <rastertrace/core/raster/mixed_colors.h>
 #include <rastertrace/trace/record/frame.h>
-#include <rastertrace/trace/record/told_samples.h>
 #include <rastertrace/trace/record/traced_steps.h>
 #include <rastertrace/trace/text/language.h>
 

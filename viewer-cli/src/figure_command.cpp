@@ -14,7 +14,7 @@
 #include <rastertrace/figures/gif.h>
 #include <rastertrace/figures/shown_steps.h>
 #include <rastertrace/trace/record/frame.h>
-#include <rastertrace/trace/record/selector.h>
+#include <rastertrace/trace/tell/selector.h>
 #include <rastertrace/trace/tell/describe.h>
 #include <rastertrace/trace/tell/working.h>
 #include <rastertrace/trace/text/output.h>

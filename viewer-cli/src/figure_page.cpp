@@ -9,7 +9,7 @@
 #include <rastertrace/figures/figure.h>
 #include <rastertrace/figures/page.h>
 #include <rastertrace/figures/svg.h>
-#include <rastertrace/trace/record/selector.h>
+#include <rastertrace/trace/tell/selector.h>
 #include <rastertrace/trace/scene/scene_file.h>
 #include <rastertrace/trace/text/canvas_json.h>
 #include <rastertrace/trace/text/output.h>

@@ -2,7 +2,7 @@
 #include "frame_text.h"
 
 #include <rastertrace/figures/shown_steps.h>
-#include <rastertrace/trace/record/told_samples.h>
+#include <rastertrace/trace/tell/told_samples.h>
 #include <rastertrace/trace/record/traced_steps.h>
 #include <rastertrace/trace/tell/step_text.h>
 #include <rastertrace/trace/text/text.h>

@@ -10,7 +10,7 @@
 #include "shared_options.h"
 #include "terminal_session.h"
 
-#include <rastertrace/trace/record/selector.h>
+#include <rastertrace/trace/tell/selector.h>
 #include <rastertrace/trace/text/output.h>
 #include <rastertrace/trace/text/process_files.h>
 

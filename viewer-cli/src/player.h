@@ -17,7 +17,7 @@
 
 #include <rastertrace/figures/player_keys.h>
 #include <rastertrace/figures/view.h>
-#include <rastertrace/trace/record/selector.h>
+#include <rastertrace/trace/tell/selector.h>
 
 #include <cstddef>
 #include <functional>

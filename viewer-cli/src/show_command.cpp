@@ -12,7 +12,7 @@
 #include "terminal.h"
 
 #include <rastertrace/figures/shown_steps.h>
-#include <rastertrace/trace/record/selector.h>
+#include <rastertrace/trace/tell/selector.h>
 #include <rastertrace/trace/tell/describe.h>
 #include <rastertrace/trace/tell/digest.h>
 #include <rastertrace/trace/tell/working.h>

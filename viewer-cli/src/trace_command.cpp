@@ -10,8 +10,8 @@
 #include "progress.h"
 #include "shared_options.h"
 
-#include <rastertrace/trace/record/excerpt.h>
-#include <rastertrace/trace/record/flat_steps.h>
+#include <rastertrace/trace/tell/excerpt.h>
+#include <rastertrace/trace/tell/flat_steps.h>
 #include <rastertrace/trace/record/trace.h>
 #include <rastertrace/trace/text/output.h>
 #include <rastertrace/trace/text/process_files.h>

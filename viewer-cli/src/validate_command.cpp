@@ -13,7 +13,7 @@
 #include <rastertrace/trace/check/check.h>
 #include <rastertrace/trace/check/claims.h>
 #include <rastertrace/trace/record/trace.h>
-#include <rastertrace/trace/record/unknown_names.h>
+#include <rastertrace/trace/tell/unknown_names.h>
 #include <rastertrace/trace/record/write_trace.h>
 #include <rastertrace/trace/scene/scene_file.h>
 #include <rastertrace/trace/text/byte_order_mark.h>

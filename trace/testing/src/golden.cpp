@@ -5,7 +5,7 @@
 
 #include <rastertrace/trace/compare/diff.h>
 #include <rastertrace/trace/compare/other_goldens.h>
-#include <rastertrace/trace/record/excerpt.h>
+#include <rastertrace/trace/tell/excerpt.h>
 #include <rastertrace/trace/record/step_kind.h>
 #include <rastertrace/trace/record/trace.h>
 #include <rastertrace/trace/text/input.h>

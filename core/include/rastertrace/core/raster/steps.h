@@ -49,6 +49,12 @@ enum class StepKind : std::uint8_t {
     undecided,
 };
 
+/// The value of "step" of each, in a trace.
+inline constexpr std::array<std::string_view, 21> step_names{
+    "triangulate", "matrix", "vertex", "order", "primitive", "face",     "light",
+    "clip",        "edge",   "half",   "ray",   "crossings", "scanline", "along",
+    "decide",      "sample", "depth",  "pixel", "reject",    "skip",     "undecided"};
+
 /// What kind of thing is drawn.
 enum class PrimitiveKind { triangle, polygon, outline, line, point, circle };
 
@@ -497,7 +503,7 @@ template <typename Number = Quantity> struct BoundExceeded {
 
 /// A step of any kind, in the order of StepKind: the one list of them.
 template <typename Number>
-using StepOf =
+using AnyStepOf =
     std::variant<FaceTriangulated<Number>, MatrixSetUp<Number>, VertexPlaced<Number>,
                  PrimitivesOrdered<Number>, PrimitiveBegan<Number>, FaceTested<Number>,
                  FaceLit<Number>, PrimitiveClipped<Number>, EdgeSetUp<Number>, HalfBegan<Number>,
@@ -505,5 +511,6 @@ using StepOf =
                  LineDecided<Number>, SampleTested<Number>, DepthTested<Number>,
                  PixelPlotted<Number>, PixelsRejected<Number>, PrimitiveSkipped<Number>,
                  BoundExceeded<Number>>;
+static_assert(std::variant_size_v<AnyStepOf<Quantity>> == step_names.size());
 
 } // namespace rastertrace

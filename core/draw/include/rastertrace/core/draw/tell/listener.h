@@ -86,7 +86,7 @@ private:
     template <typename... Steps> struct WaysOf<std::variant<Steps...>> {
         using type = std::tuple<Way<Steps>...>;
     };
-    using Ways = WaysOf<StepOf<Quantity>>::type;
+    using Ways = WaysOf<AnyStepOf<Quantity>>::type;
 
     template <typename Callable, typename... Steps>
     static void find_ways(Callable& callable, std::tuple<Way<Steps>...>& ways) {

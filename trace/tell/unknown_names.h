@@ -8,8 +8,8 @@
 //     unknown.add(step, kind);
 //     unknown.remarks();  // {"kinds of step that this program does not know: wobble (3)"}
 
-#include "step_kind.h"
-#include "trace.h"
+#include <rastertrace/trace/record/step_kind.h>
+#include <rastertrace/trace/record/trace.h>
 
 #include <cstdint>
 #include <map>

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "selector.h"
 
-#include "traced_steps.h"
+#include <rastertrace/trace/record/traced_steps.h>
 
-#include "field_type.h"
 #include "verdict_words.h"
+#include <rastertrace/trace/record/field_type.h>
 
 #include <rastertrace/trace/text/json_scanner.h>
 #include <rastertrace/trace/text/text.h>
@@ -31,7 +31,7 @@ constexpr std::string_view primitive_field = "in";
 /// How many values or steps a message names.
 constexpr std::size_t most_named = 5;
 
-std::optional<Number> number_in(std::string_view text) {
+std::optional<Number> field_as_number(std::string_view text) {
     auto parsed = parse_number(text, NumberSize::any);
     if (auto* number = std::get_if<Number>(&parsed))
         return std::move(*number);
@@ -224,7 +224,7 @@ private:
         if (field.ends_with("edge"))
             take_known_name(condition);
         if (!type || type == FieldType::whole || type == FieldType::quantity)
-            condition.number = number_in(condition.value);
+            condition.number = field_as_number(condition.value);
         if (type && !can_be(condition, *type))
             fail(fmt::format("expected {} for {}, found {}", in_words(*type), field, value));
         selector_.conditions.push_back(std::move(condition));
@@ -306,7 +306,7 @@ bool holds(const FieldCondition& condition, const std::optional<std::string>& va
         return value.has_value();
     if (condition.field == primitive_field)
         return value->starts_with(condition.value + "/");
-    const auto number = condition.number ? number_in(*value) : std::nullopt;
+    const auto number = condition.number ? field_as_number(*value) : std::nullopt;
     return number && number->exact() == condition.number->exact();
 }
 
@@ -358,7 +358,7 @@ std::vector<std::string> values_near(const FieldCondition& condition, const Sele
 
     std::vector<std::pair<mpq_class, std::string>> by_distance;
     for (std::string& value : values)
-        if (const auto number = number_in(value))
+        if (const auto number = field_as_number(value))
             by_distance.emplace_back(abs(number->exact() - condition.number->exact()),
                                      std::move(value));
     std::stable_sort(by_distance.begin(), by_distance.end(),

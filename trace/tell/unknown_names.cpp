@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "unknown_names.h"
 
-#include "traced_steps.h"
+#include <rastertrace/trace/record/traced_steps.h>
 
 #include <rastertrace/trace/text/json_scanner.h>
 #include <rastertrace/trace/text/text.h>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "excerpt.h"
 
-#include "step_kind.h"
+#include <rastertrace/trace/record/step_kind.h>
 
 #include <rastertrace/trace/text/text.h>
 

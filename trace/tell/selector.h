@@ -12,7 +12,7 @@
 //     const auto rows = parse_selector({"--every", "scanline y=2"}, trace);
 //     const auto steps = matching_steps(rows.value(), trace); // {14}
 
-#include "trace.h"
+#include <rastertrace/trace/record/trace.h>
 
 #include <rastertrace/core/numbers/number.h>
 #include <rastertrace/trace/text/problem.h>

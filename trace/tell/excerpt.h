@@ -6,8 +6,8 @@
 //
 //     write_excerpt(trace, {"scanline", "pixel"}, TraceLayout::jsonl, output);
 
-#include "trace.h"
-#include "trace_options.h"
+#include <rastertrace/trace/record/trace.h>
+#include <rastertrace/trace/record/trace_options.h>
 
 #include <rastertrace/trace/text/output.h>
 

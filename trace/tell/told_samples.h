@@ -6,8 +6,8 @@
 //     const ToldSamples samples = told_samples(trace);
 //     samples.triangles.sample_of({3, 4});  // (7/2, 9/2)
 
-#include "trace.h"
-#include "traced_steps.h"
+#include <rastertrace/trace/record/trace.h>
+#include <rastertrace/trace/record/traced_steps.h>
 
 #include <rastertrace/core/numbers/rational.h>
 #include <rastertrace/core/raster/sample_offset.h>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "flat_steps.h"
 
-#include "step_kind.h"
+#include <rastertrace/trace/record/step_kind.h>
 
 #include <rastertrace/trace/text/json_scanner.h>
 #include <rastertrace/trace/text/trace_layout.h>

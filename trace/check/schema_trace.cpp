@@ -3,11 +3,11 @@
 
 #include "schema_trace.h"
 
-#include "field_type.h"
-#include "step_kind.h"
-#include "trace_keys.h"
-#include "traced_steps.h"
-#include "write_trace.h"
+#include <rastertrace/trace/record/field_type.h>
+#include <rastertrace/trace/record/step_kind.h>
+#include <rastertrace/trace/record/trace_keys.h>
+#include <rastertrace/trace/record/traced_steps.h>
+#include <rastertrace/trace/record/write_trace.h>
 
 #include <rastertrace/core/raster/canvas.h>
 #include <rastertrace/trace/text/method_names.h>
