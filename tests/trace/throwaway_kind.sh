@@ -1,9 +1,9 @@
 #!/bin/sh
-# throwaway_kind.sh COMPILER ROOT RECORD INCLUDE... -- LIBRARY...: a kind of step that nobody knows is put into the list of
+# throwaway_kind.sh COMPILER ROOT INCLUDE... OPTION... LIBRARY...: a kind of step that nobody knows is put into the list of
 # kinds (core/raster/steps.h) and into the table of sentences (step_kind.cpp), and told by a drawing. Nothing else is
-# changed, and yet it is told, held, written, read and described. Then it is gone again. RECORD is trace/record.
+# changed, and yet it is told, held, written, read and described. Then it is gone again.
 set -eu
-compiler=$1 root=$2 record=$root/trace/record
+compiler=$1 root=$2 record=$2/trace/record
 shift 2
 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
@@ -11,7 +11,7 @@ trap 'rm -rf "$folder"' EXIT
 includes= libraries=
 for word; do
     case $word in
-    -l* | *.a | *.so) libraries="$libraries $word" ;;
+    -* | *.a | *.so) libraries="$libraries $word" ;;
     *) includes="$includes -I$word" ;;
     esac
 done
@@ -47,6 +47,7 @@ ln -s "$folder/record" "$folder/rastertrace/trace/record"
 
 # 3. What tells it.
 cat >"$folder/main.cpp" <<'PROGRAM'
+#include <rastertrace/core/draw/tell/listener.h>
 #include <rastertrace/trace/record/step_decoder.h>
 #include <rastertrace/trace/record/step_tracer.h>
 #include <rastertrace/trace/record/steps.h>
@@ -80,5 +81,8 @@ int main() {
     expect(row_of(StepKind::throwaway).fires == "a test runs", "it is described");
 }
 PROGRAM
-"$compiler" -std=c++20 -O0 "-I$folder" $includes "$folder/main.cpp" "$folder"/record/*.cpp $libraries -o "$folder/main"
+for source in field_type frame step_decoder step_kind step_tracer steps trace traced_steps traced_values; do
+    echo "#include \"record/$source.cpp\"" >>"$folder/main.cpp"
+done
+"$compiler" -std=c++20 -O0 "-I$folder" $includes "$folder/main.cpp" $libraries -o "$folder/main"
 "$folder/main"
