@@ -29,7 +29,7 @@ if [ "$all" = OFF ]; then
     echo
     cat <<'END'
 Left out, as they
-- build other projects: Consumer.*, Algorithms.ANewOneIsMissedInEveryTable
+- build other projects: Consumer.*, Algorithms.ANewOneIsMissedInEveryTable, StepKinds.ANewOneIsThreeFiles
 - renew whole pages: docs-are-up-to-date, stress
 - need another compiler: BitmapsAreTheSameByAnyCompiler, ClangAcceptsTheSources, NullSinkCostsNothing.clang++, wasm-*
 - need other programs: schemas (jsonschema), walk (gdb), benchmarks, against-mesa-*, figures-in-other-programs, figures-in-tex, pages, site, python (nbconvert)

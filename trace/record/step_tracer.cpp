@@ -94,12 +94,12 @@ void FilterOfSteps::begin(std::string_view name) {
 }
 
 bool FilterOfSteps::is_in_region(const PixelsRejected<>& step) const {
-    const auto [low_y, high_y] = std::minmax(*step.y, step.to_y.value_or(*step.y));
+    const auto [low_y, high_y] = std::minmax({*step.y, step.to_y.value_or(*step.y)});
     if (high_y < region_->y0 || region_->y1 < low_y)
         return false;
     if (!step.x)
         return true;
-    const auto [low_x, high_x] = std::minmax(*step.x, step.to_x.value_or(*step.x));
+    const auto [low_x, high_x] = std::minmax({*step.x, step.to_x.value_or(*step.x)});
     return region_->meets(low_x, high_x);
 }
 
