@@ -94,7 +94,7 @@ public:
     template <typename Step> bool takes() const { return listener_.takes<Step>(); }
 
     template <typename Step> void operator()(const Step& step) const {
-        using Told = AsTold<Step>::type;
+        using Told = typename AsTold<Step>::type;
         if (!listener_.takes<Step>())
             return;
         if constexpr (std::same_as<Step, Told>)
