@@ -11,7 +11,7 @@
 namespace rastertrace {
 namespace {
 
-const Canvas canvas{12, 9, Origin::bottom_left};
+const Canvas small_canvas{12, 9, Origin::bottom_left};
 
 /// A coordinate about the canvas, of those that doubles decide at once and of those that they do not.
 rc::Gen<Coordinate> coordinate() {
@@ -76,8 +76,9 @@ RC_GTEST_PROP(TriangleSamples, AreThoseOfExactEdgeFunctions, ()) {
     for (ScreenPoint& point : at)
         point = {*coordinate(), *coordinate()};
     if (*rc::gen::arbitrary<bool>()) {
-        const auto [one, other] = points_about(offset.x_of(*rc::gen::inRange(0, canvas.width)),
-                                               offset.y_of(*rc::gen::inRange(0, canvas.height)));
+        const auto [one, other] =
+            points_about(offset.x_of(*rc::gen::inRange(0, small_canvas.width)),
+                         offset.y_of(*rc::gen::inRange(0, small_canvas.height)));
         at[0] = one;
         at[1] = other;
     }
@@ -88,7 +89,7 @@ RC_GTEST_PROP(TriangleSamples, AreThoseOfExactEdgeFunctions, ()) {
     RC_PRE(sgn(area) != 0);
 
     const double one_rounding = *rc::gen::element(0.0, 0x1p-53, 0x1p-24);
-    const CanvasSamples grid{canvas, moved, one_rounding};
+    const CanvasSamples grid{small_canvas, moved, one_rounding};
     const TriangleSamples samples(at, grid);
 
     // As docs/stats.md has it: 32 roundings of a product of the box's sides, and four of a coordinate, along a side.
@@ -101,9 +102,9 @@ RC_GTEST_PROP(TriangleSamples, AreThoseOfExactEdgeFunctions, ()) {
     const mpq_class error =
         1.001 * one_rounding * (32 * width * height + 4 * (width + height) * farthest);
 
-    for (int y = 0; y < canvas.height; ++y) {
+    for (int y = 0; y < small_canvas.height; ++y) {
         const auto row = samples.row(y);
-        for (int x = 0; x < canvas.width; ++x) {
+        for (int x = 0; x < small_canvas.width; ++x) {
             const Expected expected =
                 expected_at(at, sgn(area), error, offset.x_of(x), offset.y_of(y));
             RC_ASSERT(row.inside.has(x) == expected.inside);
@@ -113,12 +114,12 @@ RC_GTEST_PROP(TriangleSamples, AreThoseOfExactEdgeFunctions, ()) {
 
     // No row with a sample in the triangle is left out, nor many others looked at.
     const Span rows = grid.rows_about(low, high);
-    for (int y = 0; y < canvas.height; ++y) {
+    for (int y = 0; y < small_canvas.height; ++y) {
         const mpq_class sample_y = offset.y_of(y);
         if (low.exact() <= sample_y && sample_y <= high.exact())
-            RC_ASSERT(rows.has(canvas.row_of(y)));
+            RC_ASSERT(rows.has(small_canvas.row_of(y)));
         if (sample_y < low.exact() - 4 || high.exact() + 4 < sample_y)
-            RC_ASSERT(!rows.has(canvas.row_of(y)));
+            RC_ASSERT(!rows.has(small_canvas.row_of(y)));
     }
 }
 
