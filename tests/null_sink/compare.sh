@@ -1,6 +1,6 @@
 #!/bin/sh
-# compare.sh COMPILER OBJDUMP SOURCE INCLUDE...: fails if a function has more instructions of a kind with emissions
-# than after they are removed. (What it has less of is an accident of the compiler's choices.)
+# compare.sh COMPILER OBJDUMP SOURCE INCLUDE...: fails if a function has more instructions with emissions than after
+# they are removed. (That it has fewer is an accident of the compiler's choices.)
 set -eu
 compiler=$1 objdump=$2 source=$3
 shift 3
@@ -11,14 +11,14 @@ trap 'rm -rf "$folder"' EXIT
 instructions() { # instructions NAME FLAG...
     name=$1
     shift
-    # For each function how often it has which instruction. Registers and order are not compared: a
-    # compiler chooses between equal ones by the numbers of statements, also of those that it removes.
+    # For each function how many instructions it has. Which ones is not compared: a compiler chooses between equal ones,
+    # ja or jbe, by the numbers of statements, also of those that it removes.
     # shellcheck disable=SC2086  # several folders
     "$compiler" -std=c++20 -DNDEBUG -ffp-contract=off -ffunction-sections -w $includes "$@" \
         -c "$source" -o "$folder/fill.o"
     "$objdump" -d --no-show-raw-insn "$folder/fill.o" |
         awk '/^Disassembly of section/ { section = $4 }
-             /^ *[0-9a-f]+:/ && !/nop|xchg +%ax,%ax/ { print section, $2 }' |
+             /^ *[0-9a-f]+:/ && !/nop|xchg +%ax,%ax/ { print section }' |
         LC_ALL=C sort | uniq -c >"$folder/$name"
 }
 
@@ -29,7 +29,7 @@ for level in -O2 -O3 "-O3 -march=x86-64-v3"; do
     instructions without $level -DWITHOUT_EMISSIONS
     count=$(awk '{ sum += $1 } END { print sum + 0 }' "$folder/with")
     [ "$count" -gt 100 ] || { echo "nothing was compiled"; exit 1; }
-    if awk 'NR == FNR { without[$2, $3] = $1; next } $1 > without[$2, $3] + 0 { more = 1 } END { exit more }' \
+    if awk 'NR == FNR { without[$2] = $1; next } $1 > without[$2] + 0 { more = 1 } END { exit more }' \
         "$folder/without" "$folder/with"; then
         echo "$compiler $level: $count instructions, none of them for emissions"
     else
