@@ -5,7 +5,7 @@
 //
 //     expect_same(scanned, played);
 
-#include <rastertrace/trace/record/frame.h>
+#include <rastertrace/trace/record/replay.h>
 
 #include <gtest/gtest.h>
 
@@ -14,7 +14,7 @@
 namespace rastertrace {
 
 /// Everything that is remembered of the steps so far.
-inline void expect_same(const ReplayState& one, const ReplayState& other) {
+inline void expect_same(const Replay& one, const Replay& other) {
     EXPECT_EQ(one.step(), other.step());
     EXPECT_TRUE(one.frame().image.colors() == other.frame().image.colors());
     EXPECT_TRUE(one.frame().drawn_by == other.frame().drawn_by);

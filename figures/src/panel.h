@@ -11,7 +11,7 @@
 #include <rastertrace/figures/face_groups.h>
 #include <rastertrace/figures/figure.h>
 #include <rastertrace/figures/shown_steps.h>
-#include <rastertrace/trace/record/frame.h>
+#include <rastertrace/trace/record/replay.h>
 
 #include <functional>
 #include <optional>

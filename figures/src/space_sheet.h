@@ -7,7 +7,7 @@
 #include "space.h"
 
 #include <rastertrace/figures/space_eye.h>
-#include <rastertrace/trace/record/frame.h>
+#include <rastertrace/trace/record/replay.h>
 
 #include <cstddef>
 #include <string>

@@ -4,7 +4,7 @@
 
 #include "check.h"
 
-#include <rastertrace/trace/record/frame.h>
+#include <rastertrace/trace/record/replay.h>
 #include <rastertrace/trace/record/trace.h>
 #include <rastertrace/trace/record/write_trace.h>
 #include <rastertrace/trace/scene/scene_file.h>

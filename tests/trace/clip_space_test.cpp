@@ -7,7 +7,7 @@
 #include "traces.h"
 
 #include <rastertrace/trace/audit/redo.h>
-#include <rastertrace/trace/record/frame.h>
+#include <rastertrace/trace/record/replay.h>
 #include <rastertrace/trace/record/traced_steps.h>
 
 #include <fmt/core.h>

@@ -8,7 +8,7 @@
 
 #include <rastertrace/core/numbers/conversion.h>
 #include <rastertrace/trace/compare/diff.h>
-#include <rastertrace/trace/record/frame.h>
+#include <rastertrace/trace/record/replay.h>
 #include <rastertrace/trace/record/traced_steps.h>
 #include <rastertrace/trace/tell/describe.h>
 #include <rastertrace/trace/text/text.h>

@@ -10,9 +10,9 @@
 #include <rastertrace/trace/explain/explain.h>
 #include <rastertrace/trace/explain/explain_pixels.h>
 #include <rastertrace/trace/explain/steps_of_pixel.h>
-#include <rastertrace/trace/record/frame.h>
-#include <rastertrace/trace/tell/told_samples.h>
+#include <rastertrace/trace/record/replay.h>
 #include <rastertrace/trace/record/traced_steps.h>
+#include <rastertrace/trace/tell/told_samples.h>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

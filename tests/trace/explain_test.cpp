@@ -4,7 +4,7 @@
 #include "picture.h"
 #include "traces.h"
 
-#include <rastertrace/trace/record/frame.h>
+#include <rastertrace/trace/record/replay.h>
 #include <rastertrace/trace/record/traced_steps.h>
 #include <rastertrace/trace/text/method_names.h>
 

@@ -6,7 +6,7 @@
 #include "same_replay.h"
 #include "traces.h"
 
-#include <rastertrace/trace/record/frame.h>
+#include <rastertrace/trace/record/replay.h>
 
 #include <gtest/gtest.h>
 

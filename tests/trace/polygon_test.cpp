@@ -9,7 +9,7 @@
 #include <rastertrace/trace/audit/stats.h>
 #include <rastertrace/trace/check/check.h>
 #include <rastertrace/trace/explain/explain.h>
-#include <rastertrace/trace/record/frame.h>
+#include <rastertrace/trace/record/replay.h>
 #include <rastertrace/trace/record/traced_steps.h>
 #include <rastertrace/trace/tell/describe.h>
 #include <rastertrace/trace/tell/working.h>

@@ -88,7 +88,6 @@ TEST(Steps, TheNextStepOfAKindIsTheOneThatAWalkComesTo) {
         const std::string text = trace_text(scene.value(), in_lines);
         const auto& [drawn, plan, notes] = scene.value();
         for (const Trace& trace : {readable_trace(text), readable_trace(foreign(text, random)),
-                                   std::move(read_written_trace({"trace.json", text}).value()),
                                    drawn_trace(drawn, plan, "scene.json", 1'000'000)}) {
             const StepKindSet kinds = random_kinds(random);
             const std::size_t behind = trace.size() + 1;

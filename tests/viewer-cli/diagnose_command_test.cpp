@@ -5,7 +5,7 @@
 
 #include <rastertrace/core/draw/model/mistakes.h>
 #include <rastertrace/trace/check/typed_number.h>
-#include <rastertrace/trace/record/frame.h>
+#include <rastertrace/trace/record/replay.h>
 #include <rastertrace/trace/record/trace.h>
 #include <rastertrace/trace/record/traced_steps.h>
 

@@ -9,7 +9,7 @@
 
 #include <rastertrace/testing.h>
 #include <rastertrace/trace/audit/stats.h>
-#include <rastertrace/trace/record/frame.h>
+#include <rastertrace/trace/record/replay.h>
 
 #include <gtest/gtest.h>
 

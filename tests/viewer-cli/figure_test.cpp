@@ -6,7 +6,7 @@
 #include "random_scene.h"
 #include "traces.h"
 
-#include <rastertrace/trace/record/frame.h>
+#include <rastertrace/trace/record/replay.h>
 
 #include <png.h>
 

@@ -5,7 +5,7 @@
 #include "redo_drawn.h"
 #include "redo_space.h"
 
-#include <rastertrace/trace/record/frame.h>
+#include <rastertrace/trace/record/replay.h>
 #include <rastertrace/trace/tell/describe.h>
 
 #include <fmt/core.h>

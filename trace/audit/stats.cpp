@@ -6,7 +6,7 @@
 #include "stats_needs.h"
 
 #include <rastertrace/core/raster/image.h>
-#include <rastertrace/trace/record/frame.h>
+#include <rastertrace/trace/record/replay.h>
 #include <rastertrace/trace/record/traced_steps.h>
 #include <rastertrace/trace/record/write_trace.h>
 #include <rastertrace/trace/text/text.h>

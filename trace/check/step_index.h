@@ -7,7 +7,7 @@
 //     index.find(StepKind::scanline, {{"y", "2"}});  // {14}
 
 #include <rastertrace/core/raster/image.h>
-#include <rastertrace/trace/record/frame.h>
+#include <rastertrace/trace/record/replay.h>
 #include <rastertrace/trace/record/step_kind.h>
 #include <rastertrace/trace/record/trace.h>
 #include <rastertrace/trace/tell/formula.h>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "diff_context.h"
 
-#include <rastertrace/trace/record/frame.h>
+#include <rastertrace/trace/record/replay.h>
 #include <rastertrace/trace/record/traced_steps.h>
 #include <rastertrace/trace/tell/describe.h>
 

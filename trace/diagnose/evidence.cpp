@@ -3,7 +3,7 @@
 
 #include <rastertrace/trace/check/check.h>
 #include <rastertrace/trace/picture/picture_trace.h>
-#include <rastertrace/trace/record/frame.h>
+#include <rastertrace/trace/record/replay.h>
 #include <rastertrace/trace/record/traced_steps.h>
 #include <rastertrace/trace/scene/scene_file.h>
 

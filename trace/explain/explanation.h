@@ -5,7 +5,7 @@
 
 #include "explain.h"
 
-#include <rastertrace/trace/record/frame.h>
+#include <rastertrace/trace/record/replay.h>
 #include <rastertrace/trace/record/traced_steps.h>
 
 #include <cstddef>

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "step_tracer.h"
 #include "steps.h"
+#include "trace_lines.h"
 #include "write_trace.h"
 
 #include <rastertrace/core/draw/draw.h>
@@ -19,10 +20,7 @@ Trace drawn_trace(const Scene& scene, const Plan& plan, const std::string& name,
     const Image image = draw(scene, plan, tracer);
     const std::string around =
         "{" + header_members(scene, plan, {}) + "}\n{" + end_record(steps->counts(), image) + "}\n";
-    auto read = read_written_trace({name, around});
-    if (!read)
-        throw read.problem();
-    Trace trace = std::move(read.value());
+    Trace trace = trace_around_steps({name, around});
     trace.steps_ = steps;
     return trace;
 }

@@ -2,7 +2,6 @@
 #include "trace.h"
 
 #include "field_type.h"
-#include "frame.h"
 #include "step_json.h"
 #include "steps.h"
 #include "traced_steps.h"
@@ -59,9 +58,6 @@ std::optional<double> nearest_double_in(const std::string& number) {
 }
 
 Trace::Trace() : steps_(std::make_shared<Steps>()) {}
-Trace::Trace(Trace&&) noexcept = default;
-Trace& Trace::operator=(Trace&&) noexcept = default;
-Trace::~Trace() = default;
 
 const Source& Trace::source() const {
     return steps_->source();
@@ -94,11 +90,6 @@ std::size_t Trace::next_of(StepKindSet kinds, std::size_t n, std::size_t last) c
         if (const auto kind = kind_of(n); kind && kinds.has(*kind))
             return n;
     return last + 1;
-}
-
-std::optional<ReplayState> Trace::end_state_ahead(std::size_t of) const {
-    const auto last = size() > of ? std::move(end_state_) : nullptr;
-    return last ? std::optional(std::move(*last)) : std::nullopt;
 }
 
 bool Trace::is_plain(std::size_t n) const {

@@ -33,7 +33,6 @@
 
 namespace rastertrace {
 
-class ReplayState;
 class StepNumbers;
 class Steps;
 struct Plan;
@@ -118,9 +117,8 @@ struct NotFiniteSteps {
 class Trace {
 public:
     Trace();
-    Trace(Trace&&) noexcept;
-    Trace& operator=(Trace&&) noexcept;
-    ~Trace();
+    Trace(Trace&&) noexcept = default;
+    Trace& operator=(Trace&&) noexcept = default;
 
     Index version = 0; ///< of the format
     std::string title;
@@ -193,10 +191,6 @@ public:
     /// The header and the end of this trace, without a step: the beginning of an excerpt, which has the same steps in memory.
     Trace without_steps() const;
 
-    /// What a replay is at behind the last step, which is known from reading, if it is ahead of another one and nobody has
-    /// asked for it.
-    std::optional<ReplayState> end_state_ahead(std::size_t of) const;
-
     /// Adds a step to an excerpt: step `number` of the whole trace.
     void add_to_excerpt(std::size_t number) { numbers_.push_back(number); }
 
@@ -212,7 +206,6 @@ private:
 
     std::shared_ptr<Steps> steps_;
     bool has_lines_ = false; ///< one step a line
-    mutable std::unique_ptr<ReplayState> end_state_;
     bool is_excerpt_ = false;
     std::vector<std::size_t> numbers_; ///< of an excerpt: those of its steps in the whole trace
 };
@@ -267,9 +260,6 @@ inline constexpr std::size_t most_useless_steps = 100;
 /// The same for who wants to know all that is wrong: a step that cannot be used is damage, has no kind, and the rest is
 /// read.
 Result<Trace> read_trace_to_tell(Source source, std::size_t most_steps = any_number);
-
-/// Reads what write_trace has written to a string. It is not looked through for damage.
-Result<Trace> read_written_trace(Source source);
 
 /// Draws a scene and holds its steps; pixels of a row that are plotted one after the other are held as one. Throws a
 /// Problem that names `--max-steps` if there are more steps to hold than `most_steps`.

@@ -15,12 +15,6 @@
 
 namespace rastertrace {
 
-std::string truncation_after(std::size_t steps) {
-    return fmt::format("expected the rest of the trace, found the end of the file: the trace is "
-                       "truncated after {} whole steps",
-                       steps);
-}
-
 std::string disagreement(std::string_view told, std::string_view what, std::string_view found) {
     return fmt::format("expected {} {} as the end record says, found {}", told, what, found);
 }
@@ -124,28 +118,6 @@ void note_not_finite(NotFiniteSteps& noted, const Source& source, std::size_t be
                                        field.name, *found));
         return;
     }
-}
-
-bool tells_picture(const EndRecord& end) {
-    return end.pixels || !end.frame.empty();
-}
-
-std::optional<std::string> disagreement_of_picture(const Trace& header, const EndRecord& end,
-                                                   const Image& image) {
-    // The end record is about the whole picture, also where steps were left out: those that plot its pixels, or
-    // those that color them.
-    const bool has_every_pixel =
-        !header.left_out.has_places_missing && !header.lacks(StepKind::pixel);
-    const bool has_every_color = has_every_pixel && !header.lacks(StepKind::primitive);
-    const std::uint64_t pixels = image.drawn();
-    const std::string found = fmt::format("{}", pixels);
-    if (end.pixels && has_every_pixel && *end.pixels != pixels)
-        return disagreement(fmt::format("{}", *end.pixels), "pixels", found);
-    if (end.pixels && *end.pixels < pixels)
-        return disagreement(fmt::format("at most {}", *end.pixels), "pixels", found);
-    if (!end.frame.empty() && has_every_color && end.frame != frame_name(image))
-        return disagreement("the picture", end.frame, frame_name(image));
-    return std::nullopt;
 }
 
 } // namespace rastertrace

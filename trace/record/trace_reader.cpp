@@ -2,8 +2,8 @@
 #include "trace_lines.h"
 
 #include "field_type.h"
-#include "frame.h"
 #include "header_check.h"
+#include "replay.h"
 #include "step_decoder.h"
 #include "steps.h"
 #include "trace_keys.h"
@@ -50,6 +50,25 @@ std::string compact(std::string_view json) {
     return text;
 }
 
+/// What the picture that comes of all steps has otherwise than the end record says.
+std::optional<std::string> disagreement_of_picture(const Trace& header, const EndRecord& end,
+                                                   const Image& image) {
+    // The end record is about the whole picture, also where steps were left out: those that plot its pixels, or
+    // those that color them.
+    const bool has_every_pixel =
+        !header.left_out.has_places_missing && !header.lacks(StepKind::pixel);
+    const bool has_every_color = has_every_pixel && !header.lacks(StepKind::primitive);
+    const std::uint64_t pixels = image.drawn();
+    const std::string found = fmt::format("{}", pixels);
+    if (end.pixels && has_every_pixel && *end.pixels != pixels)
+        return disagreement(fmt::format("{}", *end.pixels), "pixels", found);
+    if (end.pixels && *end.pixels < pixels)
+        return disagreement(fmt::format("at most {}", *end.pixels), "pixels", found);
+    if (!end.frame.empty() && has_every_color && end.frame != frame_name(image))
+        return disagreement("the picture", end.frame, frame_name(image));
+    return std::nullopt;
+}
+
 } // namespace
 
 /// Reads one trace. What makes the rest useless is thrown as a Problem; what does not is damage.
@@ -57,7 +76,7 @@ class TraceReader {
 public:
     /// How closely a trace is looked at.
     enum class Care {
-        none,    ///< this program has written it
+        none,    ///< its steps are elsewhere
         to_use,  ///< a step that cannot be used ends the reading
         to_tell, ///< such a step is damage, and the rest is read
     };
@@ -90,8 +109,6 @@ public:
         for (WrongForm& wrong : wrong_forms_)
             trace_.passed_over.push_back(
                 problem_at(source(), wrong.offset, std::move(wrong.message)));
-        if (state_)
-            trace_.end_state_ = std::make_unique<ReplayState>(*std::move(state_));
         return std::move(trace_);
     }
 
@@ -264,7 +281,11 @@ private:
     void cut_short(std::size_t offset) {
         if (trace_.cut_short)
             return;
-        trace_.cut_short = problem_at(source(), offset, truncation_after(trace_.size()));
+        trace_.cut_short = problem_at(
+            source(), offset,
+            fmt::format("expected the rest of the trace, found the end of the file: the trace is "
+                        "truncated after {} whole steps",
+                        trace_.size()));
         trace_.damage.push_back(*trace_.cut_short);
     }
 
@@ -319,8 +340,6 @@ private:
                 read_stage(stage);
         read_left_out(header);
         note_wrong_forms(header, header_keys);
-        if (care_ != Care::none)
-            state_.emplace(trace_.canvas, FrameParts{.writes = true, .depths = true});
     }
 
     /// A named set stands for all that it sets, as in a scene. What the header says itself wins; the numbers
@@ -390,11 +409,8 @@ private:
         constexpr std::size_t most_remembered = 16U << 20U; // bytes
         std::size_t remembered = offset;
         while (const std::size_t size = take_plain_line(offset, is_document)) {
-            if (const auto* const pixel = std::get_if<PixelStep>(&step_);
-                pixel != nullptr && care_ != Care::none)
+            if (const auto* const pixel = std::get_if<PixelStep>(&step_); pixel != nullptr)
                 check_pixel(offset, pixel->x, pixel->y);
-            if (state_)
-                play_step();
             steps().take(step_);
             offset += size;
             if (offset - remembered < most_remembered)
@@ -417,17 +433,6 @@ private:
         if (is_document && rest.starts_with(','))
             rest.remove_prefix(1);
         return rest.starts_with('\n') ? text().size() - rest.size() + 1 - offset : 0;
-    }
-
-    void play_step() {
-        std::visit(
-            [&state = *state_](const auto& step) {
-                if constexpr (requires { state.take(step); })
-                    state.take(step);
-                else
-                    state.take(step.step_kind);
-            },
-            step_);
     }
 
     /// Throws a Problem that points at the first zero byte of a part of the text.
@@ -462,8 +467,6 @@ private:
 
     void add_place(std::size_t begin, std::size_t size, std::optional<StepKind> kind) {
         steps().take_text(kind, text().substr(begin, size));
-        if (state_)
-            state_->take(trace_.step(trace_.size()));
         constexpr std::size_t seldom = 4096;
         if (trace_.size() % seldom == 0)
             tell_bytes_done(begin);
@@ -545,29 +548,25 @@ private:
 
     /// The picture that the steps draw against the end record. A pixel off the canvas has been told already.
     void compare_picture_with_end() {
-        if (!state_ || has_stray_pixel_ || !tells_picture(*trace_.end))
+        if (has_stray_pixel_ || !(trace_.end->pixels || !trace_.end->frame.empty()))
             return;
-        if (auto message = disagreement_of_picture(trace_, *trace_.end, state_->frame().image))
+        const Image image = frame_after(trace_, trace_.size()).image;
+        if (auto message = disagreement_of_picture(trace_, *trace_.end, image))
             trace_.damage.push_back(problem_at(source(), end_offset_, *std::move(message)));
     }
 
     Trace trace_;
     Care care_;
-    std::size_t counted_ = 0;          ///< of the bytes, see add_bytes_done
-    std::optional<ReplayState> state_; ///< that the steps lead to; its picture is the end record's
-    bool has_stray_pixel_ = false;     ///< one that the canvas has not; the first is told
+    std::size_t counted_ = 0;      ///< of the bytes, see add_bytes_done
+    bool has_stray_pixel_ = false; ///< one that the canvas has not; the first is told
     std::size_t end_offset_ = 0;
     std::size_t useless_steps_ = 0; ///< that are damage
     std::vector<WrongForm> wrong_forms_;
     AnyStep step_; ///< that was looked at last
 };
 
-Result<Trace> read_written_trace(Source source) {
-    try {
-        return TraceReader::read_with(std::move(source), TraceReader::Care::none);
-    } catch (const Problem& problem) {
-        return problem;
-    }
+Trace trace_around_steps(Source source) {
+    return TraceReader(std::move(source), TraceReader::Care::none, any_number).read();
 }
 
 Result<Trace> TraceReader::read_with(Source source, Care care, std::size_t most_steps) {

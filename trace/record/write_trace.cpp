@@ -156,38 +156,4 @@ std::uint64_t write_trace(const Scene& scene, const Plan& plan, const TraceOptio
     return std::accumulate(writer.counts().begin(), writer.counts().end(), std::uint64_t{0});
 }
 
-namespace {
-
-/// Collects lines in the text of a source, up to a number of steps.
-class LinesOutput final : public Output {
-public:
-    LinesOutput(Source& source, std::size_t most_steps) : source_(source), most_(most_steps) {}
-
-    void write(std::string_view bytes) override {
-        source_.text += bytes;
-        newlines_ += static_cast<std::size_t>(std::count(bytes.begin(), bytes.end(), '\n'));
-        // One stands before each step, three around the end record.
-        if (newlines_ > 3 && newlines_ - 3 > most_)
-            throw too_many_steps(source_.name, most_);
-        if (source_.text.size() > most_bytes_)
-            throw too_much_to_hold(source_.name, most_bytes_, "bytes");
-    }
-
-private:
-    Source& source_;
-    std::size_t most_;
-    std::size_t most_bytes_ = most_held(most_, held_bytes_of_step);
-    std::size_t newlines_ = 0;
-};
-
-} // namespace
-
-Source written_trace(const Scene& scene, const Plan& plan, std::string name,
-                     std::size_t most_steps) {
-    Source source{.name = std::move(name), .text = {}};
-    LinesOutput output(source, most_steps);
-    write_trace(scene, plan, {}, output);
-    return source;
-}
-
 } // namespace rastertrace

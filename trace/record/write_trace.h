@@ -37,11 +37,6 @@ std::uint64_t write_trace(const Scene& scene, const TraceOptions& options, Outpu
 std::string header_members(const Scene& scene, const Plan& plan, const StepFilter& filter);
 std::string end_record(const KindCounts& count, const Image& image);
 
-/// The trace of a scene as a source of this name, for read_written_trace. Throws a Problem if it has more lines than
-/// `most_steps` steps need.
-Source written_trace(const Scene& scene, const Plan& plan, std::string name,
-                     std::size_t most_steps = std::numeric_limits<std::size_t>::max());
-
 /// The name that a trace gives to a final picture: FNV-1a (64 bit, sixteen hexadecimal digits) over
 /// the red, green, blue and alpha byte of every pixel, row by row from the top; a pixel that
 /// nothing has drawn is four zero bytes.

@@ -6,7 +6,7 @@
 //     scanline y=2   left AB: x = 2 + 3/4 (2 - 5) = -1/4 -> -1   right AC: x = 2 - 3/8 (2 - 5) =
 //     25/8 -> 3
 
-#include <rastertrace/trace/record/frame.h>
+#include <rastertrace/trace/record/replay.h>
 #include <rastertrace/trace/record/step_kind.h>
 
 #include <cstddef>

@@ -7,7 +7,7 @@
 //         meeting->plane;  // "near"
 
 #include <rastertrace/core/numbers/rational.h>
-#include <rastertrace/trace/record/frame.h>
+#include <rastertrace/trace/record/replay.h>
 
 #include <optional>
 #include <string>

@@ -5,7 +5,7 @@
 //
 //     height-plus-one: x = 20 + (23 - 20)/(10 - 2 + 1) (y - 2) on the short edges
 
-#include <rastertrace/trace/record/frame.h>
+#include <rastertrace/trace/record/replay.h>
 
 #include <functional>
 #include <map>

@@ -7,7 +7,7 @@
 
 #include <rastertrace/core/numbers/conversion.h>
 #include <rastertrace/core/transform/matrix.h>
-#include <rastertrace/trace/record/frame.h>
+#include <rastertrace/trace/record/replay.h>
 
 #include <array>
 #include <cstddef>

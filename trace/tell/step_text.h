@@ -12,7 +12,7 @@
 #include <rastertrace/core/raster/image.h>
 #include <rastertrace/core/raster/line.h>
 #include <rastertrace/core/raster/mixed_colors.h>
-#include <rastertrace/trace/record/frame.h>
+#include <rastertrace/trace/record/replay.h>
 #include <rastertrace/trace/record/traced_steps.h>
 #include <rastertrace/trace/text/language.h>
 

@@ -10,7 +10,7 @@
 // Everything is worked out again from the numbers in the trace, exactly; a line whose result would not be
 // the one that the trace tells is left out.
 
-#include <rastertrace/trace/record/frame.h>
+#include <rastertrace/trace/record/replay.h>
 
 #include <string>
 #include <string_view>

@@ -17,7 +17,6 @@
 #include <rastertrace/trace/check/schema.h>
 #include <rastertrace/trace/compare/diff.h>
 #include <rastertrace/trace/explain/explain.h>
-#include <rastertrace/trace/record/snapshots.h>
 #include <rastertrace/trace/record/write_trace.h>
 #include <rastertrace/trace/scene/scene_file.h>
 #include <rastertrace/trace/text/input.h>
@@ -91,7 +90,7 @@ struct PlayCommand {
     std::string trace;
     std::string step; ///< to begin with, see selector.h; empty: before the first
     std::optional<View> view;
-    std::optional<TextSize> screen;             ///< only print that of a terminal of this size
+    std::optional<TextSize> screen; ///< only print that of a terminal of this size
     ColorChoice color = ColorChoice::automatic;
     MethodOverrides method;
     InputLimits input;

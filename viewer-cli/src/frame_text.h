@@ -14,7 +14,7 @@
 #include "terminal_text.h"
 
 #include <rastertrace/figures/view.h>
-#include <rastertrace/trace/record/frame.h>
+#include <rastertrace/trace/record/replay.h>
 #include <rastertrace/trace/record/trace_options.h>
 
 #include <cstddef>

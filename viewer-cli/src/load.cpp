@@ -30,12 +30,6 @@ namespace {
                      "a trace is drawn already; `show` and `stats` read it");
 }
 
-/// The text of a scene's trace; the scene is given up before the trace is read: both may be large.
-Source drawn_text(PlannedScene planned, const std::string& name, const InputLimits& limits) {
-    const PlannedScene scene = std::move(planned);
-    return written_trace(scene.scene, scene.plan, name, limits.steps);
-}
-
 Trace drawn(const PlannedScene& planned, const std::string& name, const InputLimits& limits) {
     return drawn_trace(planned.scene, planned.plan, name, limits.steps);
 }
@@ -167,8 +161,7 @@ Trace trace_to_compare(Source source, const std::string& path, const SceneOption
         return value_or_throw(read_trace(std::move(source), options.limits.steps));
     const std::string name = source.name;
     InputFrames input(path, std::move(source), options);
-    return value_or_throw(
-        read_written_trace(drawn_text(input.scene(input.first()), name, options.limits)));
+    return drawn(input.scene(input.first()), name, options.limits);
 }
 
 PlannedScene load_scene(const std::string& path, const SceneOptions& options) {

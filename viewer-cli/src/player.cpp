@@ -36,9 +36,8 @@ Player::Player(PlayerInput input, const PlayerOptions& options)
 void Player::open(std::size_t frame) {
     const bool was_last = playback_ && step() == trace().size();
     const std::size_t before = playback_ ? step() : 0;
-    auto opened = std::make_unique<Playback>(input_.open(frame), options_.bytes,
+    auto opened = std::make_unique<Playback>(input_.open(frame),
                                              playback_ ? playback_->faces() : FaceGroups());
-    opened->read_on();
     search_.reset();
     question_.reset();
     asked_ = Asked::nothing;
@@ -320,9 +319,8 @@ void Player::move_by(std::size_t count, Direction direction) {
 
 bool Player::work() {
     const bool has_searched = search_on();
-    const bool has_read = playback_->read_on();
     const bool has_asked = question_ && question_->look_on(steps_at_once);
-    return has_searched || has_read || has_asked;
+    return has_searched || has_asked;
 }
 
 bool Player::pass(double seconds) {

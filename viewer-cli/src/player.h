@@ -7,7 +7,7 @@
 //     player.press({"Right"});
 //     player.playback().step();  // 1
 //
-// Searching a long trace, going through it and asking about a pixel are done in pieces, by work(), so that a key is heard at
+// Searching a long trace and asking about a pixel are done in pieces, by work(), so that a key is heard at
 // once.
 
 #include "frame_text.h"
@@ -59,7 +59,6 @@ struct PlayerInput {
 struct PlayerOptions {
     std::optional<View> view = {}; ///< none: the trace's default
     std::string step = {};         ///< to begin with, see selector.h; empty: before the first
-    std::size_t bytes = Snapshots::usual_bytes;
 };
 
 class Player {

@@ -78,9 +78,6 @@ bool Player::search_on() {
     const bool is_forward = search.direction == Direction::forward;
     for (std::size_t looked_at = 0; looked_at < search.at_once; ++looked_at) {
         const bool is_behind = is_forward ? search.place >= trace().size() : search.place <= 1;
-        const std::size_t next = is_forward ? search.place + 1 : search.place - 1;
-        if (!is_behind && next > playback_->snapshots().reach())
-            return looked_at > 0; // until that has been gone through
         if (is_behind) {
             message_ = search.missing;
             if (search.found != 0)
@@ -142,7 +139,7 @@ void Player::find_primitive(Direction direction) {
 void Player::find_of_primitive(Direction direction) {
     if (step() == 0)
         return move_by(1, direction);
-    const std::size_t primitive = playback_->snapshots().farthest().primitive_of(step());
+    const std::size_t primitive = playback_->replay().primitive_of(step());
     const std::string own = name_in(trace().step(step())).text();
     const std::string name = !own.empty()     ? own
                              : primitive == 0 ? std::string()
@@ -155,7 +152,7 @@ void Player::find_of_primitive(Direction direction) {
     find(
         direction,
         [this, name](std::size_t n) {
-            const std::size_t of = playback_->snapshots().farthest().primitive_of(n);
+            const std::size_t of = playback_->replay().primitive_of(n);
             return (of != 0 && name_in(trace().step(of)) == name) ||
                    name_in(trace().step(n)) == name;
         },
@@ -192,7 +189,7 @@ void Player::find_match(Direction direction) {
     find(
         direction,
         [this, selector](std::size_t n) {
-            return matches(selector, trace(), n, playback_->snapshots().farthest().primitive_of(n));
+            return matches(selector, trace(), n, playback_->replay().primitive_of(n));
         },
         std::move(missing));
 }

@@ -6,7 +6,7 @@
 //     StepTable table(TableFormat::csv, StepKind::light);
 //     table.head(); table.line(replay); table.line(replay); table.end();
 
-#include <rastertrace/trace/record/frame.h>
+#include <rastertrace/trace/record/replay.h>
 #include <rastertrace/trace/record/step_kind.h>
 
 #include <cstdint>

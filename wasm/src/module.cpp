@@ -10,7 +10,7 @@
 #include <rastertrace/trace/check/check.h>
 #include <rastertrace/trace/check/claims.h>
 #include <rastertrace/trace/explain/explain_pixels.h>
-#include <rastertrace/trace/record/frame.h>
+#include <rastertrace/trace/record/replay.h>
 #include <rastertrace/trace/record/write_trace.h>
 #include <rastertrace/trace/scene/scene_file.h>
 #include <rastertrace/trace/tell/describe.h>
@@ -81,15 +81,8 @@ std::string text_of_trace(const PlannedScene& planned) {
 /// The scene that was drawn last, so that several questions about it draw it once.
 struct Drawn {
     explicit Drawn(const PlannedScene& planned)
-        : trace(read_trace_of(planned)), explainer(trace),
+        : trace(drawn_trace(planned.scene, planned.plan, "trace", any_number)), explainer(trace),
           replay(trace, {.writes = false, .depths = true}) {}
-
-    static Trace read_trace_of(const PlannedScene& planned) {
-        auto trace = read_written_trace({.name = "trace", .text = text_of_trace(planned)});
-        if (!trace)
-            throw trace.problem();
-        return std::move(trace.value());
-    }
 
     Trace trace;
     PixelExplainer explainer;

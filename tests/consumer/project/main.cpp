@@ -3,7 +3,7 @@
 
 #include <rastertrace/core.h>
 #include <rastertrace/core/draw/paint/fill.h>
-#include <rastertrace/trace/record/frame.h>
+#include <rastertrace/trace/record/replay.h>
 #include <rastertrace/trace/record/write_trace.h>
 
 #include <cstdio>

@@ -3,7 +3,7 @@
 
 #include "question.h"
 
-#include <rastertrace/trace/record/frame.h>
+#include <rastertrace/trace/record/replay.h>
 #include <rastertrace/trace/text/text.h>
 
 #include <fmt/core.h>

@@ -30,9 +30,10 @@ Result<Trace> sound(Result<Trace> trace) {
 }
 
 TestedTrace drawn(const Scene& scene, const Plan& plan, const std::string& name) {
-    Source source = written_trace(scene, plan, name);
-    std::string text = source.text;
-    return {name, std::move(text), sound(read_written_trace(std::move(source)))};
+    std::string text;
+    StringOutput output(text);
+    write_trace(scene, plan, {}, output);
+    return {name, text, sound(read_trace({name, text}))};
 }
 
 /// Asks one question. That it could not be answered is told once, where the test asked.

@@ -7,7 +7,7 @@
 //     const FaceGroups groups = face_groups(trace, visible_primitives(replay), replay.order(), 35);
 //     groups.names[groups.group_of.at(primitive)];  // "ABC"
 
-#include <rastertrace/trace/record/frame.h>
+#include <rastertrace/trace/record/replay.h>
 #include <rastertrace/trace/record/traced_steps.h>
 
 #include <cstddef>

@@ -12,7 +12,7 @@
 #include <rastertrace/figures/shown_steps.h>
 #include <rastertrace/figures/space_eye.h>
 #include <rastertrace/figures/view.h>
-#include <rastertrace/trace/record/frame.h>
+#include <rastertrace/trace/record/replay.h>
 #include <rastertrace/trace/record/trace_options.h>
 
 #include <bitset>

@@ -12,7 +12,7 @@
 #include <rastertrace/figures/space_eye.h>
 #include <rastertrace/figures/theme.h>
 #include <rastertrace/figures/view.h>
-#include <rastertrace/trace/record/frame.h>
+#include <rastertrace/trace/record/replay.h>
 #include <rastertrace/trace/record/trace.h>
 #include <rastertrace/trace/text/problem.h>
 

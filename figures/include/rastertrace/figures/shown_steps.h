@@ -5,7 +5,7 @@
 //
 //     const ShownSteps row{n, end_of(trace, n)};  // a scanline with its pixels
 
-#include <rastertrace/trace/record/frame.h>
+#include <rastertrace/trace/record/replay.h>
 #include <rastertrace/trace/record/trace.h>
 #include <rastertrace/trace/record/trace_options.h>
 #include <rastertrace/trace/record/traced_steps.h>

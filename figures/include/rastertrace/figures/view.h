@@ -15,7 +15,7 @@
 
 #include <rastertrace/core/raster/image.h>
 #include <rastertrace/figures/face_groups.h>
-#include <rastertrace/trace/record/frame.h>
+#include <rastertrace/trace/record/replay.h>
 
 #include <cstddef>
 #include <cstdint>

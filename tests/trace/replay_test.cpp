@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-// A replay that goes by kept pictures is the one that plays every step.
+// A replay that goes back by its keyframes is the one that plays every step.
 
 #include "random_choice.h"
 #include "random_scene.h"
 #include "same_replay.h"
 #include "traces.h"
 
-#include <rastertrace/trace/record/snapshots.h>
+#include <rastertrace/trace/record/replay.h>
 #include <rastertrace/trace/tell/describe.h>
 
 #include <gtest/gtest.h>
@@ -43,50 +43,56 @@ std::string many_triangles(int count) {
     return text + "},\"triangles\":[" + triangles + "]}";
 }
 
-/// Random moves by kept pictures in so many bytes, each against a replay that plays every step.
+/// Random moves of two that share keyframes of so many bytes, each against a replay that plays every step.
 void expect_any_step(const Trace& trace, std::size_t bytes, int moves) {
-    Snapshots snapshots(trace, all_parts, bytes);
-    while (snapshots.read_on(9'999)) {
-    }
-    ASSERT_EQ(snapshots.reach(), trace.size());
-    Replay replay(trace, all_parts);
+    Replay one(trace, all_parts, bytes);
+    Replay other(one);
     Random random(trace.size());
     for (int i = 0; i < moves; ++i) {
         const auto n = static_cast<std::size_t>(random.whole(0, static_cast<int>(trace.size())));
-        snapshots.go_to(replay, n);
+        Replay& replay = random.whole(0, 1) == 0 ? one : other;
+        replay.go_to(n);
         Replay played(trace, all_parts);
         played.go_to(n);
         expect_same_told(replay, played);
     }
 }
 
-TEST(Snapshots, LeadToTheSamePictureAsEveryStep) {
+TEST(Replay, GoesBackToTheSamePictureAsEveryStep) {
     const Trace trace = trace_of(scene_in(many_triangles(120)));
     ASSERT_GT(trace.size(), 100'000U); // several pictures
-    expect_any_step(trace, Snapshots::usual_bytes, 40);
+    expect_any_step(trace, Replay::usual_bytes, 40);
 }
 
-TEST(Snapshots, LeadThereInHardlyAnyMemory) {
+TEST(Replay, GoesBackInHardlyAnyMemory) {
     const Trace trace = trace_of(scene_in(many_triangles(120)));
     for (const std::size_t bytes : {1UL, 300'000UL, 1'000'000UL})
         expect_any_step(trace, bytes, 12);
 }
 
-TEST(Snapshots, KeepToTheirMemory) {
+TEST(Replay, KeepsPicturesFromWhenItFirstGoesBackAndToItsMemory) {
     const Trace trace = trace_of(scene_in(many_triangles(120)));
-    Snapshots many(trace, all_parts);
-    Snapshots few(trace, all_parts, 500'000);
-    while (many.read_on(50'000) && few.read_on(50'000)) {
-        EXPECT_LE(many.bytes(), Snapshots::usual_bytes);
-        EXPECT_LE(few.bytes(), 500'000U);
+    Replay many(trace, all_parts);
+    Replay few(trace, all_parts, 500'000);
+    many.go_to(trace.size());
+    EXPECT_EQ(many.bytes(), 0U);
+    for (Replay* const replay : {&many, &few}) {
+        replay->go_to(1);
+        replay->go_to(0);
+        for (std::size_t n = 0; n <= trace.size(); n += 10'000) {
+            replay->go_to(n);
+            EXPECT_LE(few.bytes(), 500'000U);
+        }
     }
+    EXPECT_GT(many.bytes(), 500'000U);
+    EXPECT_LE(many.bytes(), Replay::usual_bytes);
     EXPECT_GT(few.interval(), many.interval());
 }
 
-TEST(Snapshots, OfRandomScenesLeadToTheSamePicture) {
+TEST(Replay, OfRandomScenesGoesBackToTheSamePicture) {
     for (std::uint64_t seed = 0; seed < 50; ++seed)
         if (const auto scene = read_scene({"scene.json", RandomScene(seed).text()}))
-            expect_any_step(trace_of(scene.value().scene), Snapshots::usual_bytes, 5);
+            expect_any_step(trace_of(scene.value().scene), Replay::usual_bytes, 5);
 }
 
 } // namespace

@@ -7,15 +7,19 @@
 //     replay.go_to(31);
 //     replay.frame().image.at({-1, 2});
 //
-// Going back starts over; snapshots.h goes back as fast as forward.
+// A replay that has gone back keeps pictures from then on, keyframes, so that it goes back as fast as forward. What has
+// not changed from one to the next is kept once. When they take too much memory every second one is dropped, and from
+// then on they are twice as far apart.
 
 #include "trace.h"
 #include "traced_steps.h"
 
 #include <rastertrace/core/raster/image.h>
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
+#include <map>
 #include <memory>
 #include <optional>
 #include <span>
@@ -32,41 +36,33 @@ struct FrameParts {
     bool depths = false;
 };
 
-/// A picture, and which step drew each of its pixels.
+/// A picture, and which step drew each of its pixels. Steps have 32 bits: a trace of more has some 300 GB.
 struct Frame {
     explicit Frame(const Canvas& canvas, FrameParts parts = {})
         : image(canvas), drawn_by(image.colors().size()),
           writes(parts.writes ? drawn_by.size() : 0),
           stored_by(parts.depths ? drawn_by.size() : 0) {}
 
-    /// The memory that it takes.
-    std::size_t bytes() const {
-        return image.colors().size() * sizeof(Color) + drawn_by.size() * sizeof(std::size_t) +
-               writes.size() * sizeof(std::uint32_t) + stored_by.size() * sizeof(std::size_t);
-    }
-
     Image image;
-    BlankVector<std::size_t> drawn_by; ///< the last step that plotted the pixel; 0 for none
-    BlankVector<std::uint32_t> writes; ///< how often the pixel was plotted
-    BlankVector<std::size_t>
+    BlankVector<std::uint32_t> drawn_by; ///< the last step that plotted the pixel; 0 for none
+    BlankVector<std::uint32_t> writes;   ///< how often the pixel was plotted
+    BlankVector<std::uint32_t>
         stored_by; ///< the depth test that the buffer has its depth from; 0 for none
 };
 
-/// The picture after some steps, and what the last of them refers to.
-class ReplayState {
+/// Plays a trace step by step, and remembers what the current step belongs to. Copies share the pictures that they keep.
+class Replay {
 public:
-    explicit ReplayState(const Canvas& canvas, FrameParts parts = {})
-        : parts_(parts), frame_(canvas, parts),
-          has_changed_(frame_.drawn_by.size() / tile_size + 1) {}
+    static constexpr std::size_t usual_bytes = 64'000'000;
 
-    /// Takes the next step.
-    void take(const StepView& step);
+    /// Keyframes take at most so many bytes: one at least is kept, whatever it takes.
+    explicit Replay(const Trace& trace, FrameParts parts = {},
+                    std::size_t most_bytes = usual_bytes);
 
-    /// The same for a step that has been decoded; of other kinds, the kind is enough.
-    void take(const PrimitiveStep& step);
-    void take(const PixelStep& step);
-    void take(const DepthStep& step);
-    void take(StepKind kind);
+    const Trace& trace() const { return trace_; }
+
+    /// Goes to step n, 0 to trace().size().
+    void go_to(std::size_t n);
 
     /// The picture after the current step.
     const Frame& frame() const& { return frame_; }
@@ -81,12 +77,11 @@ public:
     std::size_t scanline() const { return place_.scanline; }
     std::size_t scanline_before() const { return place_.scanline_before; }
 
-    /// All primitives so far, by number of their step.
-    std::span<const std::size_t> primitives() const {
-        return std::span(primitives_).first(place_.primitives);
-    }
+    /// The primitives and the `matrix` steps so far, by number.
+    std::span<const std::size_t> primitives() const { return so_far(StepKind::primitive); }
+    std::span<const std::size_t> matrices() const { return so_far(StepKind::matrix); }
 
-    /// The primitive that a step so far belongs to; 0 if there is none.
+    /// The primitive that any step of the trace belongs to; 0 if there is none.
     std::size_t primitive_of(std::size_t step) const;
 
     /// The color of the current primitive.
@@ -94,11 +89,6 @@ public:
 
     /// The last place of a vertex before the current step.
     std::size_t vertex_before() const { return place_.vertex_before; }
-
-    /// The `matrix` steps so far, by number.
-    std::span<const std::size_t> matrices() const {
-        return std::span(matrices_).first(place_.matrices);
-    }
 
     /// The step that told how the painter sorts the triangles; 0 if there was none.
     std::size_t order() const { return place_.order; }
@@ -116,9 +106,14 @@ public:
     /// If the current step plotted a pixel that had been drawn already: the step that had.
     std::size_t drew_over() const { return place_.drew_over; }
 
-protected:
-    friend class Snapshots;
+    /// All steps of the trace that tell where a vertex is on its way to the screen, by number.
+    const std::vector<std::size_t>& places_of(const std::string& vertex) const;
 
+    /// What the keyframes take, and how many steps there are from one to the next.
+    std::size_t bytes() const { return shared_->bytes; }
+    std::size_t interval() const { return shared_->interval; }
+
+private:
     /// The current step and what it refers to: all but the frame.
     struct Place {
         std::size_t step = 0;
@@ -131,65 +126,55 @@ protected:
         std::size_t ray = 0;
         std::size_t vertex = 0;
         std::size_t vertex_before = 0;
-        std::size_t primitives = 0; ///< how many there are so far
-        std::size_t matrices = 0;
         Color color = {}; ///< of the current primitive
         std::vector<std::size_t> edges = {};
     };
 
-    /// Starts over from the first step.
-    void start_over();
+    /// So many pixels in a row of the whole canvas, and the step that changed them last. Of one trace, tiles that were
+    /// changed by the same step are the same.
+    static constexpr std::size_t tile_size = 1024;
+    struct Tile {
+        std::size_t changed_by;
+        std::vector<Color> colors;
+        std::array<std::vector<std::uint32_t>, 3> numbers;
+    };
 
-    /// Goes to where another one of the same trace and parts is.
-    void go_to_place_of(const ReplayState& other);
+    struct Keyframe {
+        Place place;
+        std::vector<std::shared_ptr<const Tile>> tiles;
 
-    /// Takes over where another one of the same trace is, which remembers all parts.
-    void take_over(ReplayState&& other);
+        /// What it takes beside the one before.
+        std::size_t bytes_beside(const Keyframe& before) const;
+    };
 
-    FrameParts parts_;
+    /// What replays of a trace need once.
+    struct Shared {
+        std::size_t most_bytes = 0;
+        std::size_t interval = 4096;
+        std::size_t bytes = 0;
+        std::vector<Keyframe>
+            keyframes; ///< none until a replay goes back; then one every `interval` steps, from 0 on
+        std::map<StepKind, std::vector<std::size_t>>
+            steps_of; ///< all of a kind, once someone has asked
+        std::optional<std::unordered_map<std::string, std::vector<std::size_t>>>
+            places_of; ///< of vertices
+    };
+
+    void take_next();
+    void take(const PixelStep& step);
+    void take(const DepthStep& step);
+    const std::vector<std::size_t>& all_of(StepKind kind) const;
+    std::span<const std::size_t> so_far(StepKind kind) const;
+    static std::shared_ptr<const Tile> blank_tile();
+    std::shared_ptr<const Tile> tile(std::size_t index) const;
+    void restore(const Keyframe& keyframe);
+    void keep();
+
+    const Trace& trace_;
     Frame frame_;
     Place place_;
-
-    /// Whether pixels of a tile, so many in a row of the whole canvas, are others than in a blank frame, or than
-    /// they were when somebody last asked.
-    static constexpr std::size_t tile_size = 1024;
-    std::vector<std::uint8_t> has_changed_;
-
-    /// Up to the farthest step that this replay has been at.
-    std::vector<std::size_t> primitives_;
-    std::vector<std::size_t> matrices_;
-
-private:
-    void pass();
-};
-
-/// Plays a trace forward step by step and remembers what the current step belongs to.
-class Replay : public ReplayState {
-public:
-    explicit Replay(const Trace& trace, FrameParts parts = {})
-        : ReplayState(trace.canvas, parts), trace_(trace) {}
-
-    const Trace& trace() const { return trace_; }
-
-    /// Goes to step n, 0 to trace().size(). Going back starts over.
-    void go_to(std::size_t n);
-
-    /// Goes to where another replay of the same trace and parts is.
-    void go_to_place_of(const Replay& other);
-
-    /// All steps of the trace that tell where a vertex is on its way to the screen, by number.
-    const std::vector<std::size_t>& places_of(const std::string& vertex) const;
-
-private:
-    const Trace& trace_;
-
-    /// The places of the vertices, by name, of so many steps of the trace, as far as someone has asked. Replays that
-    /// have gone to each other's place share it.
-    struct VertexPlaces {
-        std::unordered_map<std::string, std::vector<std::size_t>> by_name;
-        std::size_t steps = 0;
-    };
-    std::shared_ptr<VertexPlaces> vertex_places_ = std::make_shared<VertexPlaces>();
+    std::vector<std::size_t> changed_by_; ///< the last step that changed each tile; 0: none
+    std::shared_ptr<Shared> shared_;
 };
 
 /// A pixel that a step plots.

@@ -1,0 +1,217 @@
+// SPDX-License-Identifier: MIT
+#include "replay.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace rastertrace {
+
+Replay::Replay(const Trace& trace, FrameParts parts, std::size_t most_bytes)
+    : trace_(trace), frame_(trace.canvas, parts),
+      changed_by_(frame_.drawn_by.size() / tile_size + 1), shared_(std::make_shared<Shared>()) {
+    shared_->most_bytes = most_bytes;
+}
+
+void Replay::go_to(std::size_t n) {
+    std::vector<Keyframe>& kept = shared_->keyframes;
+    if (n < step() && kept.empty())
+        kept.emplace_back().tiles.assign(changed_by_.size(), blank_tile());
+    if (!kept.empty()) {
+        const Keyframe& nearest = *std::prev(std::upper_bound(
+            kept.begin(), kept.end(), n,
+            [](std::size_t step, const Keyframe& keyframe) { return step < keyframe.place.step; }));
+        if (n < step() || step() < nearest.place.step)
+            restore(nearest);
+    }
+    while (step() < n) {
+        take_next();
+        if (!kept.empty() && step() == kept.back().place.step + shared_->interval)
+            keep();
+    }
+}
+
+void Replay::take_next() {
+    const StepView step = trace_.step(++place_.step);
+    place_.drew_over = place_.stored_before = 0;
+    const auto kind = step.kind();
+    if (!kind)
+        return;
+    switch (*kind) {
+    case StepKind::primitive:
+        place_.primitive = place_.step;
+        place_.ray = place_.scanline = place_.scanline_before = 0;
+        place_.edges.clear();
+        place_.color = color_of_primitive(step.as<PrimitiveStep>());
+        break;
+    case StepKind::pixel:
+        take(step.as<PixelStep>());
+        break;
+    case StepKind::depth:
+        take(step.as<DepthStep>());
+        break;
+    case StepKind::order:
+        place_.order = place_.step;
+        break;
+    case StepKind::vertex:
+        place_.vertex_before = std::exchange(place_.vertex, place_.step);
+        break;
+    case StepKind::edge:
+        place_.edges.push_back(place_.step);
+        place_.ray = 0;
+        break;
+    case StepKind::ray:
+        place_.ray = place_.step;
+        break;
+    case StepKind::scanline:
+        place_.scanline_before = std::exchange(place_.scanline, place_.step);
+        break;
+    default:
+        break;
+    }
+}
+
+void Replay::take(const PixelStep& step) {
+    const auto plotted = plotted_by(step, trace_.canvas, place_.color);
+    if (!plotted)
+        return;
+    const std::size_t offset = trace_.canvas.offset_of(plotted->pixel);
+    frame_.image.at(plotted->pixel) = plotted->color;
+    place_.drew_over =
+        std::exchange(frame_.drawn_by[offset], static_cast<std::uint32_t>(place_.step));
+    if (!frame_.writes.empty())
+        ++frame_.writes[offset];
+    changed_by_[offset / tile_size] = place_.step;
+}
+
+void Replay::take(const DepthStep& step) {
+    if (frame_.stored_by.empty() || !trace_.canvas.contains(step.x, step.y))
+        return;
+    const std::size_t offset =
+        trace_.canvas.offset_of({static_cast<int>(step.x), static_cast<int>(step.y)});
+    place_.stored_before = frame_.stored_by[offset];
+    if (!stores_depth(step))
+        return;
+    frame_.stored_by[offset] = static_cast<std::uint32_t>(place_.step);
+    changed_by_[offset / tile_size] = place_.step;
+}
+
+std::shared_ptr<const Replay::Tile> Replay::blank_tile() {
+    const std::vector<std::uint32_t> none(tile_size, 0);
+    return std::make_shared<const Tile>(
+        Tile{0, std::vector(tile_size, no_color), {none, none, none}});
+}
+
+std::shared_ptr<const Replay::Tile> Replay::tile(std::size_t index) const {
+    const std::size_t begin = index * tile_size;
+    const std::size_t end = std::min(begin + tile_size, frame_.drawn_by.size());
+    const auto part_of = [begin, end]<typename Value>(const BlankVector<Value>& values) {
+        return values.empty() ? std::vector<Value>()
+                              : std::vector(values.data() + begin, values.data() + end);
+    };
+    return std::make_shared<const Tile>(
+        Tile{changed_by_[index],
+             part_of(frame_.image.colors()),
+             {part_of(frame_.drawn_by), part_of(frame_.writes), part_of(frame_.stored_by)}});
+}
+
+void Replay::restore(const Keyframe& keyframe) {
+    Color* const colors = frame_.image.row(trace_.canvas.top()).colors;
+    const std::array lists{&frame_.drawn_by, &frame_.writes, &frame_.stored_by};
+    for (std::size_t index = 0; index < changed_by_.size(); ++index) {
+        const Tile& tile = *keyframe.tiles[index];
+        if (std::exchange(changed_by_[index], tile.changed_by) == tile.changed_by)
+            continue;
+        const std::size_t begin = index * tile_size;
+        const std::size_t size = std::min(tile_size, frame_.drawn_by.size() - begin);
+        std::copy_n(tile.colors.data(), size, colors + begin);
+        for (std::size_t list = 0; list < lists.size(); ++list)
+            if (!lists[list]->empty())
+                std::copy_n(tile.numbers[list].data(), size, lists[list]->data() + begin);
+    }
+    place_ = keyframe.place;
+}
+
+std::size_t Replay::Keyframe::bytes_beside(const Keyframe& before) const {
+    std::size_t bytes = sizeof(Keyframe) + tiles.size() * sizeof(tiles[0]) +
+                        place.edges.size() * sizeof(std::size_t);
+    for (std::size_t index = 0; index < tiles.size(); ++index)
+        if (tiles[index] != before.tiles[index])
+            bytes +=
+                sizeof(Tile) + (tiles[index]->colors.size() + 3 * tiles[index]->numbers[0].size()) *
+                                   sizeof(std::uint32_t);
+    return bytes;
+}
+
+void Replay::keep() {
+    auto& [most_bytes, interval, bytes, kept, steps, places] = *shared_;
+    Keyframe next{place_, kept.back().tiles};
+    for (std::size_t index = 0; index < changed_by_.size(); ++index)
+        if (next.tiles[index]->changed_by != changed_by_[index])
+            next.tiles[index] = tile(index);
+    bytes += next.bytes_beside(kept.back());
+    kept.push_back(std::move(next));
+    while (bytes > most_bytes && kept.size() > 1) {
+        interval *= 2;
+        std::erase_if(kept, [interval = interval](const Keyframe& keyframe) {
+            return keyframe.place.step % interval != 0;
+        });
+        bytes = 0;
+        for (std::size_t i = 1; i < kept.size(); ++i)
+            bytes += kept[i].bytes_beside(kept[i - 1]);
+    }
+}
+
+const std::vector<std::size_t>& Replay::all_of(StepKind kind) const {
+    const auto [all, is_new] = shared_->steps_of.try_emplace(kind);
+    if (is_new)
+        for (const std::size_t n : trace_.steps_of({kind}))
+            all->second.push_back(n);
+    return all->second;
+}
+
+std::span<const std::size_t> Replay::so_far(StepKind kind) const {
+    const std::vector<std::size_t>& all = all_of(kind);
+    return {all.begin(), std::upper_bound(all.begin(), all.end(), step())};
+}
+
+std::size_t Replay::primitive_of(std::size_t step) const {
+    const std::vector<std::size_t>& all = all_of(StepKind::primitive);
+    const auto next = std::upper_bound(all.begin(), all.end(), step);
+    return next == all.begin() ? 0 : *std::prev(next);
+}
+
+const std::vector<std::size_t>& Replay::places_of(const std::string& vertex) const {
+    auto& places = shared_->places_of;
+    if (!places) {
+        places.emplace();
+        for (const std::size_t n : all_of(StepKind::vertex))
+            (*places)[trace_.step(n).as<VertexStep>().name.text()].push_back(n);
+    }
+    static const std::vector<std::size_t> none;
+    const auto found = places->find(vertex);
+    return found == places->end() ? none : found->second;
+}
+
+std::optional<PlottedPixel> plotted_by(const PixelStep& pixel, const Canvas& canvas,
+                                       Color of_primitive) {
+    if (!canvas.contains(pixel.x, pixel.y))
+        return std::nullopt;
+    return PlottedPixel{{static_cast<int>(pixel.x), static_cast<int>(pixel.y)},
+                        pixel.color ? pixel.color.color().value_or(of_primitive) : of_primitive};
+}
+
+bool stores_depth(const DepthStep& test) {
+    return test.pass.is_true() && !test.side_of && !test.beside;
+}
+
+Color color_of_primitive(const PrimitiveStep& step) {
+    return step.color.color().value_or(Color{});
+}
+
+Frame frame_after(const Trace& trace, std::size_t n) {
+    Replay replay(trace);
+    replay.go_to(n);
+    return std::move(replay).frame();
+}
+
+} // namespace rastertrace
