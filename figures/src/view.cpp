@@ -2,11 +2,11 @@
 #include <rastertrace/figures/view.h>
 
 #include <rastertrace/figures/corners.h>
-#include <rastertrace/trace/tell/told_samples.h>
 #include <rastertrace/trace/record/traced_steps.h>
 #include <rastertrace/trace/tell/describe.h>
 #include <rastertrace/trace/tell/formula.h>
 #include <rastertrace/trace/tell/step_text.h>
+#include <rastertrace/trace/tell/told_samples.h>
 #include <rastertrace/trace/text/color_text.h>
 #include <rastertrace/trace/text/named_value.h>
 #include <rastertrace/trace/text/text.h>
@@ -86,7 +86,7 @@ std::optional<View> view_named(std::string_view name) {
 std::string short_number(const std::string& text) {
     constexpr std::size_t longest = 6;
     constexpr double most_whole_digits = 1e6;
-    const auto number = nearest_double_in(text);
+    const auto number = TracedNumber(text).nearest_double();
     if (text.size() <= longest || !number)
         return text;
     const bool is_large = 1000 <= std::abs(*number) && std::abs(*number) < most_whole_digits;

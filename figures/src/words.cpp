@@ -206,7 +206,7 @@ std::string with_six_digits(std::string_view sentence) {
         const std::string number(sentence.substr(0, length));
         const auto digits = std::count_if(number.begin(), number.end(),
                                           [](char c) { return '0' <= c && c <= '9'; });
-        const auto value = nearest_double_in(number);
+        const auto value = TracedNumber(number).nearest_double();
         const bool is_long = digits > 6 && number.find('.') != std::string::npos && value;
         text += is_long ? fmt::format("{:.6g}", *value) : number;
         sentence.remove_prefix(length);

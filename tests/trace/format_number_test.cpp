@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <rastertrace/core/numbers/number.h>
-#include <rastertrace/trace/record/double_texts.h>
 #include <rastertrace/trace/record/traced_steps.h>
+#include <rastertrace/trace/text/double_texts.h>
 #include <rastertrace/trace/text/format_number.h>
 
 #include <gtest/gtest.h>

@@ -6,6 +6,7 @@
 #include "claim_fields.h"
 #include "claims.h"
 #include "claims_keys.h"
+#include "schema_trace.h"
 
 #include <rastertrace/core/numbers/number.h>
 #include <rastertrace/trace/text/schema_parts.h>

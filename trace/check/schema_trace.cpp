@@ -184,6 +184,13 @@ Json by_key(std::string_view key, Json then, Json otherwise) {
 
 } // namespace
 
+std::vector<JsonWord> step_kind_words(std::span<const std::string_view> names) {
+    std::vector<JsonWord> words;
+    for (const std::string_view name : names)
+        words.push_back({name, row_of(*step_kind_named(name)).fires});
+    return words;
+}
+
 std::string trace_schema() {
     Json schema = schema_titled(
         "A trace of rastertrace",

@@ -5,6 +5,7 @@
 
 #include <rastertrace/trace/record/field_type.h>
 #include <rastertrace/trace/record/traced_steps.h>
+#include <rastertrace/trace/record/visit_step.h>
 
 #include <fmt/core.h>
 
@@ -52,7 +53,7 @@ std::vector<FieldDifference> FieldComparison::differing(const KeyedStep& a,
     std::vector<FieldDifference> differences;
     const StepView step_a = a.view();
     const StepView step_b = b.view();
-    if (step_a.json() == step_b.json())
+    if (are_same(step_a, step_b))
         return differences;
     const Fields of_a = step_a.fields();
     const Fields of_b = step_b.fields();

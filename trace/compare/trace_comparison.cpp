@@ -2,6 +2,7 @@
 #include "trace_comparison.h"
 
 #include <rastertrace/trace/record/traced_steps.h>
+#include <rastertrace/trace/record/visit_step.h>
 #include <rastertrace/trace/tell/step_text.h>
 
 #include <algorithm>
@@ -48,12 +49,6 @@ void find_wholes(DiffSide& side, const std::set<std::string>& cut, const DiffSid
         else
             side.whole_in_other.insert(name);
     }
-}
-
-/// True if two traces tell the same at two steps.
-bool are_same(const DiffSide& a, std::size_t in_a, const DiffSide& b, std::size_t in_b) {
-    return a.trace.kind_of(in_a) == b.trace.kind_of(in_b) &&
-           a.trace.step(in_a).json() == b.trace.step(in_b).json();
 }
 
 } // namespace
@@ -304,7 +299,7 @@ bool TraceComparison::pass_gap(DiffSide& side, DiffSide& other) {
         return false;
     const auto goes_on_at = [&](std::size_t n) {
         for (std::size_t i = 0; i < steps_alike; ++i)
-            if (!are_same(side, n + i, other, other.steps.next() + i))
+            if (!are_same(side.trace.step(n + i), other.trace.step(other.steps.next() + i)))
                 return false;
         return true;
     };
@@ -364,7 +359,7 @@ void TraceComparison::pass_equal_steps(DiffSide& a, DiffSide& b) {
     const bool waits = !waiting_a_.is_empty() || !waiting_b_.is_empty();
     bool has_passed = false;
     while (!a.steps.is_behind() && !b.steps.is_behind() &&
-           are_same(a, a.steps.next(), b, b.steps.next())) {
+           are_same(a.trace.step(a.steps.next()), b.trace.step(b.steps.next()))) {
         const bool is_primitive =
             has_primitives_ && a.trace.kind_of(a.steps.next()) == StepKind::primitive;
         if (is_primitive && waits)

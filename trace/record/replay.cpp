@@ -164,8 +164,7 @@ void Replay::keep() {
 const std::vector<std::size_t>& Replay::all_of(StepKind kind) const {
     const auto [all, is_new] = shared_->steps_of.try_emplace(kind);
     if (is_new)
-        for (const std::size_t n : trace_.steps_of({kind}))
-            all->second.push_back(n);
+        all->second = trace_.steps_of({kind});
     return all->second;
 }
 

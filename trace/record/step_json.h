@@ -6,10 +6,10 @@
 //
 //     step_json(ScanlineStep{.y = 2, ...});  // {"step":"scanline","y":2,...}
 
-#include "double_texts.h"
 #include "traced_steps.h"
 
 #include <rastertrace/trace/text/color_text.h>
+#include <rastertrace/trace/text/double_texts.h>
 #include <rastertrace/trace/text/format_number.h>
 
 #include <fmt/core.h>

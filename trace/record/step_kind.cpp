@@ -117,11 +117,4 @@ std::vector<std::string_view> step_kind_names() {
     return {step_names.begin(), step_names.end()};
 }
 
-std::vector<JsonWord> step_kind_words(std::span<const std::string_view> names) {
-    std::vector<JsonWord> words;
-    for (const std::string_view name : names)
-        words.push_back({name, row_of(*step_kind_named(name)).fires});
-    return words;
-}
-
 } // namespace rastertrace

@@ -43,7 +43,6 @@ public:
 
     constexpr void add(StepKind kind) { bits_ |= bit(kind); }
     constexpr bool has(StepKind kind) const { return (bits_ & bit(kind)) != 0; }
-    constexpr bool has_any_of(StepKindSet other) const { return (bits_ & other.bits_) != 0; }
 
 private:
     static constexpr std::uint32_t bit(StepKind kind) {
@@ -98,8 +97,5 @@ std::optional<StepKind> step_kind_named(std::string_view name);
 
 /// All names.
 std::vector<std::string_view> step_kind_names();
-
-/// Some of them, and when their steps fire.
-std::vector<JsonWord> step_kind_words(std::span<const std::string_view> names);
 
 } // namespace rastertrace

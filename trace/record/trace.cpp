@@ -53,10 +53,6 @@ std::string StepView::kind_name() const {
     return kind_ ? std::string(name_of(*kind_)) : plain_text(field("step").value_or(""));
 }
 
-std::optional<double> nearest_double_in(const std::string& number) {
-    return TracedNumber(number).nearest_double();
-}
-
 Trace::Trace() : steps_(std::make_shared<Steps>()) {}
 
 const Source& Trace::source() const {
@@ -92,24 +88,25 @@ std::size_t Trace::next_of(StepKindSet kinds, std::size_t n, std::size_t last) c
     return last + 1;
 }
 
+std::vector<std::size_t> Trace::steps_of(StepKindSet kinds, std::size_t first,
+                                         std::size_t last) const {
+    last = std::min(last, size());
+    std::vector<std::size_t> steps;
+    while ((first = next_of(kinds, first, last)) <= last)
+        steps.push_back(first++);
+    return steps;
+}
+
 bool Trace::is_plain(std::size_t n) const {
     return steps_->text_of(number_of(n)).empty();
 }
 
 Trace Trace::without_steps() const {
-    Trace excerpt;
-    excerpt.version = version;
-    excerpt.title = title;
-    excerpt.canvas = canvas;
-    excerpt.background = background;
-    excerpt.method = method;
-    excerpt.stages = stages;
-    excerpt.is_partial = is_partial;
-    excerpt.left_out = left_out;
-    excerpt.end = end;
-    excerpt.header_json = header_json;
-    excerpt.numbers_give = numbers_give;
-    excerpt.steps_ = steps_;
+    Trace excerpt = *this;
+    excerpt.cut_short.reset();
+    excerpt.damage.clear();
+    excerpt.not_finite = {};
+    excerpt.passed_over.clear();
     excerpt.is_excerpt_ = true;
     return excerpt;
 }

@@ -33,7 +33,6 @@
 
 namespace rastertrace {
 
-class StepNumbers;
 class Steps;
 struct Plan;
 struct Scene;
@@ -85,9 +84,6 @@ private:
     Pixel pixel_{};
 };
 
-/// The nearest double of a number as a trace writes it, 0.25 or 25/8; nothing for what is no number, like null.
-std::optional<double> nearest_double_in(const std::string& number);
-
 /// What the end record says; whatever it leaves out is not there.
 struct EndRecord {
     std::optional<std::uint64_t> steps;
@@ -117,8 +113,6 @@ struct NotFiniteSteps {
 class Trace {
 public:
     Trace();
-    Trace(Trace&&) noexcept = default;
-    Trace& operator=(Trace&&) noexcept = default;
 
     Index version = 0; ///< of the format
     std::string title;
@@ -174,11 +168,11 @@ public:
     /// The first step from n to `last` that is of one of these kinds; last + 1, if there is none.
     std::size_t next_of(StepKindSet kinds, std::size_t n, std::size_t last) const;
 
-    /// The numbers of the steps of these kinds, from `first` to `last`, or to the last step that there is now.
+    /// The numbers of the steps of these kinds, from `first` to `last`.
     ///
     ///     for (const std::size_t n : trace.steps_of({StepKind::primitive}))
-    StepNumbers steps_of(StepKindSet kinds, std::size_t first = 1,
-                         std::size_t last = any_number) const;
+    std::vector<std::size_t> steps_of(StepKindSet kinds, std::size_t first = 1,
+                                      std::size_t last = any_number) const;
 
     /// True if step n is a line as this program writes it: then nothing is wrong with it.
     bool is_plain(std::size_t n) const;
@@ -209,46 +203,6 @@ private:
     bool is_excerpt_ = false;
     std::vector<std::size_t> numbers_; ///< of an excerpt: those of its steps in the whole trace
 };
-
-/// What Trace::steps_of returns, a view of that trace: it searches for the next step each time that it is advanced.
-class StepNumbers {
-public:
-    class Iterator {
-    public:
-        std::size_t operator*() const { return n_; }
-        Iterator& operator++() {
-            n_ = steps_->next(n_ + 1);
-            return *this;
-        }
-        bool operator==(const Iterator& other) const { return n_ == other.n_; }
-
-    private:
-        friend class StepNumbers;
-        Iterator(const StepNumbers* steps, std::size_t n) : steps_(steps), n_(n) {}
-
-        const StepNumbers* steps_;
-        std::size_t n_;
-    };
-
-    Iterator begin() const { return {this, next(first_)}; }
-    Iterator end() const { return {this, last_ + 1}; }
-
-private:
-    friend class Trace;
-    StepNumbers(const Trace& trace, StepKindSet kinds, std::size_t first, std::size_t last)
-        : trace_(trace), kinds_(kinds), first_(first), last_(std::min(last, trace.size())) {}
-
-    std::size_t next(std::size_t n) const { return trace_.next_of(kinds_, n, last_); }
-
-    const Trace& trace_;
-    StepKindSet kinds_;
-    std::size_t first_;
-    std::size_t last_;
-};
-
-inline StepNumbers Trace::steps_of(StepKindSet kinds, std::size_t first, std::size_t last) const {
-    return {*this, kinds, first, last};
-}
 
 /// Reads a trace in either layout, found by its content. A problem comes back only if nothing can
 /// be shown: no header, a newer version, a line that is no step, or more steps than are wanted.

@@ -84,6 +84,8 @@ public:
     }
     std::string text() const { return std::string(json()); }
 
+    friend bool operator==(const TracedFlag&, const TracedFlag&) = default;
+
 private:
     enum class Held : std::uint8_t { absent, no, yes, other };
     Held held_ = Held::absent;
@@ -154,9 +156,12 @@ public:
 
     /// True if a trace writes both alike.
     friend bool operator==(const TracedNumber& a, const TracedNumber& b) {
-        if (a.form_ != Form::text || b.form_ != Form::text)
+        if (a.form_ != b.form_)
             return a.json() == b.json();
-        return a.as_text() == b.as_text();
+        return a.form_ == Form::text ? a.as_text() == b.as_text()
+               : a.form_ == Form::real || a.form_ == Form::single
+                   ? a.real_ == b.real_
+                   : a.whole_ == b.whole_ && a.more_ == b.more_;
     }
 
     /// Calls `use` with what it holds: a text, a double, a float, an Index, a Fraction64, or std::monostate.
@@ -210,6 +215,10 @@ public:
     std::string json() const; ///< as it stands in the trace; "" of one that is not there
     std::string text() const; ///< without quotes
     std::optional<Color> color() const;
+
+    friend bool operator==(const TracedColor& a, const TracedColor& b) {
+        return a.json() == b.json();
+    }
 
     /// Calls `use` with what it holds: a text, a Color, or std::monostate.
     template <typename Use> decltype(auto) visit(Use&& use) const {

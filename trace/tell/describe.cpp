@@ -199,7 +199,7 @@ std::string against(const Context& context) {
 
 /// 1 over a number, as the trace would write it: 5 of 1/5, 3/2 of 2/3.
 std::string inverse_of(const std::string& number) {
-    const auto value = nearest_double_in(number);
+    const auto value = TracedNumber(number).nearest_double();
     if (!value || *value == 0)
         return "?";
     const std::size_t bar = number.find('/');

@@ -47,8 +47,9 @@ TextLines aligned(const std::vector<Cells>& rows) {
 /// A fraction as a formula has it, a decimal to six places.
 std::string brief(const std::string& number) {
     constexpr double least = 1e-6, most = 1e9; // others are written with an exponent
-    const auto value =
-        number.find('.') == std::string::npos ? std::nullopt : nearest_double_in(number);
+    const auto value = number.find('.') == std::string::npos
+                           ? std::nullopt
+                           : TracedNumber(number).nearest_double();
     const bool has_places = value && least <= std::abs(*value) && std::abs(*value) < most;
     return has_places ? six_places(*value) : in_formula(number);
 }

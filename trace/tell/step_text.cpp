@@ -33,7 +33,7 @@ std::string in_sentence(const std::string& number) {
     const auto first_digits = [](std::string part) {
         return part.size() <= digits + 3 ? part : part.substr(0, digits) + "...";
     };
-    const auto value = nearest_double_in(number);
+    const auto value = TracedNumber(number).nearest_double();
     if (!value)
         return number; // a name with a slash
     const std::string digits_of_value = fmt::format("{:.7g}", *value);
@@ -52,7 +52,8 @@ std::string in_sentence(const std::string& number) {
 }
 
 std::string in_formula(const std::string& number) {
-    const auto value = in_sentence(number) == number ? std::nullopt : nearest_double_in(number);
+    const auto value =
+        in_sentence(number) == number ? std::nullopt : TracedNumber(number).nearest_double();
     return value ? fmt::format("{:.7g}", *value) : number;
 }
 

@@ -7,6 +7,7 @@
 #include "shared_options.h"
 
 #include <rastertrace/figures/figure.h>
+#include <rastertrace/trace/record/traced_values.h>
 #include <rastertrace/trace/text/text.h>
 
 #include <fmt/core.h>
@@ -194,7 +195,7 @@ private:
                                          double most) {
         if (text.empty())
             return std::nullopt;
-        const auto value = nearest_double_in(text);
+        const auto value = TracedNumber(text).nearest_double();
         if (!value || !(*value > 0) || *value > most)
             refuse_value(option, fmt::format("a number above 0, at most {:g}", most), text);
         return value;
@@ -224,7 +225,8 @@ private:
         constexpr double most = 1e6;
         std::vector<double> numbers;
         for (const std::string& text : split_at(list, ','))
-            if (const auto number = nearest_double_in(text); number && std::abs(*number) <= most)
+            if (const auto number = TracedNumber(text).nearest_double();
+                number && std::abs(*number) <= most)
                 numbers.push_back(*number);
             else
                 return {};
