@@ -107,6 +107,7 @@ Trace Trace::without_steps() const {
     excerpt.damage.clear();
     excerpt.not_finite = {};
     excerpt.passed_over.clear();
+    excerpt.numbers_.clear();
     excerpt.is_excerpt_ = true;
     return excerpt;
 }
