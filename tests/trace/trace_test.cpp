@@ -367,6 +367,18 @@ TEST(Trace, SurvivesAnyDamage) {
 }
 
 // What was written a moment ago is read without being checked: to the same steps.
+TEST(Trace, AnExcerptOfAnExcerptHasItsOwnSteps) {
+    const Trace whole = trace_of(first_triangle());
+    Trace excerpt = whole.without_steps();
+    for (const std::size_t n : whole.steps_of({StepKind::scanline}))
+        excerpt.add_to_excerpt(n);
+    Trace last = excerpt.without_steps();
+    EXPECT_EQ(last.size(), 0U);
+    last.add_to_excerpt(excerpt.number_of(excerpt.size()));
+    ASSERT_EQ(last.size(), 1U);
+    EXPECT_EQ(last.step(1).json(), excerpt.step(excerpt.size()).json());
+}
+
 TEST(Trace, WhatIsDrawnIsWhatIsReadOfItsText) {
     std::size_t compared = 0;
     for (std::uint64_t seed = 0; seed < random_cases(100u); ++seed) {
