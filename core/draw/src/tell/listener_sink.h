@@ -11,10 +11,10 @@
 #include <concepts>
 #include <cstddef>
 #include <memory>
-#include <memory_resource>
 #include <optional>
 #include <span>
 #include <type_traits>
+#include <vector>
 
 namespace rastertrace {
 
@@ -66,10 +66,11 @@ private:
     template <typename Value, typename Field>
     std::span<const Value> make(std::type_identity<std::span<const Value>> /*told*/,
                                 std::span<const Field> values) {
-        Value* const room = allocator_.allocate_object<Value>(values.size());
-        for (std::size_t i = 0; i < values.size(); ++i)
-            std::construct_at(room + i, as<Value>(values[i]));
-        return {room, values.size()};
+        const std::shared_ptr<Value> room(new Value[values.size()], std::default_delete<Value[]>());
+        std::transform(values.begin(), values.end(), room.get(),
+                       [this](const Field& value) { return as<Value>(value); });
+        lists_.push_back(room);
+        return {room.get(), values.size()};
     }
     template <typename Value, typename Field>
     std::optional<Value> make(std::type_identity<std::optional<Value>> /*told*/,
@@ -81,9 +82,7 @@ private:
         return field ? OrNull<Value>(as<Value>(*field)) : OrNull<Value>();
     }
 
-    alignas(std::max_align_t) std::array<std::byte, 1024> first_bytes_;
-    std::pmr::monotonic_buffer_resource memory_{first_bytes_.data(), first_bytes_.size()};
-    std::pmr::polymorphic_allocator<> allocator_{&memory_};
+    std::vector<std::shared_ptr<const void>> lists_;
 };
 
 /// A sink for every step, of every Scalar.
