@@ -170,7 +170,8 @@ const std::vector<std::size_t>& Replay::all_of(StepKind kind) const {
 
 std::span<const std::size_t> Replay::so_far(StepKind kind) const {
     const std::vector<std::size_t>& all = all_of(kind);
-    return {all.begin(), std::upper_bound(all.begin(), all.end(), step())};
+    const auto behind = std::upper_bound(all.begin(), all.end(), step());
+    return std::span(all).first(static_cast<std::size_t>(behind - all.begin()));
 }
 
 std::size_t Replay::primitive_of(std::size_t step) const {

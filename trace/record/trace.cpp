@@ -72,7 +72,8 @@ std::size_t Trace::line_of(std::size_t n) const {
     if (!has_lines_ || !source().is_read)
         return 0;
     const std::string_view text = source().view();
-    const std::string_view before(text.data(), text_of(n).data());
+    const std::string_view before =
+        text.substr(0, static_cast<std::size_t>(text_of(n).data() - text.data()));
     return static_cast<std::size_t>(std::count(before.begin(), before.end(), '\n')) + 1;
 }
 
