@@ -449,8 +449,8 @@ std::string value_in_force(const MethodKey& key, const Scene& scene) {
 }
 
 std::string ToldMethod::word_of(std::string_view key) const {
-    const auto found =
-        std::find(words.begin(), words.end(), key, &MethodOverrides::value_type::first);
+    const auto found = std::find_if(words.begin(), words.end(),
+                                    [key](const auto& word) { return word.first == key; });
     return found == words.end() ? std::string() : found->second;
 }
 
