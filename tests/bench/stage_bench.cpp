@@ -24,8 +24,8 @@
 
 namespace {
 
-std::size_t held = 0;
-std::size_t peak_held = 0;
+std::size_t held_bytes = 0;
+std::size_t peak_bytes = 0;
 
 } // namespace
 
@@ -37,12 +37,12 @@ void __real_free(void* place);                            // NOLINT
 
 [[gnu::noinline]] void* __wrap_calloc(std::size_t count, std::size_t size) { // NOLINT
     void* const place = __real_calloc(count, size);
-    held += malloc_usable_size(place);
-    peak_held = std::max(peak_held, held);
+    held_bytes += malloc_usable_size(place);
+    peak_bytes = std::max(peak_bytes, held_bytes);
     return place;
 }
 [[gnu::noinline]] void __wrap_free(void* place) { // NOLINT
-    held -= malloc_usable_size(place);
+    held_bytes -= malloc_usable_size(place);
     __real_free(place);
 }
 }
@@ -50,8 +50,8 @@ void __real_free(void* place);                            // NOLINT
     void* const place = std::malloc(size);
     if (place == nullptr)
         throw std::bad_alloc();
-    held += malloc_usable_size(place);
-    peak_held = std::max(peak_held, held);
+    held_bytes += malloc_usable_size(place);
+    peak_bytes = std::max(peak_bytes, held_bytes);
     return place;
 }
 [[gnu::noinline]] void operator delete(void* place) noexcept {
@@ -158,10 +158,10 @@ public:
 };
 
 void stages(benchmark::State& state, const Scene& scene) {
-    held = 0;
-    peak_held = 0;
+    held_bytes = 0;
+    peak_bytes = 0;
     benchmark::DoNotOptimize(draw_planned(scene));
-    state.counters["memory"] = static_cast<double>(peak_held);
+    state.counters["memory"] = static_cast<double>(peak_bytes);
     CountedOutput output;
     write_trace(scene, {}, output);
     state.counters["trace"] = static_cast<double>(output.count);
