@@ -2,8 +2,8 @@
 #include "schema.h"
 
 #include "schema_claims.h"
-
 #include "schema_trace.h"
+
 #include <rastertrace/trace/scene/schema_scene.h>
 
 namespace rastertrace {

@@ -3,13 +3,12 @@
 
 #include "schema_trace.h"
 
+#include <rastertrace/core/raster/canvas.h>
 #include <rastertrace/trace/record/field_type.h>
 #include <rastertrace/trace/record/step_kind.h>
 #include <rastertrace/trace/record/trace_keys.h>
 #include <rastertrace/trace/record/traced_steps.h>
 #include <rastertrace/trace/record/write_trace.h>
-
-#include <rastertrace/core/raster/canvas.h>
 #include <rastertrace/trace/text/method_names.h>
 #include <rastertrace/trace/text/schema_parts.h>
 #include <rastertrace/trace/text/text.h>

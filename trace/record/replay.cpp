@@ -135,10 +135,11 @@ std::size_t Replay::Keyframe::bytes_beside(const Keyframe& before) const {
     std::size_t bytes = sizeof(Keyframe) + tiles.size() * sizeof(tiles[0]) +
                         place.edges.size() * sizeof(std::size_t);
     for (std::size_t index = 0; index < tiles.size(); ++index)
-        if (tiles[index] != before.tiles[index])
-            bytes +=
-                sizeof(Tile) + (tiles[index]->colors.size() + 3 * tiles[index]->numbers[0].size()) *
-                                   sizeof(std::uint32_t);
+        if (tiles[index] != before.tiles[index]) {
+            bytes += sizeof(Tile) + tiles[index]->colors.size() * sizeof(Color);
+            for (const auto& list : tiles[index]->numbers)
+                bytes += list.size() * sizeof(list[0]);
+        }
     return bytes;
 }
 

@@ -6,7 +6,8 @@
 //     StepTracer<Steps> tracer(steps, steps.arena(), true);
 //     draw(scene, plan, tracer);  // steps.take(ScanlineStep{...}), ...
 //
-// What is handed on refers to the arena: for as long as that, if the arena `keeps` everything, else until the next step.
+// The names and lists of such a step are in the arena: as long as the arena, if the tracer `keeps` them, else until the
+// next step.
 
 #include "arena.h"
 #include "trace_options.h"
@@ -36,7 +37,7 @@ public:
     /// A primitive begins: what belongs to the one before is given back, if nobody keeps it.
     void begin(std::string_view name, std::span<const std::string_view> vertices);
 
-    /// The same of what belongs to a step.
+    /// A step has been handed on: its names and lists are given back, if nobody keeps them.
     void end_step() {
         if (!keeps_)
             arena_.rewind(of_primitive_);
@@ -44,17 +45,12 @@ public:
 
     template <typename Told, typename Step> Told step(const Step& step) {
         Told told;
-        trace(typename Told::Fields(), typename Step::Fields(), told, step);
+        for_each_pair_of_fields(told, step,
+                                [this](auto& to, const auto& from) { trace(to, from); });
         return told;
     }
 
 private:
-    template <typename... ToldRows, typename... Rows, typename Told, typename Step>
-    void trace(FieldTable<ToldRows...> /*table*/, FieldTable<Rows...> /*table*/, Told& told,
-               const Step& step) {
-        (trace(ToldRows::in(told), Rows::in(step)), ...);
-    }
-
     void trace(Index& told, Index value) { told = value; }
     void trace(std::optional<Index>& told, std::optional<Index> value) { told = value; }
     void trace(TracedFlag& told, bool value) { told = TracedFlag(value); }
@@ -64,9 +60,6 @@ private:
     void trace(TracedText& told, EdgeName edge) { told = label(edge); }
     template <typename Enum> void trace(TracedWord<Enum>& told, Enum value) {
         told = TracedWord<Enum>(quoted_word_of(value));
-    }
-    void trace(TracedWord<PrimitiveKind>& told, PrimitiveKind kind) {
-        told = TracedWord<PrimitiveKind>(quoted(word_of(kind)).json());
     }
     void trace(TracedNumber& told, const Quantity& number);
     void trace(TracedNumber& told, std::same_as<Index> auto number) { told = TracedNumber(number); }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Pieces of the reader (trace_reader.cpp): what is checked of a step, and what a trace is without steps.
+// Parts of the reader (trace_reader.cpp): what is checked of a step; a header and an end record alone.
 
 #include "step_kind.h"
 #include "trace.h"

@@ -7,7 +7,9 @@
 #include <rastertrace/trace/text/color_text.h>
 #include <rastertrace/trace/text/json_scanner.h>
 #include <rastertrace/trace/text/primitive_name.h>
+#include <rastertrace/trace/text/text.h>
 
+#include <array>
 #include <charconv>
 #include <cmath>
 #include <system_error>
@@ -127,8 +129,14 @@ std::vector<std::string_view> elements_of(std::string_view json) {
     return values;
 }
 
-std::string_view word_of(PrimitiveKind kind) {
-    return name_of(kind);
+std::string_view quoted_word_of(PrimitiveKind kind) {
+    static const auto words = [] {
+        std::array<std::string, all_primitives.size()> quoted;
+        for (const PrimitiveKind one : all_primitives)
+            quoted[static_cast<std::size_t>(one)] = json_quoted(name_of(one));
+        return quoted;
+    }();
+    return words[static_cast<std::size_t>(kind)];
 }
 
 std::string_view quoted_word_of(Space space) {

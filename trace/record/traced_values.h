@@ -93,8 +93,8 @@ private:
 
 /// The words that a trace has for the values of an enumeration. One that is not among them, of a foreign rasterizer,
 /// is none of the enumeration.
-std::string_view word_of(PrimitiveKind kind);
-std::string_view quoted_word_of(Space space); // as it stands in a trace
+std::string_view quoted_word_of(PrimitiveKind kind); // as it stands in a trace
+std::string_view quoted_word_of(Space space);
 std::string_view quoted_word_of(Move move);
 std::string_view quoted_word_of(SkipReason reason);
 template <typename Enum> std::string_view word_of(Enum value) {

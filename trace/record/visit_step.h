@@ -27,22 +27,20 @@ template <typename Use> void visit_step(const StepView& step, const Use& use) {
         visit_step(step, use, std::make_index_sequence<step_kinds>{});
 }
 
-template <typename Step, typename... Rows>
-bool have_same_fields(const Step& a, const Step& b, FieldTable<Rows...> /*table*/) {
-    return ((Rows::in(a) == Rows::in(b)) && ...);
-}
-
 /// True if a trace writes both alike.
 inline bool are_same(const StepView& a, const StepView& b) {
     if (a.kind() != b.kind())
         return false;
     if (!a.own_text().empty() || !b.own_text().empty())
         return a.json() == b.json();
-    bool are_same = true;
+    bool is_same = true;
     visit_step(a, [&]<typename Step>(const Step& of_a) {
-        are_same = have_same_fields(of_a, b.as<Step>(), typename Step::Fields{});
+        const Step& of_b = b.as<Step>();
+        for_each_pair_of_fields(of_a, of_b, [&is_same](const auto& in_a, const auto& in_b) {
+            is_same = is_same && in_a == in_b;
+        });
     });
-    return are_same;
+    return is_same;
 }
 
 } // namespace rastertrace

@@ -326,11 +326,7 @@ private:
             const Index rounded = pixel_across(across, rounding, falls);
             if (canvas_.contains(line.is_x_major ? along : canvas_.left(),
                                  line.is_x_major ? canvas_.top() : along))
-                sink_(LineSampled<Rational>{
-                    .x = line.is_x_major ? std::optional(along) : std::nullopt,
-                    .y = line.is_x_major ? std::nullopt : std::optional(along),
-                    .value = across + offset,
-                    .pixel = rounded});
+                sink_(line_sampled(line.is_x_major, along, Rational(across + offset), rounded));
             const GridPoint at =
                 line.is_x_major ? GridPoint{along, rounded} : GridPoint{rounded, along};
             plot(at, rules_.color_of_step(pixels, at, i, line.steps));

@@ -18,7 +18,7 @@
 
 namespace rastertrace {
 
-/// Makes the fields of a step over Quantity of those over a Scalar. What they refer to is there as long as this is.
+/// Converts steps over a Scalar to steps over Quantity. Their lists are valid as long as this object.
 class Retelling {
 public:
     template <typename Told, typename Field> Told as(const Field& field) {
@@ -32,19 +32,13 @@ public:
 
     template <typename Told, typename Step> Told step(const Step& step) {
         Told told;
-        retell(typename Told::Fields(), typename Step::Fields(), told, step);
+        for_each_pair_of_fields(told, step, [this]<typename Field>(Field& to, const auto& from) {
+            to = as<Field>(from);
+        });
         return told;
     }
 
 private:
-    template <typename... ToldRows, typename... Rows, typename Told, typename Step>
-    void retell(FieldTable<ToldRows...> /*table*/, FieldTable<Rows...> /*table*/, Told& told,
-                const Step& step) {
-        ((ToldRows::in(told) =
-              as<std::remove_cvref_t<decltype(ToldRows::in(told))>>(Rows::in(step))),
-         ...);
-    }
-
     template <typename Told, typename Field>
     Told make(std::type_identity<Told> /*told*/, const Field& vector) requires requires {
         vector.x;

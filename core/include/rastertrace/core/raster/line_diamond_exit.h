@@ -144,10 +144,8 @@ bool draw_diamond_exit_line(const Segment<Scalar>& segment, const SampleOffset<S
         const Scalar across = line.across(along);
         const GridPoint at = pixel(along, across);
         const Scalar turned = is_x_major && down > 0 ? Scalar(-across) : across;
-        sink(LineSampled<Scalar>{.x = is_x_major ? std::optional(at.x) : std::nullopt,
-                                 .y = is_x_major ? std::nullopt : std::optional(at.y),
-                                 .value = turned,
-                                 .pixel = is_x_major ? at.y : at.x});
+        sink(is_x_major ? line_sampled(true, at.x, turned, at.y)
+                        : line_sampled(false, at.y, turned, at.x));
         if (!canvas.contains(at.x, at.y)) {
             sink(pixels_off_canvas(at.x, at.y, at.x, at.y));
             continue;

@@ -121,10 +121,7 @@ public:
     /// Rounds the coordinate across at a step, and plots the pixel if the canvas has it.
     template <typename Sink> void plot(Index step, const Scalar& across, Sink&& sink) const {
         const Index pixel = rounded(across);
-        sink(LineSampled<Scalar>{.x = is_x_major_ ? std::optional(along(step)) : std::nullopt,
-                                 .y = is_x_major_ ? std::nullopt : std::optional(along(step)),
-                                 .value = across,
-                                 .pixel = pixel});
+        sink(line_sampled(is_x_major_, along(step), across, pixel));
         const GridPoint at = point(along(step), pixel);
         if (!canvas_.contains(at.x, at.y))
             return sink(pixels_off_canvas(at.x, at.y, at.x, at.y));

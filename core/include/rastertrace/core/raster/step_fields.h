@@ -27,7 +27,7 @@ struct EdgeName {
     friend bool operator==(const EdgeName&, const EdgeName&) = default;
 };
 
-/// The name of the primitive that began last, which who draws need not repeat.
+/// Stands for the name of the current primitive, which a drawing does not repeat in each step.
 struct NameOfPrimitive {};
 
 /// A value, or none where there is no such number. A trace says so: it is told as null.
@@ -128,6 +128,14 @@ struct FieldRow {
 
 /// The fields of a step, in the order in which a trace writes them.
 template <typename... Rows> struct FieldTable {};
+
+/// Calls `use` with each field of a step, and with the same field of another one of its kind, over other numbers perhaps.
+template <typename One, typename Other, typename Use>
+void for_each_pair_of_fields(One& one, Other& other, Use&& use) {
+    [&]<typename... OfOne, typename... OfOther>(FieldTable<OfOne...>, FieldTable<OfOther...>) {
+        (use(OfOne::in(one), OfOther::in(other)), ...);
+    }(typename One::Fields(), typename Other::Fields());
+}
 
 /// The words of the tables.
 namespace field {

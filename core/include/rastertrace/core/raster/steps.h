@@ -343,6 +343,15 @@ template <typename Number = Quantity> struct LineSampled {
                               field::Decision<"pixel", &LineSampled::pixel, field::required>>;
 };
 
+/// The step of a line at the coordinate `along` of its major axis.
+template <typename Number>
+LineSampled<Number> line_sampled(bool is_x_major, Index along, const Number& value, Index pixel) {
+    return {.x = is_x_major ? std::optional(along) : std::nullopt,
+            .y = is_x_major ? std::nullopt : std::optional(along),
+            .value = value,
+            .pixel = pixel};
+}
+
 /// Where a line goes next: E is x + 1, N is y + 1, whichever way y points on the canvas.
 enum class Move { e, ne, n, nw, w, sw, s, se };
 

@@ -4,7 +4,7 @@
 // Draws a scene: every primitive in the scene's order, by the method that the scene names.
 //
 //     const Image picture = draw(scene, plan_for(scene));
-//     draw(scene, plan_for(scene), [](const PixelPlotted& step) { /* every pixel */ });
+//     draw(scene, plan_for(scene), [](const PixelPlotted<>& step) { /* every pixel */ });
 
 #include <rastertrace/core/draw/plan/plan.h>
 #include <rastertrace/core/draw/scene/scene.h>

@@ -5,7 +5,7 @@
 // Quantity.
 //
 //     int plotted = 0;
-//     draw(scene, plan, [&](const PixelPlotted&) { ++plotted; });
+//     draw(scene, plan, [&](const PixelPlotted<>&) { ++plotted; });
 //
 // It is asked once which kinds it takes; no others are put together.
 
