@@ -46,7 +46,7 @@ public:
     template <typename Told, typename Step> Told step(const Step& step) {
         Told told;
         for_each_pair_of_fields(told, step,
-                                [this](auto& to, const auto& from) { trace(to, from); });
+                                [this](auto& to, const auto& from) { this->trace(to, from); });
         return told;
     }
 

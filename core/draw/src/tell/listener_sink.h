@@ -33,7 +33,7 @@ public:
     template <typename Told, typename Step> Told step(const Step& step) {
         Told told;
         for_each_pair_of_fields(told, step, [this]<typename Field>(Field& to, const auto& from) {
-            to = as<Field>(from);
+            to = this->template as<Field>(from);
         });
         return told;
     }
