@@ -81,7 +81,7 @@ int main() {
     expect(row_of(StepKind::throwaway).fires == "a test runs", "it is described");
 }
 PROGRAM
-for source in field_type frame step_decoder step_kind step_tracer steps trace traced_steps traced_values; do
+for source in field_type step_decoder step_kind step_tracer steps trace traced_steps traced_values; do
     echo "#include \"record/$source.cpp\"" >>"$folder/main.cpp"
 done
 "$compiler" -std=c++20 -O0 "-I$folder" $includes "$folder/main.cpp" $libraries -o "$folder/main"
