@@ -12,6 +12,7 @@
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <cstring>
 #include <system_error>
 
 namespace rastertrace {
@@ -45,6 +46,13 @@ std::optional<double> quotient_rounded_once(std::string_view json) {
         return std::nullopt;
     const auto below = take_whole();
     return below && *below > 0 && at == end ? std::optional(*above / *below) : std::nullopt;
+}
+
+/// Where a string ends that begins at a quotation mark: behind the next one without a backslash.
+const char* end_of_string(const char* at) {
+    while (*++at != '"')
+        at += *at == '\\' ? 1 : 0;
+    return at + 1;
 }
 
 // The standard library for pages reads no floating-point numbers so.
@@ -103,8 +111,22 @@ std::optional<double> stored_double_in(std::string_view json, bool is_float) {
     return is_float ? stored_at_once<float>(json) : stored_at_once<double>(json);
 }
 
+std::string_view TracedValue::json() const {
+    if (json_ == nullptr)
+        return {};
+    const char* end = json_;
+    if (*json_ == '"')
+        end = end_of_string(json_);
+    else // a number or a list, of a foreign rasterizer
+        for (int depth = 0; depth > 0 || std::strchr(",]} \t\r\n", *end) == nullptr;) {
+            depth += *end == '[' || *end == '{' ? 1 : *end == ']' || *end == '}' ? -1 : 0;
+            end = *end == '"' ? end_of_string(end) : end + 1;
+        }
+    return {json_, static_cast<std::size_t>(end - json_)};
+}
+
 std::string TracedValue::text() const {
-    return plain_text(json_);
+    return plain_text(json());
 }
 
 std::string TracedColor::json() const {

@@ -29,24 +29,29 @@
 
 namespace rastertrace {
 
-/// A value that stands in a trace as its text. It is there if its field is, whatever it holds.
+/// A value that stands in a trace as its text: where that begins, as JSON tells itself where it ends. It is there if its
+/// field is, whatever it holds.
 class TracedValue {
 public:
     TracedValue() = default;
-    explicit TracedValue(std::string_view json) : json_(json) {}
 
-    explicit operator bool() const { return json_.data() != nullptr; }
+    /// Of a value of JSON with what follows it, or with a 0 behind it.
+    explicit TracedValue(std::string_view json) : json_(json.data()) {}
+
+    explicit operator bool() const { return json_ != nullptr; }
 
     /// As it stands in the trace; "" of one that is not there.
-    std::string_view json() const { return json_; }
+    std::string_view json() const;
 
     /// What a string says, or else the value as it stands; "" of one that is not there.
     std::string text() const;
 
-    friend bool operator==(const TracedValue& a, const TracedValue& b) = default;
+    friend bool operator==(const TracedValue& a, const TracedValue& b) {
+        return a.json_ == b.json_ || a.json() == b.json();
+    }
 
 private:
-    std::string_view json_;
+    const char* json_ = nullptr;
 };
 
 /// A name.
