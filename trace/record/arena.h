@@ -21,12 +21,6 @@ namespace rastertrace {
 
 class Arena {
 public:
-    /// How much of it is in use.
-    struct Mark {
-        std::size_t blocks = 0;
-        std::size_t used = 0; ///< of the last of these blocks
-    };
-
     /// Room for so many values, which nobody destroys.
     template <typename Value> std::span<Value> array(std::size_t count) {
         static_assert(std::is_trivially_destructible_v<Value>);
@@ -42,10 +36,8 @@ public:
         return {to.data(), to.size()};
     }
 
-    Mark mark() const { return at_; }
-
-    /// Gives back what has been taken since.
-    void rewind(Mark mark) { at_ = mark; }
+    /// Gives back all that has been taken; the memory stays, for what is taken next.
+    void clear() { blocks_in_use_ = used_ = 0; }
 
     /// The memory that it holds.
     std::size_t bytes() const { return bytes_; }
@@ -58,20 +50,21 @@ private:
     static constexpr std::size_t usual_size = std::size_t{1} << 16U;
 
     void* allocate(std::size_t size, std::size_t alignment) {
-        at_.used = (at_.used + alignment - 1) & ~(alignment - 1);
-        while (at_.blocks == 0 || at_.used + size > blocks_[at_.blocks - 1].size) {
-            at_ = {at_.blocks + 1, 0};
-            if (at_.blocks > blocks_.size()) {
+        used_ = (used_ + alignment - 1) & ~(alignment - 1);
+        while (blocks_in_use_ == 0 || used_ + size > blocks_[blocks_in_use_ - 1].size) {
+            used_ = 0;
+            if (++blocks_in_use_ > blocks_.size()) {
                 const std::size_t room = std::max(size, usual_size);
                 blocks_.push_back({std::unique_ptr<std::byte[]>(new std::byte[room]), room});
                 bytes_ += room;
             }
         }
-        return blocks_[at_.blocks - 1].memory.get() + std::exchange(at_.used, at_.used + size);
+        return blocks_[blocks_in_use_ - 1].memory.get() + std::exchange(used_, used_ + size);
     }
 
     std::vector<Block> blocks_;
-    Mark at_;
+    std::size_t blocks_in_use_ = 0;
+    std::size_t used_ = 0; ///< of the last of these
     std::size_t bytes_ = 0;
 };
 

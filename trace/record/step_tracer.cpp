@@ -14,47 +14,39 @@ namespace rastertrace {
 
 void FieldTracer::begin(std::string_view name, std::span<const std::string_view> vertices) {
     if (!keeps_)
-        arena_.rewind({});
-    name_ = quoted(name);
+        own_.clear();
+    name_ = quoted(name, of_primitive_);
     vertices_.assign(vertices.begin(), vertices.end());
-    labels_.clear();
-    of_primitive_ = arena_.mark();
-}
-
-void FieldTracer::write_labels() {
-    const std::size_t count = vertices_.size();
-    const std::string_view separator = name_separator(vertices_);
-    std::string label;
-    for (std::size_t from = 0; from < count; ++from)
-        for (const std::size_t to : {(from + 1) % count, (from + count - 1) % count}) {
-            label.assign(vertices_[from]).append(separator).append(vertices_[to]);
-            labels_.push_back(quoted(label));
-        }
-    of_primitive_ = arena_.mark();
+    labels_.assign(2 * vertices.size(), {});
 }
 
 /// The name of an edge of the current primitive: from each vertex there is the way to the next one, and back to the one
 /// before.
 TracedText FieldTracer::label(EdgeName edge) {
-    if (labels_.empty())
-        write_labels();
     const bool leads_on =
         edge.to == edge.from + 1 || (edge.to == 0 && edge.from + 1U == vertices_.size());
     const std::size_t number = 2U * edge.from + (leads_on ? 0 : 1);
-    return number < labels_.size() ? labels_[number] : TracedText("\"\"");
+    if (number >= labels_.size() || edge.to >= vertices_.size())
+        return TracedText("\"\"");
+    if (!labels_[number])
+        labels_[number] = quoted(std::string(vertices_[edge.from])
+                                     .append(name_separator(vertices_))
+                                     .append(vertices_[edge.to]),
+                                 of_primitive_);
+    return labels_[number];
 }
 
-TracedText FieldTracer::quoted(std::string_view name) {
+TracedText FieldTracer::quoted(std::string_view name, Arena& arena) {
     const auto is_plain = [](char c) { return ' ' <= c && c <= '~' && c != '"' && c != '\\'; };
     if (std::all_of(name.begin(), name.end(), is_plain)) { // nearly always
-        const std::span<char> room = arena_.array<char>(name.size() + 2);
+        const std::span<char> room = arena.array<char>(name.size() + 2);
         room.front() = room.back() = '"';
         std::copy(name.begin(), name.end(), room.begin() + 1);
         return TracedText({room.data(), room.size()});
     }
     std::string text(room_for_quoted(name), '\0');
     const char* const end = write_quoted(text.data(), name);
-    return TracedText(arena_.copy({text.data(), static_cast<std::size_t>(end - text.data())}));
+    return TracedText(arena.copy({text.data(), static_cast<std::size_t>(end - text.data())}));
 }
 
 void FieldTracer::trace(TracedNumber& told, const Quantity& quantity) {

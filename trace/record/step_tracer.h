@@ -32,7 +32,10 @@ namespace rastertrace {
 /// The fields of steps as a trace holds them: what they refer to is in the arena.
 class FieldTracer {
 public:
-    FieldTracer(Arena& arena, bool keeps) : arena_(arena), keeps_(keeps) {}
+    FieldTracer(Arena& arena, bool keeps)
+        : arena_(arena), of_primitive_(keeps ? arena : own_), keeps_(keeps) {}
+    FieldTracer(const FieldTracer&) = delete;
+    FieldTracer& operator=(const FieldTracer&) = delete;
 
     /// A primitive begins: what belongs to the one before is given back, if nobody keeps it.
     void begin(std::string_view name, std::span<const std::string_view> vertices);
@@ -40,7 +43,7 @@ public:
     /// A step has been handed on: its names and lists are given back, if nobody keeps them.
     void end_step() {
         if (!keeps_)
-            arena_.rewind(of_primitive_);
+            arena_.clear();
     }
 
     template <typename Told, typename Step> Told step(const Step& step) {
@@ -55,7 +58,7 @@ private:
     void trace(std::optional<Index>& told, std::optional<Index> value) { told = value; }
     void trace(TracedFlag& told, bool value) { told = TracedFlag(value); }
     void trace(TracedColor& told, Color value) { told = TracedColor(value); }
-    void trace(TracedText& told, std::string_view name) { told = quoted(name); }
+    void trace(TracedText& told, std::string_view name) { told = quoted(name, arena_); }
     void trace(TracedText& told, NameOfPrimitive /*name*/) { told = name_; }
     void trace(TracedText& told, EdgeName edge) { told = label(edge); }
     template <typename Enum> void trace(TracedWord<Enum>& told, Enum value) {
@@ -91,17 +94,16 @@ private:
             trace(told, *field);
     }
 
-    TracedText quoted(std::string_view name);
+    static TracedText quoted(std::string_view name, Arena& arena);
     TracedText label(EdgeName edge);
-    void write_labels();
 
     Arena& arena_;
+    Arena own_;           ///< unless the steps are kept, of what the current primitive refers to
+    Arena& of_primitive_; ///< this, or the other one
     bool keeps_;
     TracedText name_;                        ///< of the current primitive
     std::vector<std::string_view> vertices_; ///< its vertices' names
-    std::vector<TracedText> labels_;         ///< its edges' names, once one was asked for
-    Arena::Mark of_primitive_ =
-        arena_.mark(); ///< up to here the arena has what the primitive refers to
+    std::vector<TracedText> labels_;         ///< its edges' names, those that were asked for
 };
 
 /// Which steps of a drawing are told.
