@@ -15,7 +15,7 @@ namespace rastertrace {
 void FieldTracer::begin(std::string_view name, std::span<const std::string_view> vertices) {
     if (!keeps_)
         own_.clear();
-    name_ = quoted(name, of_primitive_);
+    name_ = quoted(name, of_primitive());
     vertices_.assign(vertices.begin(), vertices.end());
     labels_.assign(2 * vertices.size(), {});
 }
@@ -32,7 +32,7 @@ TracedText FieldTracer::label(EdgeName edge) {
         labels_[number] = quoted(std::string(vertices_[edge.from])
                                      .append(name_separator(vertices_))
                                      .append(vertices_[edge.to]),
-                                 of_primitive_);
+                                 of_primitive());
     return labels_[number];
 }
 

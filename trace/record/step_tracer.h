@@ -32,10 +32,7 @@ namespace rastertrace {
 /// The fields of steps as a trace holds them: what they refer to is in the arena.
 class FieldTracer {
 public:
-    FieldTracer(Arena& arena, bool keeps)
-        : arena_(arena), of_primitive_(keeps ? arena : own_), keeps_(keeps) {}
-    FieldTracer(const FieldTracer&) = delete;
-    FieldTracer& operator=(const FieldTracer&) = delete;
+    FieldTracer(Arena& arena, bool keeps) : arena_(arena), keeps_(keeps) {}
 
     /// A primitive begins: what belongs to the one before is given back, if nobody keeps it.
     void begin(std::string_view name, std::span<const std::string_view> vertices);
@@ -97,9 +94,11 @@ private:
     static TracedText quoted(std::string_view name, Arena& arena);
     TracedText label(EdgeName edge);
 
+    /// For what the current primitive refers to.
+    Arena& of_primitive() { return keeps_ ? arena_ : own_; }
+
     Arena& arena_;
-    Arena own_;           ///< unless the steps are kept, of what the current primitive refers to
-    Arena& of_primitive_; ///< this, or the other one
+    Arena own_; ///< of the primitive, if nobody keeps it
     bool keeps_;
     TracedText name_;                        ///< of the current primitive
     std::vector<std::string_view> vertices_; ///< its vertices' names

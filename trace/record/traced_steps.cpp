@@ -72,10 +72,6 @@ std::string name_of_whole(const PrimitiveStep& primitive) {
     return primitive.part.is_true() ? name.substr(0, name.rfind('/')) : name;
 }
 
-std::string name_of_face(const PrimitiveStep& primitive) {
-    return primitive.face ? primitive.face.text() : name_of_whole(primitive);
-}
-
 namespace {
 
 /// What the text of a step has under a name that its kind does not know, or of a kind that nobody knows.
@@ -103,8 +99,7 @@ std::optional<Index> whole_in_step(const StepView& step, std::string_view name,
     });
     if (found || step.own_text().empty())
         return found;
-    const auto value = in_own_text(step, name);
-    return value ? whole_in(*value) : std::nullopt;
+    return whole_in(in_own_text(step, name).value_or(""));
 }
 
 } // namespace
@@ -118,10 +113,6 @@ TracedText name_in(const StepView& step) {
             name = known.name;
     });
     return name;
-}
-
-TracedText code_in(const StepView& step) {
-    return text_in_own_text(step, key_of_code);
 }
 
 std::optional<Index> x_in(const StepView& step) {

@@ -89,9 +89,6 @@ constexpr std::string_view front_of_field{front_characters<Row>.data(),
 /// The name of the primitive that a part was cut from: ABC of ABC/1. Of one that is no part, its own.
 std::string name_of_whole(const PrimitiveStep& primitive);
 
-/// The face that a primitive is of: ABCD, of the triangles that it was cut into; else the whole primitive.
-std::string name_of_face(const PrimitiveStep& primitive);
-
 class StepView;
 
 /// Fields that more than one kind has: of a step of whatever kind, also of one that nobody knows. Absent where it has
@@ -103,6 +100,5 @@ std::optional<Index> y_in(const StepView& step);
 /// The place in the program that drew it, `raster.cpp:120`, which any step of a foreign rasterizer may tell. It says
 /// nothing of what was decided, and is never compared.
 inline constexpr std::string_view key_of_code = "code";
-TracedText code_in(const StepView& step);
 
 } // namespace rastertrace

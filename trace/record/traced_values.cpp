@@ -106,12 +106,9 @@ std::optional<double> TracedNumber::nearest_double() const {
 }
 
 std::optional<double> TracedNumber::stored_double(bool is_float) const {
-    return form_ == Form::real && !is_float ? std::optional(real_)
-                                            : stored_double_in(json(), is_float);
-}
-
-std::optional<double> stored_double_in(std::string_view json, bool is_float) {
-    return is_float ? stored_at_once<float>(json) : stored_at_once<double>(json);
+    if (is_float)
+        return stored_at_once<float>(json());
+    return form_ == Form::real ? std::optional(real_) : stored_at_once<double>(json());
 }
 
 std::string_view TracedValue::json() const {

@@ -202,9 +202,6 @@ private:
     Form form_ = Form::absent;
 };
 
-/// The same of a JSON number.
-std::optional<double> stored_double_in(std::string_view json, bool is_float);
-
 /// #rrggbb, with the trace's own spelling.
 class TracedColor {
 public:

@@ -239,7 +239,8 @@ std::optional<SharesInSpace> shares_in_space(const std::vector<Rational>& on_scr
 }
 
 std::string place_in_code(const Trace& trace, std::size_t step) {
-    const std::string code = step == 0 ? "" : code_in(trace.step(step)).text();
+    const auto told = step == 0 ? std::nullopt : trace.step(step).field(key_of_code);
+    const std::string code = plain_text(told.value_or(""));
     return code.empty() ? "" : "   " + printable(code);
 }
 
