@@ -15,7 +15,6 @@
 #include <rastertrace/core/raster/canvas.h>
 #include <rastertrace/trace/text/problem.h>
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <optional>

@@ -72,20 +72,19 @@ std::string name_of_whole(const PrimitiveStep& primitive) {
     return primitive.part.is_true() ? name.substr(0, name.rfind('/')) : name;
 }
 
+std::string name_of_face(const PrimitiveStep& primitive) {
+    return primitive.face ? primitive.face.text() : name_of_whole(primitive);
+}
+
 namespace {
 
-/// What the text of a step has under a name that its kind does not know, or of a kind that nobody knows.
-std::optional<std::string_view> in_own_text(const StepView& step, std::string_view name) {
+/// What the text of a step has under a name that its kind does not know, or of a kind that nobody knows; null if nothing.
+std::string_view in_own_text(const StepView& step, std::string_view name) {
     JsonScanner fields(step.own_text());
     while (fields.next_field())
         if (fields.key() == name)
             return fields.value();
-    return std::nullopt;
-}
-
-TracedText text_in_own_text(const StepView& step, std::string_view name) {
-    const auto text = in_own_text(step, name);
-    return text ? TracedText(*text) : TracedText();
+    return {};
 }
 
 /// A whole number that some kinds have under a name; `member_of` gives it of their structs.
@@ -99,14 +98,14 @@ std::optional<Index> whole_in_step(const StepView& step, std::string_view name,
     });
     if (found || step.own_text().empty())
         return found;
-    return whole_in(in_own_text(step, name).value_or(""));
+    return whole_in(in_own_text(step, name));
 }
 
 } // namespace
 
 TracedText name_in(const StepView& step) {
     if (!step.own_text().empty())
-        return text_in_own_text(step, "name");
+        return TracedText(in_own_text(step, "name"));
     TracedText name;
     visit_step(step, [&name](const auto& known) {
         if constexpr (requires { known.name; })

@@ -89,6 +89,9 @@ constexpr std::string_view front_of_field{front_characters<Row>.data(),
 /// The name of the primitive that a part was cut from: ABC of ABC/1. Of one that is no part, its own.
 std::string name_of_whole(const PrimitiveStep& primitive);
 
+/// The face that a primitive is of: ABCD, of the triangles that it was cut into; else the whole primitive.
+std::string name_of_face(const PrimitiveStep& primitive);
+
 class StepView;
 
 /// Fields that more than one kind has: of a step of whatever kind, also of one that nobody knows. Absent where it has
