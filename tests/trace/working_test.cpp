@@ -67,7 +67,8 @@ Working working(const Trace& trace, StepKind kind, std::string_view name,
                 std::string_view space = "") {
     return working(trace, step_of(trace, [&](const StepView& step) {
                        return step.kind() == kind &&
-                              (name_in(step) == name || step.as<EdgeStep>().edge == name) &&
+                              (kind == StepKind::edge ? step.as<EdgeStep>().edge == name
+                                                      : name_in(step) == name) &&
                               (kind != StepKind::vertex || step.as<VertexStep>().space == space);
                    }));
 }
