@@ -29,13 +29,13 @@
 
 namespace rastertrace {
 
-/// A value that stands in a trace as its text: where that begins, as JSON tells itself where it ends. It is there if its
-/// field is, whatever it holds.
+/// A value that stands in a trace as its text. Only the beginning is held: JSON itself tells where a value ends. It is
+/// there if its field is, whatever it holds.
 class TracedValue {
 public:
     TracedValue() = default;
 
-    /// Of a value of JSON with what follows it, or with a 0 behind it.
+    /// The value begins at json.data(), and must be followed by the text that it stands in, or by a null character.
     explicit TracedValue(std::string_view json) : json_(json.data()) {}
 
     explicit operator bool() const { return json_ != nullptr; }
