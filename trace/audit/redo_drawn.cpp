@@ -194,7 +194,7 @@ template <typename Scalar> DrawnAgain::Draw DrawnAgain::drawing_in() {
             const auto at = corners[i].values();
             const Vec<Scalar, 2> position{coordinate_of<Scalar>(told_at(at, 0)),
                                           coordinate_of<Scalar>(told_at(at, 1))};
-            if (told.kind == PrimitiveKind::polygon) {
+            if (traits_of(told.kind).has_ring) {
                 piece.ring.push_back(position);
                 piece.ring_vertices.push_back(told.vertices[i]);
                 continue;
@@ -301,7 +301,7 @@ bool DrawnAgain::redo(std::size_t first, std::size_t last) {
         const auto corners = piece.step.at.values().size();
         const std::size_t fewest = traits_of(piece.kind).corners;
         if (!tells_rules(piece.kind) || piece.vertices.size() != corners ||
-            (piece.kind == PrimitiveKind::polygon ? corners < fewest : corners != fewest) ||
+            (traits_of(piece.kind).has_ring ? corners < fewest : corners != fewest) ||
             (!piece.colors.empty() && piece.colors.size() != corners))
             return false;
         piece.stages.is_painted = !piece.step.painted.is_false();

@@ -421,8 +421,7 @@ void SpaceAgain::redo(const PrimitiveStep& step) {
         if (const std::size_t count = traits_of(kind).corners;
             step.kind == kind && corners.size() == names.size())
             expect(true,
-                   kind == PrimitiveKind::polygon ? corners.size() >= count
-                                                  : corners.size() == count,
+                   traits_of(kind).has_ring ? corners.size() >= count : corners.size() == count,
                    "primitive: kind", ", by its corners");
     for (std::size_t i = 0; i < corners.size() && i < names.size() && !on_screen_.empty(); ++i) {
         const auto known = on_screen_.find(names[i]);

@@ -3,14 +3,31 @@
 
 #include "positions.h"
 
+#include <rastertrace/trace/text/primitive_name.h>
 #include <rastertrace/trace/text/text.h>
 
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <string_view>
 #include <utility>
+#include <vector>
 
 namespace rastertrace {
+
+namespace {
+
+/// "a triangle, ... or point".
+std::string kinds_of_primitives() {
+    std::vector<std::string_view> names;
+    for (const PrimitiveKind kind : all_primitives)
+        names.push_back(name_of(kind));
+    const std::string_view last = names.back();
+    names.pop_back();
+    return fmt::format("a {} or {}", joined(names, ", "), last);
+}
+
+} // namespace
 
 void StatsNeeds::begin(const PrimitiveStep& step, std::size_t number) {
     close();
@@ -20,12 +37,10 @@ void StatsNeeds::begin(const PrimitiveStep& step, std::size_t number) {
                            printable(step.name.text()), number);
     };
     // Of the kinds that are known, triangles alone are judged by their corners.
-    const bool is_other = std::any_of(all_primitives.begin() + 1, all_primitives.end(),
-                                      [&step](PrimitiveKind kind) { return step.kind == kind; });
+    const bool is_other = step.kind != PrimitiveKind::triangle && traits_of(step.kind);
     primitive_.is_judged = !is_other && !step.painted.is_false();
     if (step.kind != PrimitiveKind::triangle)
-        primitive_.lacks =
-            "expected a triangle, polygon, outline, line, circle or point, found " + called();
+        primitive_.lacks = "expected " + kinds_of_primitives() + ", found " + called();
     else if (!primitive_.corners)
         primitive_.lacks =
             fmt::format(R"(expected "at", three pairs of numbers, of {}, found {})", called(),

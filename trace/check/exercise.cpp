@@ -80,8 +80,10 @@ public:
             throw asked.problem();
         const Scene& typed = asked.value().scene;
         canvas_ = typed.canvas;
-        has_lines_ = typed.has(PrimitiveKind::line) || typed.has(PrimitiveKind::outline) ||
-                     typed.has(PrimitiveKind::circle);
+        has_lines_ =
+            std::any_of(all_primitives.begin(), all_primitives.end(), [&typed](PrimitiveKind kind) {
+                return typed.has(kind) && traits_of(kind).thickness == Thickness::line;
+            });
         is_projected_ = typed.projection.type != ProjectionType::none || typed.camera ||
                         !typed.objects.empty() || typed.viewport.type != ViewportType::none;
         facts_ = exercise_facts(asked.value().trace);

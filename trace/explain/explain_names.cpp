@@ -62,10 +62,8 @@ std::vector<std::size_t> numbers_of(const Trace& trace,
 
 /// True of a `primitive` step that can be asked about as a face.
 bool is_face(const StepOf& primitive) {
-    const auto kind = primitive.step.as<PrimitiveStep>().kind;
-    return primitive.primitive != primitive.whole ||
-           (kind != PrimitiveKind::line && kind != PrimitiveKind::point &&
-            kind != PrimitiveKind::circle);
+    const auto traits = traits_of(primitive.step.as<PrimitiveStep>().kind);
+    return primitive.primitive != primitive.whole || !traits || traits->corners > 2;
 }
 
 /// An answer that counts steps: not all of them are there if the trace lacks some.
@@ -156,9 +154,8 @@ std::set<std::string> passing_through(const Trace& trace, int y) {
     bool is_line = false;
     for_each_step(trace, [&](const StepOf& one) {
         if (one.kind == StepKind::primitive) {
-            const auto kind = one.step.as<PrimitiveStep>().kind;
-            is_line = kind == PrimitiveKind::line || kind == PrimitiveKind::outline ||
-                      kind == PrimitiveKind::circle;
+            const auto traits = traits_of(one.step.as<PrimitiveStep>().kind);
+            is_line = traits && traits->thickness == Thickness::line;
         }
         if (is_line && one.kind == StepKind::pixel && y_in(one.step) == y)
             names.insert(one.whole);

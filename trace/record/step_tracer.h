@@ -116,7 +116,7 @@ public:
     void begin(std::string_view name);
     void begin(const PrimitiveBegan<>& step) {
         begin(step.name);
-        is_circle_ = step.kind == PrimitiveKind::circle;
+        is_mirrored_ = step.radius.has_value();
     }
 
     template <typename Step> bool takes(const Step& step) const {
@@ -139,7 +139,7 @@ private:
         return has(step.x.value_or(step.pixel), step.y.value_or(step.pixel));
     }
     bool is_in_region(const LineDecided<>& step) const {
-        return is_circle_ || has(step.x, step.y); // a decision of a circle is about eight pixels
+        return is_mirrored_ || has(step.x, step.y); // then it is about eight pixels
     }
     bool is_in_region(const PixelsRejected<>& step) const;
     bool has(Index x, Index y) const { return region_->has_row(y) && region_->meets(x, x); }
@@ -148,7 +148,7 @@ private:
     std::optional<Region> region_;
     std::optional<std::string> primitive_;
     bool is_in_primitive_;
-    bool is_circle_ = false;
+    bool is_mirrored_ = false; ///< what is decided of one octant is drawn in all
 };
 
 template <typename To> class StepTracer {

@@ -116,10 +116,17 @@ public:
     }
 };
 
+/// The properties of a primitive; none of a kind that is not ours.
+inline std::optional<PrimitiveTraits> traits_of(const TracedWord<PrimitiveKind>& kind) {
+    const auto* const found = std::find_if(all_primitives.begin(), all_primitives.end(),
+                                           [&kind](PrimitiveKind one) { return kind == one; });
+    return found == all_primitives.end() ? std::nullopt : std::optional(traits_of(*found));
+}
+
 /// True of a kind whose inside is drawn.
 inline bool is_filled(const TracedWord<PrimitiveKind>& kind) {
-    return std::any_of(all_primitives.begin(), all_primitives.end(),
-                       [&kind](PrimitiveKind one) { return kind == one && is_filled(one); });
+    const auto traits = traits_of(kind);
+    return traits && traits->thickness == Thickness::face;
 }
 
 /// A number, 3.125 or, known exactly, "25/8"; null where there is no such number; NaN, inf or -inf in the trace of a

@@ -116,11 +116,7 @@ public:
             read_colors(*colors);
         // Drawn in this order: what is thin comes last and stays visible.
         for (const PrimitiveKind kind : all_primitives) {
-            const auto list = root.find(traits_of(kind).list);
-            if (kind == PrimitiveKind::circle)
-                read_circles(list);
-            else
-                read_primitives(list, kind);
+            read_primitives(root.find(traits_of(kind).list), kind);
             take_faces(kind);
         }
         if (scene_.primitives.empty())
@@ -420,7 +416,7 @@ private:
     void add_face(std::span<const std::size_t> corners, const std::string& prefix,
                   const ScenePrimitive& like, FaceCuts& cuts, const JsonValue& blamed,
                   NameOfFace&& name_of_face, NameOfPart&& name_of_part) {
-        if (like.kind == PrimitiveKind::polygon) {
+        if (traits_of(like.kind).has_ring) {
             ScenePrimitive& face = faces_.emplace_back(like);
             set_ring(face, {corners.begin(), corners.end()}, blamed);
             face.name = name_of_face();
@@ -723,10 +719,11 @@ private:
                     traits_of(method.fill).name),
                 R"("fill": "scanline" does that; or write the triangles as polygons)");
         if (place_of_flat_ && scene_.has_depth_buffer()) {
-            // Polygons are read before circles.
-            const std::string_view kind =
-                name_of(scene_.has(PrimitiveKind::polygon) ? PrimitiveKind::polygon
-                                                           : PrimitiveKind::circle);
+            const auto* const flat =
+                std::find_if(all_primitives.begin(), all_primitives.end(), [this](auto one) {
+                    return !traits_of(one).has_depth && scene_.has(one);
+                });
+            const std::string_view kind = name_of(*flat);
             json_.fail(*place_of_flat_,
                        fmt::format("expected no depth buffer beside a {}, found one", kind),
                        fmt::format(R"(a {} is drawn in the picture, and has no depth there; )"
@@ -890,7 +887,7 @@ private:
         return object->second.first + static_cast<std::size_t>(*whole) - 1;
     }
 
-    /// What a list of primitives of a kind looks like, and one of them.
+    /// What a list of primitives of a kind looks like, and the vertices of one of them.
     struct Form {
         std::string_view list;
         std::string_view vertices;
@@ -907,7 +904,9 @@ private:
         case PrimitiveKind::polygon:
             return {R"(a list of polygons, like ["ABCDE"])",
                     R"(three vertices or more, "ABCDE" or ["P1", ...])"};
-        case PrimitiveKind::circle: // has no list of vertices: read_circles
+        case PrimitiveKind::circle:
+            return {R"(a list of circles, like [{"center": "A", "radius": 5}])",
+                    R"(a circle, like {"center": "A", "radius": 5})"};
         case PrimitiveKind::triangle:
             break;
         }
@@ -950,7 +949,7 @@ private:
     /// The vertices of a primitive: as many as its kind has.
     void read_corners(const JsonValue& value, ScenePrimitive& primitive) const {
         const std::string_view expected = form_of(primitive.kind).vertices;
-        if (primitive.kind == PrimitiveKind::polygon) {
+        if (traits_of(primitive.kind).has_ring) {
             auto ring = corners_in(value, {}, expected);
             if (ring.size() < 3)
                 json_.fail_expecting(value, expected);
@@ -995,7 +994,9 @@ private:
         for (const JsonValue& value : values) {
             ScenePrimitive primitive;
             primitive.kind = kind;
-            if (value.kind == JsonValue::Kind::object) {
+            if (traits_of(kind).has_radius) {
+                read_around_vertex(value, primitive);
+            } else if (value.kind == JsonValue::Kind::object) {
                 json_.allow_keys(value, primitive_keys);
                 const auto vertices = value.find("vertices");
                 if (!vertices)
@@ -1009,27 +1010,19 @@ private:
         }
     }
 
-    void read_circles(const std::optional<JsonValue>& list) {
-        if (!list)
-            return;
-        const JsonElements values =
-            json_.array_in(*list, R"(a list of circles, like [{"center": "A", "radius": 5}])");
-        for (const JsonValue& value : values) {
-            if (value.kind != JsonValue::Kind::object)
-                json_.fail_expecting(value, R"(a circle, like {"center": "A", "radius": 5})");
-            json_.allow_keys(value, circle_keys);
-            const JsonValue center = json_.member(value, "center");
-            ScenePrimitive circle;
-            circle.kind = PrimitiveKind::circle;
-            circle.vertices[0] =
-                vertex_named(json_.string_in(center, "the name of a vertex"), center.begin);
-            circle.radius = radius_in(json_.member(value, "radius"));
-            read_color_and_name(value, circle);
-            add_named(std::move(circle), value.begin);
-        }
+    /// A center and a radius.
+    void read_around_vertex(const JsonValue& value, ScenePrimitive& primitive) {
+        if (value.kind != JsonValue::Kind::object)
+            json_.fail_expecting(value, form_of(primitive.kind).vertices);
+        json_.allow_keys(value, keys_around_vertex);
+        const JsonValue center = json_.member(value, "center");
+        primitive.vertices[0] =
+            vertex_named(json_.string_in(center, "the name of a vertex"), center.begin);
+        primitive.radius = radius_in(json_.member(value, "radius"));
+        read_color_and_name(value, primitive);
     }
 
-    /// The decision of a circle is one of whole numbers.
+    /// What is decided with it is decided in whole numbers.
     std::int32_t radius_in(const JsonValue& value) const {
         const auto whole = value.kind == JsonValue::Kind::number
                                ? json_.number_in(value).numerator_over(1)

@@ -51,8 +51,8 @@ inline constexpr std::array primitive_keys{
     JsonKey{"color", "color", "Its color; without it, black"},
 };
 
-/// Of a circle.
-inline constexpr std::array circle_keys{
+/// Of a primitive with a radius.
+inline constexpr std::array keys_around_vertex{
     JsonKey{"center", "text", "The vertex in its middle, by name", true},
     JsonKey{"radius", "radius", "How far it is from there, in whole pixels", true},
     JsonKey{"name", "text", "How steps and messages call it; without it, by its center"},

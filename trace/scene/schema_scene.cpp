@@ -48,11 +48,17 @@ Json corners(std::size_t least, std::size_t most) {
     return {{"anyOf", Json::array({std::move(letters), std::move(names)})}};
 }
 
-/// A list of primitives of so many vertices, which `list` is the name of; `most` 0: or more.
-void define_primitives(Json& definitions, const std::string& list, std::size_t least,
-                       std::size_t most) {
+/// The list of primitives of a kind, and one of them.
+void define_primitives(Json& definitions, const PrimitiveTraits& traits) {
+    const std::string list(traits.list);
+    if (traits.has_radius) {
+        const std::string one(traits.name);
+        definitions[one] = object_with(keys_around_vertex);
+        definitions[list] = list_of(one);
+        return;
+    }
     const std::string of_one = "vertices-of-" + list;
-    definitions[of_one] = corners(least, most);
+    definitions[of_one] = corners(traits.corners, traits.has_ring ? most_corners : traits.corners);
     Json written_out = object_with(primitive_keys);
     written_out["properties"][std::string(primitive_vertices.name)] =
         reference_to(of_one, primitive_vertices.meaning);
@@ -157,8 +163,11 @@ Json positive() {
 /// At least one list has a primitive.
 Json has_primitives() {
     Json cases = Json::array();
-    for (const char* const list :
-         {"triangles", "polygons", "outlines", "lines", "circles", "points", "meshes"})
+    std::vector<std::string> lists;
+    for (const PrimitiveKind kind : all_primitives)
+        lists.emplace_back(traits_of(kind).list);
+    lists.emplace_back("meshes");
+    for (const std::string& list : lists)
         cases.push_back({{"required", {list}}, {"properties", {{list, {{"minItems", 1}}}}}});
     return cases;
 }
@@ -186,12 +195,7 @@ std::string scene_schema() {
     definitions["vertices"]["propertyNames"] = {{"minLength", 1}};
     definitions["colors"] = map_to("color");
     for (const PrimitiveKind kind : all_primitives)
-        if (kind != PrimitiveKind::circle)
-            define_primitives(
-                definitions, std::string(traits_of(kind).list), traits_of(kind).corners,
-                kind == PrimitiveKind::polygon ? most_corners : traits_of(kind).corners);
-    definitions["circles"] = list_of("circle");
-    definitions["circle"] = object_with(circle_keys);
+        define_primitives(definitions, traits_of(kind));
     definitions["radius"] = {{"type", "integer"}, {"minimum", 0}, {"maximum", largest_radius}};
 
     definitions["meshes"] = list_of("mesh");

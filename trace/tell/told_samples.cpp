@@ -4,11 +4,9 @@
 namespace rastertrace {
 
 const SampleOffset<Rational>& ToldSamples::of(const TracedWord<PrimitiveKind>& kind) const {
-    if (kind == PrimitiveKind::line || kind == PrimitiveKind::outline)
-        return lines;
-    const bool is_other = kind == PrimitiveKind::polygon || kind == PrimitiveKind::circle ||
-                          kind == PrimitiveKind::point;
-    return is_other ? others : triangles;
+    const auto traits = traits_of(kind);
+    const SampledBy whose = traits ? traits->samples : SampledBy::fill;
+    return whose == SampledBy::line ? lines : whose == SampledBy::itself ? others : triangles;
 }
 
 ToldSamples told_samples(const Trace& trace) {

@@ -18,7 +18,7 @@ namespace rastertrace {
 struct ToldSamples {
     SampleOffset<Rational> triangles;
     SampleOffset<Rational> lines;  ///< and of the sides of outlines
-    SampleOffset<Rational> others; ///< of polygons, circles and points
+    SampleOffset<Rational> others; ///< of primitives that are SampledBy::itself
 
     /// Those of a primitive; of a kind that is not ours, those of triangles.
     const SampleOffset<Rational>& of(const TracedWord<PrimitiveKind>& kind) const;

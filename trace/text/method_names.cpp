@@ -260,8 +260,11 @@ MethodKey key(
 /// True if a scene has what samples that a scene does not choose leave where it is.
 bool has_unsampled(const Scene& scene) {
     const bool has_diamonds = traits_of(scene.method.line).rule == LineRule::diamonds;
-    return (has_lines(scene) && !has_diamonds) || scene.has(PrimitiveKind::point) ||
-           scene.has(PrimitiveKind::circle) || has_polygons(scene);
+    return std::any_of(all_primitives.begin(), all_primitives.end(), [&](PrimitiveKind kind) {
+        const SampledBy whose = traits_of(kind).samples;
+        return scene.has(kind) &&
+               (whose == SampledBy::itself || (whose == SampledBy::line && !has_diamonds));
+    });
 }
 
 /// True if a scene has triangles, or lines, that are drawn by samples.

@@ -11,7 +11,7 @@
 
 namespace rastertrace {
 
-/// point, circle, line, outline, polygon, triangle.
+/// "triangle".
 std::string_view name_of(PrimitiveKind kind);
 
 /// What stands between names that are written as one: nothing if each is one letter, "-" otherwise.

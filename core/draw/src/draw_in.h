@@ -54,7 +54,7 @@ template <typename Scalar, typename Tests = DepthTests<DepthOf<Scalar>>> struct 
     SampleGrid<Scalar> grid = sample_grid<Scalar>(scene, plan); ///< of triangles
     SampleOffset<Scalar> line_offset =
         sample_offset<Scalar>(sample_of_lines(scene.method), plan.denominator);
-    SampleOffset<Scalar> offset = ///< of polygons, circles and points
+    SampleOffset<Scalar> offset = ///< of primitives that are SampledBy::itself
         sample_offset<Scalar>(sample_of_others(scene.method), plan.denominator);
     Tests* depth = nullptr;              ///< if depths are tested
     Owners<DepthOf<Scalar>> owners = {}; ///< if lines are tested
@@ -268,7 +268,7 @@ void tell_beginning(const Piece<Scalar>& piece, std::string_view name,
         .part = piece.is_part ? std::optional(true) : std::nullopt,
         .painted =
             plan.stages.pixels[piece.primitive].is_painted ? std::nullopt : std::optional(false),
-        .radius = piece.kind == PrimitiveKind::circle ? std::optional(piece.radius) : std::nullopt,
+        .radius = radius_of(piece),
         .face = if_any(drawing.scene.face_of(drawing.scene.primitives[piece.primitive]))});
 }
 

@@ -34,8 +34,8 @@ Scalar depth_at(Depth depth, const Scalar& distance, const Vec<Scalar, 4>& clip)
 /// The number of parts that what clipping has left is drawn as: itself if it is a point, a line or
 /// a polygon of the scene, else a fan of triangles.
 std::size_t part_count(PrimitiveKind kind, std::size_t corners) {
-    return corners < 3 || kind == PrimitiveKind::polygon ? std::min<std::size_t>(corners, 1)
-                                                         : corners - 2;
+    return corners < 3 || traits_of(kind).has_ring ? std::min<std::size_t>(corners, 1)
+                                                   : corners - 2;
 }
 
 /// Sets the depth of a vertex on the screen, and 1/w.
@@ -218,7 +218,7 @@ Piece<Scalar> piece_of(const Scene& scene, const ScreenList<Scalar>& list,
     auto piece = piece_without_corners<Scalar>(scene, one);
     const auto corners = corners_of(scene, list.parts, one);
     bool is_cut = false;
-    if (piece.kind == PrimitiveKind::polygon) {
+    if (traits_of(piece.kind).has_ring) {
         for (const std::size_t index : corners) {
             const bool is_made = index >= scene.vertices.size();
             piece.ring.push_back(list.vertices[index].position);
@@ -260,7 +260,7 @@ Piece<Scalar> piece_of(const Scene& scene, const ScreenList<Scalar>& list,
 Piece<Number> piece_of(const Scene& scene, const TypedVertices& typed, const ScreenPrimitive& one) {
     auto piece = piece_without_corners<Number>(scene, one);
     const ScenePrimitive& primitive = scene.primitives[one.primitive];
-    if (piece.kind == PrimitiveKind::polygon) {
+    if (traits_of(piece.kind).has_ring) {
         for (const std::size_t index : primitive.ring)
             piece.ring.push_back({scene.vertices[index].x, scene.vertices[index].y});
         piece.ring_vertices = primitive.ring;
@@ -329,9 +329,7 @@ void tell_pieces(const Scene& scene, const ScreenList<Scalar>& list, std::size_t
                                 .name = primitive.name,
                                 .vertices = names,
                                 .color = found.color,
-                                .radius = primitive.kind == PrimitiveKind::circle
-                                              ? std::optional(primitive.radius)
-                                              : std::nullopt,
+                                .radius = radius_of(primitive),
                                 .face = if_any(scene.face_of(primitive))});
     if (!tell_face(found.face, sink))
         return;

@@ -99,15 +99,15 @@ template <typename Coordinate> struct Piece {
     /// Indices in the scene. A vertex that clipping has made has the first vertex of what was
     /// clipped.
     std::array<std::size_t, 3> vertices{};
-    Index radius = 0;                          ///< of a circle, in pixels
+    Index radius = 0;                          ///< around its vertex, in pixels, if it has one
     std::vector<Vec<Coordinate, 2>> ring = {}; ///< of a polygon: the positions of all its corners
     std::vector<std::size_t> ring_vertices = {};
 
     std::span<const Vec<Coordinate, 2>> corners() const {
-        return kind == PrimitiveKind::polygon ? std::span(ring) : std::span(positions).first(count);
+        return traits_of(kind).has_ring ? std::span(ring) : std::span(positions).first(count);
     }
     std::size_t vertex(std::size_t corner) const {
-        return kind == PrimitiveKind::polygon ? ring_vertices[corner] : vertices[corner];
+        return traits_of(kind).has_ring ? ring_vertices[corner] : vertices[corner];
     }
 };
 

@@ -26,12 +26,22 @@ inline constexpr std::array all_primitives{PrimitiveKind::triangle, PrimitiveKin
 /// Of two equal depths, that of the thinner primitive passes.
 enum class Thickness : std::uint8_t { point, line, face };
 
+/// Whose samples a primitive is drawn by, where the scene does not say where they lie.
+enum class SampledBy : std::uint8_t {
+    fill,
+    line,
+    itself, ///< at integer points, whatever fills and lines have
+};
+
 struct PrimitiveTraits {
     std::string_view name; ///< in a trace
     std::string_view list; ///< of a scene
-    std::size_t corners;   ///< how many vertices it has; a polygon has so many or more
+    std::size_t corners;   ///< how many vertices it has; with rings, so many or more
     Thickness thickness;   ///< a face is filled: it is tested, lit and sorted
-    bool has_depth = true; ///< false: it is drawn in the picture, beside no depth buffer
+    SampledBy samples;
+    bool has_depth = true;   ///< false: it is drawn in the picture, beside no depth buffer
+    bool has_radius = false; ///< around its vertex
+    bool has_ring = false;   ///< of any number of vertices
 };
 
 /// The algorithm that fills triangles.
@@ -113,17 +123,29 @@ struct LineTraits {
 constexpr PrimitiveTraits traits_of(PrimitiveKind kind) {
     switch (kind) {
     case PrimitiveKind::triangle:
-        return {"triangle", "triangles", 3, Thickness::face};
+        return {"triangle", "triangles", 3, Thickness::face, SampledBy::fill};
     case PrimitiveKind::polygon:
-        return {"polygon", "polygons", 3, Thickness::face, false};
+        return {.name = "polygon",
+                .list = "polygons",
+                .corners = 3,
+                .thickness = Thickness::face,
+                .samples = SampledBy::itself,
+                .has_depth = false,
+                .has_ring = true};
     case PrimitiveKind::outline:
-        return {"outline", "outlines", 3, Thickness::line};
+        return {"outline", "outlines", 3, Thickness::line, SampledBy::line};
     case PrimitiveKind::line:
-        return {"line", "lines", 2, Thickness::line};
+        return {"line", "lines", 2, Thickness::line, SampledBy::line};
     case PrimitiveKind::circle:
-        return {"circle", "circles", 1, Thickness::line, false};
+        return {.name = "circle",
+                .list = "circles",
+                .corners = 1,
+                .thickness = Thickness::line,
+                .samples = SampledBy::itself,
+                .has_depth = false,
+                .has_radius = true};
     case PrimitiveKind::point:
-        return {"point", "points", 1, Thickness::point};
+        return {"point", "points", 1, Thickness::point, SampledBy::itself};
     }
     not_an_enumerator();
 }

@@ -144,7 +144,7 @@ inline Sample sample_of(const Method& method) {
     return method.sample.value_or(traits_of(method.fill).sample);
 }
 
-/// Those of polygons, circles and points, which only a scene's own word moves.
+/// Those of primitives that are SampledBy::itself, which only a scene's own word moves.
 inline Sample sample_of_others(const Method& method) {
     return method.sample.value_or(Sample::integer);
 }

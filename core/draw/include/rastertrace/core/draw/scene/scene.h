@@ -36,7 +36,7 @@ struct SceneObject {
     Model model;                ///< from its space to the world
 };
 
-/// A point, a line, a circle, a triangle or a polygon to fill, or the outline of a triangle.
+/// What a scene draws.
 struct ScenePrimitive {
     PrimitiveKind kind = PrimitiveKind::triangle;
     bool is_painted = true; ///< false: a triangle that hides what lies behind it, and is not seen
@@ -47,17 +47,22 @@ struct ScenePrimitive {
     std::uint32_t polygon =
         0; ///< successive triangles with the same number above 0 make a face, see Scene::face_of
 
-    std::int32_t radius = 0; ///< of a circle around its vertex, in pixels
+    std::int32_t radius = 0; ///< around its vertex, in pixels, if its kind has one
     std::vector<std::size_t> ring =
-        {}; ///< of a polygon: all its vertices, in the place of `vertices`
+        {}; ///< all its vertices, in the place of `vertices`, if its kind has a ring
 
     /// Its vertices: the first one, two or three of `vertices`, or those of the ring.
     std::span<const std::size_t> corners() const {
-        if (kind == PrimitiveKind::polygon)
-            return ring;
-        return std::span(vertices).first(traits_of(kind).corners);
+        const PrimitiveTraits traits = traits_of(kind);
+        return traits.has_ring ? std::span(ring) : std::span(vertices).first(traits.corners);
     }
 };
+
+/// The radius of a primitive, or of a piece of one, if its kind has one.
+template <typename Primitive> std::optional<Index> radius_of(const Primitive& primitive) {
+    return traits_of(primitive.kind).has_radius ? std::optional<Index>(primitive.radius)
+                                                : std::nullopt;
+}
 
 /// A concave face of a mesh, and how it was cut into triangles (triangulate.h).
 struct CutFace {
