@@ -34,12 +34,10 @@ void tell_vertices(const Scene& scene, const Transforms<Scalar>& transforms,
     }
 }
 
-/// Tells a matrix, the factors that it is a product of, and the camera of a view. Factors and
-/// camera are left out if one of their numbers is infinite.
 template <typename Scalar>
 void tell_matrix(std::string_view name, std::string_view object,
                  const std::optional<Matrix<Scalar>>& matrix,
-                 const std::vector<MatrixFactor<Rational>>& exact_factors, const Camera* camera,
+                 const MatrixFactors<Rational>& exact_factors, const Camera* camera,
                  const Listener& listener) {
     if (!matrix)
         return;
@@ -98,27 +96,35 @@ void tell_matrices(const Scene& scene, const Transforms<Scalar>& transforms,
 }
 
 template <typename Scalar>
+void tell_order(const Scene& scene, const PainterOrder<Scalar>& order, const Listener& listener) {
+    std::vector<std::string_view> names;
+    std::vector<std::int64_t> listed;
+    for (const std::size_t i : order.primitives)
+        if (is_filled(scene.primitives[i].kind)) {
+            names.push_back(scene.primitives[i].name);
+            listed.push_back(static_cast<std::int64_t>(i) + 1);
+        }
+    ListenerSink{listener}(
+        PrimitivesOrdered<Scalar>{.names = names, .distances = order.keys, .listed = listed});
+}
+
+template <typename Scalar>
 void tell_geometry(const Scene& scene, const ScreenList<Scalar>& list, const Listener& listener) {
-    const ListenerSink sink(listener);
     const Transforms<Scalar>& transforms = list.transforms;
     tell_matrices(scene, transforms, listener);
     if (scene.has_transforms() || scene.keeps_transforms())
         tell_vertices(scene, transforms, listener);
-    if (list.order) {
-        std::vector<std::string_view> names;
-        std::vector<std::int64_t> listed;
-        for (const std::size_t i : list.order->primitives)
-            if (is_filled(scene.primitives[i].kind)) {
-                names.push_back(scene.primitives[i].name);
-                listed.push_back(static_cast<std::int64_t>(i) + 1);
-            }
-        sink(PrimitivesOrdered<Scalar>{
-            .names = names, .distances = list.order->keys, .listed = listed});
-    }
+    if (list.order)
+        tell_order(scene, *list.order, listener);
 }
 
 #define INSTANTIATE(Coordinate)                                                                    \
     template void tell_geometry(const Scene&, const ScreenList<Coordinate>&, const Listener&);
 RASTERTRACE_FOR_EACH_COORDINATE(INSTANTIATE)
+
+template void tell_matrix(std::string_view, std::string_view,
+                          const std::optional<Matrix<Rational>>&, const MatrixFactors<Rational>&,
+                          const Camera*, const Listener&);
+template void tell_order(const Scene&, const PainterOrder<Rational>&, const Listener&);
 
 } // namespace rastertrace

@@ -186,4 +186,18 @@ void tell_positions_on_screen(std::string_view name, const Vec<Scalar, 4>& clip,
         .snapped = transforms.snap == Snap::none ? std::nullopt : if_any(pixel)});
 }
 
+// Compiled in tell_geometry.cpp; for others only for Rational.
+
+/// Tells a matrix, the factors that it is a product of, and the camera of a view. Factors and
+/// camera are left out if one of their numbers is infinite.
+template <typename Scalar>
+void tell_matrix(std::string_view name, std::string_view object,
+                 const std::optional<Matrix<Scalar>>& matrix,
+                 const MatrixFactors<Rational>& exact_factors, const Camera* camera,
+                 const Listener& listener);
+
+/// Tells the painter's order.
+template <typename Scalar>
+void tell_order(const Scene& scene, const PainterOrder<Scalar>& order, const Listener& listener);
+
 } // namespace rastertrace

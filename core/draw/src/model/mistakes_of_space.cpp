@@ -51,9 +51,15 @@ bool mixes_colors(const Scene& scene) {
     return has_triangles(scene) && scene.mixes_colors();
 }
 
-Matrix<Rational> product_in_reverse(MatrixFactors<Rational> factors) {
-    std::reverse(factors.begin(), factors.end());
-    return product_of(factors);
+/// A matrix of other factors.
+void set(ModelMatrix& matrix, MatrixFactors<Rational> factors) {
+    matrix = {std::move(factors), {}};
+    matrix.product = product_of(matrix.factors);
+}
+
+/// Its factors in the other order.
+void reverse(ModelMatrix& matrix) {
+    set(matrix, {matrix.factors.rbegin(), matrix.factors.rend()});
 }
 
 /// v/w, far away where w is 0.
@@ -68,43 +74,36 @@ constexpr Mistake space_table[] = {
      "the last step first: its matrix stands left", "matrix", "turned about another point",
      "T4, error 3", has_models,
      [](ModelRules& rules) {
-         for (std::size_t i = 0; i < rules.models.size(); ++i)
-             rules.models[i] = product_in_reverse(factors_of(rules.scene.objects[i].model.steps()));
+         for (ModelMatrix& model : rules.models)
+             reverse(model);
      }},
     {"turned-the-other-way", "sin for -sin", "(cos, -sin), (sin, cos)", "matrix",
      "turned the other way", "the sign of an angle", has_models,
      [](ModelRules& rules) {
-         for (std::size_t i = 0; i < rules.models.size(); ++i) {
+         for (ModelMatrix& model : rules.models) {
              // The inverse of a rotation is its transpose.
-             MatrixFactors<Rational> factors = factors_of(rules.scene.objects[i].model.steps());
+             MatrixFactors<Rational> factors = model.factors;
              for (auto& [name, matrix] : factors)
                  for (std::size_t row = 0; name == "rotate" && row < 3; ++row)
                      for (std::size_t column = 0; column < row; ++column)
                          std::swap(matrix.rows[row][column], matrix.rows[column][row]);
-             rules.models[i] = product_of(factors);
+             set(model, std::move(factors));
          }
      }},
     {"moved-after-turning", "V = T R: the camera's position after its rotation", "V = R T",
      "matrix", "the scene lies elsewhere unless the camera looks along z", "T4, error 2",
-     has_camera,
-     [](ModelRules& rules) {
-         rules.view = product_in_reverse(
-             factors_of(*rules.scene.camera, view_axis_of(rules.scene.projection.type)));
-     }},
+     has_camera, [](ModelRules& rules) { reverse(rules.view); }},
     {"camera-turned-round", "z = (look_at - position)/|...|", "z = (position - look_at)/|...|",
      "matrix", "the scene is behind the camera, upside down if nothing is clipped", "T4, error 1",
      has_camera,
      [](ModelRules& rules) {
-         rules.view = diagonal<Rational>(-1, 1, -1, 1) * rules.view;
+         rules.view = {{}, diagonal<Rational>(-1, 1, -1, 1) * rules.view.product};
          rules.planes.clear();
          rules.divided = divided_anyway;
      }},
     {"projection-order", "M_t M_p", "M_p M_t", "matrix", "all depths are the same", "T4, error 3",
      [](const Scene& scene) { return scene.projection.type == ProjectionType::view_plane; },
-     [](ModelRules& rules) {
-         rules.projection =
-             product_in_reverse(factors_of(rules.scene.projection, rules.scene.canvas));
-     }},
+     [](ModelRules& rules) { reverse(rules.projection); }},
     {"no-near-clip", "x/w, whatever w is", "clipped at the near plane, then divided", "clip",
      "what is behind the eye appears upside down in front of it",
      "GameDev.net, The Near Plane on a Software Rasterizer, 2005", has_perspective,
@@ -168,13 +167,18 @@ constexpr Mistake space_table[] = {
     {"half-size-in-integers", "int(W - 1)/2: 255 for 255.5", "(W - 1)/2", "vertex",
      "half a pixel off", "T4, error 5", fits_last_pixel,
      [](ModelRules& rules) {
+         rules.viewport.factors.clear();
          for (const std::size_t row : {0U, 1U})
-             for (Rational& entry : rules.viewport.rows[row])
+             for (Rational& entry : rules.viewport.product.rows[row])
                  entry = cut(entry);
      }},
     {"turned-after-moving", "y = -(y + 1) (H - 1)/2", "y = (1 - y) (H - 1)/2", "vertex",
      "nothing is on the screen", "T4, error 4", has_viewport,
-     [](ModelRules& rules) { rules.viewport.rows[1][3] = -abs(rules.viewport.rows[1][3]); }},
+     [](ModelRules& rules) {
+         rules.viewport.factors.clear();
+         Rational& shift = rules.viewport.product.rows[1][3];
+         shift = -abs(shift);
+     }},
     {"y-the-other-way", "y flipped twice, or never", "y flipped once", "vertex",
      "the picture is upside down", "T4", any_scene,
      [](ModelRules& rules) {
@@ -310,23 +314,22 @@ constexpr Mistake space_table[] = {
     {"canvas-one-too-wide", "x > W or y > H: off the canvas", "x >= W or y >= H", "pixel",
      "what leaves the right side comes back in the next row", "T4, error 9", any_scene,
      [](ModelRules& rules) {
-         const Canvas& canvas = rules.scene.canvas;
-         rules.on_canvas = [canvas](GridPoint p) -> std::optional<GridPoint> {
-             if (p.x == canvas.right() + 1)
-                 p = {canvas.left(), p.y + canvas.down()};
-             return canvas.contains(p.x, p.y) ? std::optional(p) : std::nullopt;
+         rules.beside_canvas = [&canvas = rules.scene.canvas](GridPoint p) {
+             const GridPoint next{canvas.left(), p.y + canvas.down()};
+             return p.x == canvas.right() + 1 && canvas.contains(next.x, next.y)
+                        ? std::optional(next)
+                        : std::nullopt;
          };
      }},
     {"no-bounds-test", "buffer[W y + x], wherever x is", "only if 0 <= x < W and 0 <= y < H",
      "pixel", "what leaves one side comes back at the other", "T2, error 9", any_scene,
      [](ModelRules& rules) {
-         const Canvas& canvas = rules.scene.canvas;
-         rules.on_canvas = [canvas](GridPoint p) -> std::optional<GridPoint> {
+         rules.beside_canvas = [&canvas = rules.scene.canvas](GridPoint p) {
              const Index index = canvas.row_of(p.y) * canvas.width + (p.x - canvas.left());
-             if (index < 0 || index >= Index{canvas.width} * canvas.height)
-                 return std::nullopt;
-             return GridPoint{canvas.left() + index % canvas.width,
-                              canvas.y_of(index / canvas.width)};
+             return index < 0 || index >= Index{canvas.width} * canvas.height
+                        ? std::nullopt
+                        : std::optional(GridPoint{canvas.left() + index % canvas.width,
+                                                  canvas.y_of(index / canvas.width)});
          };
      }},
 };

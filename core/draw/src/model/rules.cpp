@@ -43,16 +43,20 @@ ModelRules::ModelRules(Scene of_scene) : scene(std::move(of_scene)) {
 
     // Matrices and planes as the scene says them.
     for (const SceneObject& object : scene.objects)
-        models.push_back(object.model.matrix());
-    view = scene.camera ? view_matrix(*scene.camera, view_axis_of(scene.projection.type))
-                        : identity<Rational>();
-    const bool is_projected = scene.projection.type != ProjectionType::none &&
-                              scene.projection.type != ProjectionType::clip_space;
-    projection =
-        is_projected ? product_of(factors_of(scene.projection, canvas)) : identity<Rational>();
-    viewport = scene.viewport.type == ViewportType::none
-                   ? identity<Rational>()
-                   : product_of(factors_of(scene.viewport, canvas));
+        models.push_back({factors_of(object.model.steps()), object.model.matrix()});
+    const ViewAxis axis = view_axis_of(scene.projection.type);
+    view = scene.camera
+               ? ModelMatrix{factors_of(*scene.camera, axis), view_matrix(*scene.camera, axis)}
+               : ModelMatrix{{}, identity<Rational>()};
+    projection.factors = scene.projection.type == ProjectionType::none ||
+                                 scene.projection.type == ProjectionType::clip_space
+                             ? MatrixFactors<Rational>()
+                             : factors_of(scene.projection, canvas);
+    viewport.factors = scene.viewport.type == ViewportType::none
+                           ? MatrixFactors<Rational>()
+                           : factors_of(scene.viewport, canvas);
+    for (ModelMatrix* const matrix : {&projection, &viewport})
+        matrix->product = product_of(matrix->factors);
     planes = clip_planes(scene.projection, half_extent(scene.viewport, canvas.width),
                          half_extent(scene.viewport, canvas.height), guard_band);
     drops = [](const auto&) { return false; };
@@ -170,9 +174,9 @@ ModelRules::ModelRules(Scene of_scene) : scene(std::move(of_scene)) {
         case Depth::inverse_z:
             return distance == 0 ? Rational(0) : Rational(1 / distance);
         case Depth::ndc_z:
-            return scene.viewport.depths
-                       ? Rational(viewport.rows[2][2] * divided(clip).z + viewport.rows[2][3])
-                       : divided(clip).z;
+            return scene.viewport.depths ? Rational(viewport.product.rows[2][2] * divided(clip).z +
+                                                    viewport.product.rows[2][3])
+                                         : divided(clip).z;
         case Depth::none:
         case Depth::painter:
             break;
@@ -201,9 +205,6 @@ ModelRules::ModelRules(Scene of_scene) : scene(std::move(of_scene)) {
         return in_space;
     };
     level = [&method](const Rational& channel) { return level_of(channel, method.color_rounding); };
-    on_canvas = [&canvas](GridPoint pixel) {
-        return canvas.contains(pixel.x, pixel.y) ? std::optional(pixel) : std::nullopt;
-    };
 }
 
 } // namespace rastertrace

@@ -84,6 +84,8 @@ class ListenerSink {
 public:
     explicit ListenerSink(const Listener& listener) : listener_(listener) {}
 
+    const Listener& listener() const { return listener_; }
+
     template <typename Step> bool takes() const { return listener_.takes<Step>(); }
 
     template <typename Step> void operator()(const Step& step) const {

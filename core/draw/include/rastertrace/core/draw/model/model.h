@@ -39,9 +39,9 @@ struct ModelVertex {
 };
 using ModelTriangle = std::array<ModelVertex, 3>;
 
-/// An edge of a triangle, from its upper to its lower vertex.
+/// An edge of a triangle or of a polygon, from its upper to its lower vertex.
 struct ModelEdge {
-    enum class Role { long_edge, upper, lower };
+    enum class Role { long_edge, upper, lower, of_polygon };
     Role role;
     ModelVertex from;
     ModelVertex to;
@@ -68,18 +68,14 @@ struct ModelLine {
     Index d_diagonal = 0;
 };
 
-/// A row of a triangle: where its edges meet it, and their depths there.
-struct ModelRow {
-    Rational left{};
-    Rational right{};
-    Index from = 0; ///< first pixel
-    Index to = 0;   ///< last pixel
-    Rational left_depth{};
-    Rational right_depth{};
-};
-
 /// The weights of a triangle's vertices; they sum to 1.
 using ModelWeights = std::array<Rational, 3>;
+
+/// A matrix, and the factors that it is the product of; none of a matrix that a mistake has made.
+struct ModelMatrix {
+    MatrixFactors<Rational> factors;
+    Matrix<Rational> product;
+};
 
 /// The rules of a scene. Functions refer to it, so it stays where it is.
 struct ModelRules {
@@ -95,10 +91,10 @@ struct ModelRules {
     Scene scene;
 
     // From object space to the screen.
-    std::vector<Matrix<Rational>> models; ///< of the scene's objects
-    Matrix<Rational> view;
-    Matrix<Rational> projection;
-    Matrix<Rational> viewport;
+    std::vector<ModelMatrix> models; ///< of the scene's objects
+    ModelMatrix view;
+    ModelMatrix projection;
+    ModelMatrix viewport;
     std::vector<ClipPlane<Rational>> planes;
     std::function<bool(const Corners& unclipped)> drops; ///< a primitive as a whole
     std::function<Point3(const Point4& clip)> divided;
@@ -140,11 +136,12 @@ struct ModelRules {
     std::function<ModelWeights(const ModelTriangle&, const ModelWeights& on_screen)>
         shares; ///< in a color
     std::function<std::uint8_t(const Rational& channel)> level;
-    std::function<std::optional<GridPoint>(GridPoint)> on_canvas; ///< where a pixel is stored
+    std::function<std::optional<GridPoint>(GridPoint)>
+        beside_canvas; ///< where a pixel off the canvas is stored; none: nowhere
 };
 
-/// True if the model draws such scenes: no depth buffer that points or lines are tested against, and
-/// coordinates of at most 100,000, as typed and in the world.
+/// True if the model draws such scenes: coordinates of at most 100,000, as typed and in the world; of triangles that
+/// are filled by a fan, at most 2,000.
 bool has_model(const Scene& scene);
 
 /// Draws a scene by these rules, and tells the listener what is decided by them.
