@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "reference.h"
 
-#include <rastertrace/core/raster/shading.h>
+#include <rastertrace/core/draw/model/model.h>
 
 #include <algorithm>
-#include <cstdlib>
-#include <numeric>
-#include <optional>
+#include <functional>
 #include <utility>
 
 namespace rastertrace {
@@ -43,184 +41,9 @@ mpz_class nearest_of(const Rational& x, Ties ties) {
     return mpz_even_p(up.get_mpz_t()) ? up : down;
 }
 
-/// E(p) = a x + b y + c of a directed edge.
-ExactPlane edge_function(const ExactPoint& p, const ExactPoint& q) {
-    const Rational a = p.y - q.y;
-    const Rational b = q.x - p.x;
-    return {a, b, -a * p.x - b * p.y};
-}
-
-/// The functions of a polygon's sides, positive inside. The polygon must have area.
-std::vector<ExactPlane> inward_functions(const std::vector<ExactPoint>& polygon) {
-    Rational area2 = 0;
-    for (std::size_t i = 0; i < polygon.size(); ++i) {
-        const auto& p = polygon[i];
-        const auto& q = polygon[(i + 1) % polygon.size()];
-        area2 += p.x * q.y - q.x * p.y;
-    }
-    std::vector<ExactPlane> functions;
-    for (std::size_t i = 0; i < polygon.size(); ++i) {
-        ExactPlane f = edge_function(polygon[i], polygon[(i + 1) % polygon.size()]);
-        if (area2 < 0)
-            f = {-f.a, -f.b, -f.c};
-        // A side of no length is no side.
-        if (f.a != 0 || f.b != 0)
-            functions.push_back(f);
-    }
-    return functions;
-}
-
-/// Calls `visit(place, sample)` with every pixel of a canvas.
-template <typename Visit>
-void for_each_sample(const Canvas& canvas, const ExactPoint& offset, Visit&& visit) {
-    std::size_t place = 0;
-    for (int row = 0; row < canvas.height; ++row)
-        for (int column = 0; column < canvas.width; ++column)
-            visit(place++, ExactPoint{Rational(canvas.left() + column + offset.x),
-                                      Rational(canvas.y_of(row) + offset.y)});
-}
-
-CoveredPixels covered_samples(const std::vector<ExactPoint>& polygon, bool is_closed,
-                              const ExactPoint& offset, const Canvas& canvas, int down) {
-    CoveredPixels covered(canvas.area());
-    const auto functions = inward_functions(polygon);
-    // On an edge, a sample is inside if the edge is a left one (the inside lies to its right) or a
-    // top one (horizontal, and the inside lies below it in the picture).
-    const auto admits = [&](const ExactPlane& f, const ExactPoint& sample) {
-        const int side = sgn(f.at(sample));
-        const bool is_top_left = f.a > 0 || (f.a == 0 && f.b * down > 0);
-        return side > 0 || (side == 0 && (is_closed || is_top_left));
-    };
-    for_each_sample(canvas, offset, [&](std::size_t place, const ExactPoint& sample) {
-        covered[place] = std::all_of(functions.begin(), functions.end(),
-                                     [&](const ExactPlane& f) { return admits(f, sample); });
-    });
-    return covered;
-}
-
 ExactPoint exact_offset(Sample sample) {
     const Rational offset = offset_of(sample).exact();
     return {offset, offset};
-}
-
-/// A triangle as seen from the samples.
-std::array<ExactPoint, 3> moved(std::array<ExactPoint, 3> triangle, const ExactPoint& offset) {
-    for (ExactPoint& p : triangle)
-        p = {Rational(p.x - offset.x), Rational(p.y - offset.y)};
-    return triangle;
-}
-
-/// Row by row: the part of the row's line that lies in the closed triangle, its ends rounded.
-CoveredPixels covered_rows(const std::array<ExactPoint, 3>& triangle, const SpanRounding& rule,
-                           const Canvas& canvas) {
-    CoveredPixels covered(canvas.area());
-    const auto rounded_end = [&rule](const Rational& x, bool is_left) {
-        switch (rule.rounding) {
-        case Rounding::floor:
-            return floor_of(x);
-        case Rounding::nearest:
-            return nearest_of(x, rule.ties);
-        case Rounding::truncate:
-            return sgn(x) < 0 ? ceil_of(x) : floor_of(x);
-        case Rounding::half_open:
-            return is_left ? ceil_of(x) : mpz_class(ceil_of(x) - 1);
-        case Rounding::inside:
-            break;
-        }
-        return is_left ? ceil_of(x) : floor_of(x);
-    };
-    for (int row = 0; row < canvas.height; ++row) {
-        const Rational y = canvas.y_of(row);
-        std::vector<Rational> meets;
-        for (std::size_t i = 0; i < 3; ++i) {
-            const auto& p = triangle[i];
-            const auto& q = triangle[(i + 1) % 3];
-            if (p.y == y)
-                meets.push_back(p.x);
-            if ((p.y < y && y < q.y) || (q.y < y && y < p.y))
-                meets.push_back(p.x + (y - p.y) * (q.x - p.x) / (q.y - p.y));
-        }
-        if (meets.empty())
-            continue;
-        const auto [left, right] = std::minmax_element(meets.begin(), meets.end());
-        const mpz_class first = std::max<mpz_class>(rounded_end(*left, true), canvas.left());
-        const mpz_class last = std::min<mpz_class>(rounded_end(*right, false), canvas.right());
-        for (mpz_class x = first; x <= last; ++x)
-            covered[static_cast<std::size_t>(row) * static_cast<std::size_t>(canvas.width) +
-                    static_cast<std::size_t>(x.get_si() - canvas.left())] = true;
-    }
-    return covered;
-}
-
-} // namespace
-
-/// By Cramer's rule.
-ExactPlane plane_through(const std::array<ExactPoint, 3>& p, const std::array<Rational, 3>& d) {
-    const Rational area2 = exact_area2(p);
-    const Rational a =
-        ((d[1] - d[0]) * (p[2].y - p[0].y) - (d[2] - d[0]) * (p[1].y - p[0].y)) / area2;
-    const Rational b =
-        ((d[2] - d[0]) * (p[1].x - p[0].x) - (d[1] - d[0]) * (p[2].x - p[0].x)) / area2;
-    return {a, b, d[0] - a * p[0].x - b * p[0].y};
-}
-
-namespace {
-
-/// Triangles in the order in which they are drawn.
-std::vector<std::size_t> drawing_order(const Scene& scene) {
-    std::vector<std::size_t> order;
-    std::vector<Rational> keys(scene.primitives.size());
-    for (std::size_t i = 0; i < scene.primitives.size(); ++i) {
-        if (scene.primitives[i].kind != PrimitiveKind::triangle)
-            continue;
-        order.push_back(i);
-        std::array<Rational, 3> z;
-        for (std::size_t k = 0; k < 3; ++k)
-            z[k] = scene.vertices[scene.primitives[i].vertices[k]].z.exact();
-        keys[i] = scene.method.painter_key == PainterKey::nearest
-                      ? *std::min_element(z.begin(), z.end())
-                  : scene.method.painter_key == PainterKey::farthest
-                      ? *std::max_element(z.begin(), z.end())
-                      : Rational((z[0] + z[1] + z[2]) / 3);
-    }
-    if (scene.depth() == Depth::painter)
-        std::stable_sort(order.begin(), order.end(),
-                         [&keys](std::size_t a, std::size_t b) { return keys[a] > keys[b]; });
-    return order;
-}
-
-void draw_triangles(const Scene& scene, Colors& picture) {
-    const ExactPoint offset = exact_offset(sample_of(scene.method));
-    const Depth depth = scene.depth();
-    const bool has_buffer = scene.has_depth_buffer();
-    std::vector<std::optional<Rational>> nearest(picture.size());
-    for (const std::size_t number : drawing_order(scene)) {
-        const ScenePrimitive& primitive = scene.primitives[number];
-        const auto corners = exact_corners(scene, number);
-        const CoveredPixels covered = covered_by(corners, scene.method, scene.canvas);
-        const Color color = scene.shade() == Shade::faces ? color_of_face(number) : primitive.color;
-
-        // The larger, the nearer: 1/z, or -z.
-        std::array<Rational, 3> nearness;
-        for (std::size_t i = 0; i < 3 && has_buffer; ++i) {
-            const Rational z = scene.vertices[primitive.vertices[i]].z.exact();
-            nearness[i] = depth == Depth::inverse_z ? Rational(1 / z) : Rational(-z);
-        }
-        std::optional<ExactPlane> plane;
-        if (has_buffer && exact_area2(corners) != 0)
-            plane = plane_through(corners, nearness);
-        for_each_sample(scene.canvas, offset, [&](std::size_t place, const ExactPoint& sample) {
-            if (!covered[place])
-                return;
-            if (plane) {
-                Rational here = plane->at(sample);
-                if (nearest[place] && !(here > *nearest[place]))
-                    return;
-                nearest[place] = std::move(here);
-            }
-            picture[place] = color;
-        });
-    }
 }
 
 void plot(const Scene& scene, const mpz_class& x, const mpz_class& y, Color color,
@@ -277,6 +100,16 @@ void draw_line(const Scene& scene, const ScenePrimitive& line, Colors& picture) 
 
 } // namespace
 
+/// By Cramer's rule.
+ExactPlane plane_through(const std::array<ExactPoint, 3>& p, const std::array<Rational, 3>& d) {
+    const Rational area2 = exact_area2(p);
+    const Rational a =
+        ((d[1] - d[0]) * (p[2].y - p[0].y) - (d[2] - d[0]) * (p[1].y - p[0].y)) / area2;
+    const Rational b =
+        ((d[2] - d[0]) * (p[1].x - p[0].x) - (d[1] - d[0]) * (p[2].x - p[0].x)) / area2;
+    return {a, b, d[0] - a * p[0].x - b * p[0].y};
+}
+
 std::array<ExactPoint, 3> exact_corners(const Scene& scene, std::size_t primitive) {
     std::array<ExactPoint, 3> corners;
     for (std::size_t i = 0; i < 3; ++i) {
@@ -292,33 +125,49 @@ Rational exact_area2(const std::array<ExactPoint, 3>& t) {
 
 CoveredPixels covered_by(const std::array<ExactPoint, 3>& triangle, const Method& method,
                          const Canvas& canvas) {
-    const FillTraits fill = traits_of(method.fill);
-    const ExactPoint offset = exact_offset(sample_of(method));
-    if (fill.rule == PixelRule::row_ends)
-        return covered_rows(moved(triangle, offset), span_rounding(method), canvas);
-    if (exact_area2(triangle) == 0)
-        return CoveredPixels(canvas.area());
-    return covered_samples({triangle.begin(), triangle.end()}, fill.is_closed, offset, canvas,
-                           canvas_of_samples(method, canvas).down());
+    Scene scene;
+    scene.canvas = canvas;
+    scene.method = method;
+    scene.method.depth = Depth::none;
+    for (const ExactPoint& p : triangle) {
+        SceneVertex& vertex = scene.vertices.emplace_back();
+        vertex.x = Number::fraction(p.x);
+        vertex.y = Number::fraction(p.y);
+    }
+    scene.primitives.emplace_back().vertices = {0, 1, 2};
+    const Image drawn = draw_by(ModelRules(scene));
+    CoveredPixels covered;
+    for (const Color color : drawn.colors())
+        covered.push_back(color != no_color);
+    return covered;
 }
 
+/// Of a fan of triangles, each sample belongs to one.
 CoveredPixels covered_by_polygon(const std::vector<ExactPoint>& polygon, const Canvas& canvas) {
-    return covered_samples(polygon, false, {Rational(1, 2), Rational(1, 2)}, canvas, canvas.down());
+    CoveredPixels covered(canvas.area());
+    for (std::size_t i = 2; i < polygon.size(); ++i) {
+        const CoveredPixels part =
+            covered_by({polygon[0], polygon[i - 1], polygon[i]}, {.fill = Fill::top_left}, canvas);
+        std::transform(covered.begin(), covered.end(), part.begin(), covered.begin(),
+                       std::logical_or<>());
+    }
+    return covered;
 }
 
 Colors reference_picture(const Scene& scene) {
-    Colors picture(scene.canvas.area(), no_color);
-    draw_triangles(scene, picture);
-    for (const ScenePrimitive& primitive : scene.primitives) {
+    const auto drawn = [](const Scene& one) {
+        const Image image = draw_by(ModelRules(one));
+        return Colors(image.colors().begin(), image.colors().end());
+    };
+    if (has_model(scene))
+        return drawn(scene);
+    Scene without_lines = scene;
+    std::erase_if(without_lines.primitives,
+                  [](const ScenePrimitive& one) { return one.kind == PrimitiveKind::line; });
+    Colors picture = drawn(without_lines);
+    for (const ScenePrimitive& primitive : scene.primitives)
         if (primitive.kind == PrimitiveKind::line)
             draw_line(scene, primitive, picture);
-        if (primitive.kind == PrimitiveKind::point) {
-            const SceneVertex& at = scene.vertices[primitive.vertices[0]];
-            const ExactPoint offset = exact_offset(sample_of_others(scene.method));
-            plot(scene, nearest_of(at.x.exact() - offset.x, Ties::up),
-                 nearest_of(at.y.exact() - offset.y, Ties::up), primitive.color, picture);
-        }
-    }
     return picture;
 }
 

@@ -61,13 +61,14 @@ std::optional<Pixel> ModelDrawing::stored_at(GridPoint at) const {
     return elsewhere ? std::optional(pixel_at(*elsewhere)) : std::nullopt;
 }
 
-/// A pixel of a point or a line.
-void ModelDrawing::plot(GridPoint at, Color color) {
+/// Where a pixel of a point or a line is put; none if it is off the canvas, or hidden.
+std::optional<Pixel> ModelDrawing::place_of(GridPoint at) {
     const auto pixel = stored_at(at);
     if (!pixel)
-        return reject(at);
-    if (!segment_ || depths_->keeps_line(*pixel, *segment_))
-        put(*pixel, color);
+        reject(at);
+    else if (!segment_ || depths_->keeps_line(*pixel, *segment_))
+        return pixel;
+    return std::nullopt;
 }
 
 void ModelDrawing::put(Pixel pixel, Color color) {
@@ -114,18 +115,14 @@ void ModelDrawing::for_each_in_row(Index row, Index from, Index to,
 
 // -------------------------------------------------------------------------------------------------
 
-namespace {
-
-/// The farthest coordinate of a scene that the model walks pixel by pixel. A fan has a line for each pixel of an edge.
-Rational farthest_of(const Scene& scene) {
+Index farthest_of_model(const Scene& scene) {
+    // A fan has a line for each pixel of an edge.
     const bool has_fan = scene.has(PrimitiveKind::triangle) && scene.method.fill == Fill::fan;
     return has_fan ? 2'000 : 100'000;
 }
 
-} // namespace
-
 bool has_model(const Scene& scene) {
-    const Rational farthest = farthest_of(scene);
+    const Rational farthest = farthest_of_model(scene);
     const auto is_near = [&farthest](const Rational& x) { return abs(x) <= farthest; };
     const Matrix<Rational> as_typed = identity<Rational>();
     auto object = scene.objects.begin();

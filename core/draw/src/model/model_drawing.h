@@ -41,7 +41,11 @@ private:
     void draw(const ModelPiece& piece);
 
     // Pixels. Those beside the canvas are told in runs.
-    void plot(GridPoint at, Color color);
+    std::optional<Pixel> place_of(GridPoint at);
+    template <typename ColorOf> void plot(GridPoint at, ColorOf&& color_of) {
+        if (const auto pixel = place_of(at))
+            put(*pixel, color_of());
+    }
     void put(Pixel pixel, Color color);
     void reject(GridPoint at);
     void tell_rejected();
@@ -79,6 +83,8 @@ private:
     void draw_circle(const ModelVertex& center, Index radius);
     void walk(const ModelLine& line, Index last, bool is_told,
               const std::function<void(Index step, GridPoint pixel)>& visit);
+    std::pair<Index, Index> steps_within_reach(bool is_x_major, Index first, bool goes_back,
+                                               Index last_step) const;
     void sample(const ModelLine& line, const GridLine& pixels, Index last);
     bool sample_diamonds(const ModelVertex& from, const ModelVertex& to, const GridLine& pixels);
     LineColors line_colors(const ModelVertex& from, const ModelVertex& to) const;

@@ -229,7 +229,7 @@ void ModelDrawing::fill_fan(const ModelTriangle& triangle) {
             const GridLine ray = line_between(start, of_start, at[apex], color[apex]);
             const ModelLine line = line_of(ray);
             walk(line, line.steps, true, [&](Index step, GridPoint pixel) {
-                plot(pixel, rules_.color_of_step(ray, pixel, step, line.steps));
+                plot(pixel, [&] { return rules_.color_of_step(ray, pixel, step, line.steps); });
             });
         }
     }
@@ -303,7 +303,7 @@ void ModelDrawing::fill_spans(Index row, const std::vector<ModelCrossing>& met,
     for (const auto& span : spans) {
         sink_(span);
         for_each_in_row(row, span.from, span.to, [&](GridPoint at) {
-            plot({at.x, at.y * down_}, color);
+            plot({at.x, at.y * down_}, [&] { return color; });
         });
     }
 }

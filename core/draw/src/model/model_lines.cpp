@@ -30,7 +30,7 @@ bool ModelDrawing::draw_side(const ModelPiece& piece, std::uint16_t side) {
     if (piece.kind == PrimitiveKind::point) {
         const Rational of_points = offset_of(sample_of_others(method_)).exact();
         plot(pixel_of(on_samples(piece.corners[side], of_points).at),
-             from.color.rounded(method_.color_rounding));
+             [&] { return from.color.rounded(method_.color_rounding); });
         return true;
     }
     const auto [start, end] = directed(rules_, from, to);
@@ -51,7 +51,7 @@ bool ModelDrawing::draw_line(const ModelVertex& from, const ModelVertex& to) {
     const Index last = line.steps - (method_.ends == EndPixels::both ? 0 : 1);
     if (method_.line == LineMethod::bresenham)
         walk(line, last, true, [&](Index step, GridPoint pixel) {
-            plot(pixel, rules_.color_of_step(pixels, pixel, step, line.steps));
+            plot(pixel, [&] { return rules_.color_of_step(pixels, pixel, step, line.steps); });
         });
     else
         sample(line, pixels, last);
@@ -116,13 +116,28 @@ void ModelDrawing::walk(const ModelLine& line, Index last, bool is_told,
     tell_rejected();
 }
 
+/// The steps of a line along its major axis, from `first`, that are drawn: where the canvas has the column or row. Others
+/// may come back from as far off as it has pixels.
+std::pair<Index, Index> ModelDrawing::steps_within_reach(bool is_x_major, Index first,
+                                                         bool goes_back, Index last_step) const {
+    const Index reach = rules_.beside_canvas ? Index{canvas_.width} * canvas_.height : 0;
+    const Index low =
+        (is_x_major ? canvas_.left() : std::min(canvas_.top(), canvas_.bottom())) - reach;
+    const Index high =
+        (is_x_major ? canvas_.right() : std::max(canvas_.top(), canvas_.bottom())) + reach;
+    const StepRange steps = steps_between(low, high, first, goes_back, last_step);
+    return {steps.first, steps.last};
+}
+
 /// A naive or dda line: the coordinate across at each step along its major axis.
 void ModelDrawing::sample(const ModelLine& line, const GridLine& pixels, Index last) {
     const Rational offset = offset_of(sample_of_lines(method_)).exact();
     const SpanRounding rounding = line_rounding(method_);
     const bool falls = line.is_x_major ? line.to.y < line.from.y : line.to.x < line.from.x;
-    for (Index i = 0; i <= last; ++i) {
-        const Index along = line.last < line.first ? line.first - i : line.first + i;
+    const bool goes_back = line.last < line.first;
+    const auto [from, to] = steps_within_reach(line.is_x_major, line.first, goes_back, last);
+    for (Index i = from; i <= to; ++i) {
+        const Index along = goes_back ? line.first - i : line.first + i;
         const Rational across = rules_.across(line, along);
         const Index rounded = pixel_across(across, rounding, falls);
         if (canvas_.contains(line.is_x_major ? along : canvas_.left(),
@@ -130,7 +145,7 @@ void ModelDrawing::sample(const ModelLine& line, const GridLine& pixels, Index l
             sink_(line_sampled(line.is_x_major, along, Rational(across + offset), rounded));
         const GridPoint at =
             line.is_x_major ? GridPoint{along, rounded} : GridPoint{rounded, along};
-        plot(at, rules_.color_of_step(pixels, at, i, line.steps));
+        plot(at, [&] { return rules_.color_of_step(pixels, at, i, line.steps); });
     }
 }
 
@@ -164,7 +179,10 @@ bool ModelDrawing::sample_diamonds(const ModelVertex& from, const ModelVertex& t
 
     const Rational offset = offset_of(sample_of_lines(method_)).exact();
     const Index steps = (last - first) * -back + 1;
-    for (Index i = 0; i < steps; ++i) {
+    const auto [begin, end] =
+        steps_within_reach(line.is_x_major, line.is_x_major ? first : first * up,
+                           (goes_back ? -1 : 1) * (line.is_x_major ? 1 : up) < 0, steps - 1);
+    for (Index i = begin; i <= end; ++i) {
         const Index along = first - i * back;
         const Index across = pixel_at(along);
         const GridPoint at =
@@ -174,7 +192,7 @@ bool ModelDrawing::sample_diamonds(const ModelVertex& from, const ModelVertex& t
                              line.is_x_major ? canvas_.top() : at.y))
             sink_(line.is_x_major ? line_sampled(true, at.x, told, at.y)
                                   : line_sampled(false, at.y, told, at.x));
-        plot(at, rules_.color_of_step(pixels, at, i, steps));
+        plot(at, [&] { return rules_.color_of_step(pixels, at, i, steps); });
     }
     return steps > 0;
 }
@@ -187,7 +205,8 @@ void ModelDrawing::draw_circle(const ModelVertex& center, Index r) {
     if (!meets({middle, r}, canvas_))
         return sink_(PrimitiveSkipped<>{.why = SkipReason::off_canvas});
     const auto plot_image = [&](GridPoint p) {
-        plot({middle.x + p.x, middle.y + p.y}, center.color.rounded(method_.color_rounding));
+        plot({middle.x + p.x, middle.y + p.y},
+             [&] { return center.color.rounded(method_.color_rounding); });
         tell_rejected();
     };
     for (GridPoint at{0, r}; at.x <= at.y;) {

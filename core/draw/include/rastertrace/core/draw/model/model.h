@@ -140,8 +140,11 @@ struct ModelRules {
         beside_canvas; ///< where a pixel off the canvas is stored; none: nowhere
 };
 
-/// True if the model draws such scenes: coordinates of at most 100,000, as typed and in the world; of triangles that
-/// are filled by a fan, at most 2,000.
+/// The farthest coordinate, as typed and in the world, that the model goes to from pixel to pixel: 100,000; 2,000 of
+/// triangles that are filled by a fan.
+Index farthest_of_model(const Scene& scene);
+
+/// True if no coordinate of a scene is larger than that.
 bool has_model(const Scene& scene);
 
 /// Draws a scene by these rules, and tells the listener what is decided by them.
