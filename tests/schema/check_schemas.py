@@ -212,7 +212,7 @@ SCENES = [
     {"canvas": {"width": 9, "height": 7}, "vertices": {"A": [2, 5, 0, 6], "B": [-4, -3, 1, "-3/2"], "C": [5, -3, 0, 5]},
      "triangles": ["ABC"], "projection": {"type": "clip-space", "z": "zero-to-one"}},
     {"canvas": {"width": 9, "height": 7}, "vertices": {"A": [0, 0], "B": [4, -3], "C": [3, 3]}, "triangles": ["ABC"],
-     "convention": "cs418", "method": {"rows": "half-open", "rounding": "inside", "horizontal_edge": "bottom", "mistake": "weights-permuted"}},
+     "convention": "cs418", "method": {"rows": "half-open", "rounding": "inside", "horizontal_edge": "bottom", "mistake": "weights-permuted,byte-cast"}},
 ]
 
 # What a schema cannot know: names, sizes of numbers in relation to one another, what hangs on other keys.
@@ -229,7 +229,7 @@ SCENE_CANNOT_KNOW = [
     r"^expected an OBJ file in the scene's folder", r"^expected one of 1, 2, 3", r"^expected a number up to", r"^expected 0 or a number from",
     r"^expected two depths that differ", r"^expected a frustum, an orthographic projection", r"^expected \"depth\": ",
     r"^expected no (projection|camera|light|model|cull) beside vertices", r"^expected a vertex in clip space",
-    r"^expected \"rounding\": ", r"^expected a fill by rows", r"^expected a number from 0 to 1/2", r"^expected no \"ends\"", r"^expected what the mistake",
+    r"^expected \"rounding\": ", r"^expected a fill by rows", r"^expected a number from 0 to 1/2", r"^expected no \"ends\"", r"^expected no coordinate beyond",
 ]
 WRONG = [None, True, 5, -1, 0, 0.5, "x", "", "12", "1/0", "red", "#f00", "#12", "NaN", "-inf", "fit", [], {}, [[]], [1, 2, 3], {"x": 1}]
 

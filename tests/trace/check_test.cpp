@@ -150,7 +150,8 @@ TEST(Check, SharesAndLevelsOfColors) {
     const std::string half = R"({"canvas":{"width":4,"height":4,"origin":"bottom-left"},
  "vertices":{"A":[0,0],"B":[2,0]},"lines":["AB"],"colors":{"A":"#000000","B":"#ff0000"}})";
     EXPECT_EQ(verdicts(half, "(1,0): color #800000\n"), "r");
-    EXPECT_THAT(slips_of(half, "(1,0): color #7f0000\n"), ElementsAre("byte-cast"));
+    EXPECT_THAT(slips_of(half, "(1,0): color #7f0000\n"),
+                ElementsAre("byte-cast", "color-summed-and-cut"));
 }
 
 TEST(Check, ASampleIsJudgedByItsOwnWeights) {

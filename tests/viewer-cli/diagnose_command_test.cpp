@@ -229,6 +229,32 @@ TEST_F(DiagnoseTest, TheFormulaOfAMistakeGivesWhatIsTold) {
     }
 }
 
+// T0's listing has more than one: the slope upside down, and the vertices as they are named.
+TEST_F(DiagnoseTest, TwoMistakesAreDrawnTogether) {
+    const auto picture = [this](const std::string& mistakes) {
+        const std::string drawn = run("show scene.json --mistake " + mistakes).out;
+        return drawn.substr(drawn.find('\n'));
+    };
+    const std::string both = picture("dx-dy-inverted,right-end-left-out");
+    EXPECT_EQ(both, picture("right-end-left-out,dx-dy-inverted"));
+    EXPECT_NE(both, picture("dx-dy-inverted"));
+    EXPECT_NE(both, picture("right-end-left-out"));
+    EXPECT_THAT(run("show scene.json --mistake dx-dy-inverted,right-end").err,
+                HasSubstr("or several: a,b"));
+}
+
+// Matrices and places of a mistake are told, and redoing them from each other gives what is drawn.
+TEST_F(DiagnoseTest, TheStepsOfAMistakeAreItsOwn) {
+    fs::copy(fs::path(RASTERTRACE_EXAMPLES) / "mistakes/camera.json", folder_ / "camera.json");
+    const auto told = [this](const std::string& options) {
+        return run("trace camera.json --scalar exact --only matrix,vertex " + options).out;
+    };
+    for (const std::string mistake : {"camera-turned-round", "moved-after-turning"}) {
+        EXPECT_THAT(told("--mistake " + mistake), HasSubstr(R"("name":"view")"));
+        EXPECT_NE(told("--mistake " + mistake), told(""));
+    }
+}
+
 TEST_F(DiagnoseTest, AFrameSaysThatItIsDrawnWithAMistake) {
     EXPECT_THAT(run("show scene.json --mistake height-plus-one").out,
                 StartsWith("Two triangles of a quadrilateral, with height-plus-one"));

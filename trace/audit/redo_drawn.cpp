@@ -50,7 +50,7 @@ Method method_of(const ToldMethod& rules) {
     if (sample_of_others(rules.others) != of_triangles &&
         traits_of(method.fill).sample == of_triangles)
         method.sample = std::nullopt;
-    method.mistake = nullptr; // what it does is wrong
+    method.mistakes.clear(); // what they do is wrong
     return method;
 }
 

@@ -4,6 +4,7 @@
 #include "claim_comparison.h"
 #include "claim_meaning.h"
 #include "claim_subject.h"
+#include "drawn_mistakes.h"
 #include "picture_claim.h"
 #include "wrong_explainer.h"
 
@@ -68,7 +69,8 @@ public:
 
     Checked run() {
         compare_claims();
-        WrongExplainer explainer(wrong_);
+        DrawnMistakes mistakes(truth_, claims_);
+        WrongExplainer explainer(wrong_, mistakes);
         for (std::size_t i = 0; i < claims_.claims.size(); ++i)
             if (subjects_[i])
                 explainer.explain(*subjects_[i], i, checked_.claims[i]);

@@ -417,8 +417,19 @@ private:
 
 } // namespace
 
+const TruthIndex* TruthIndex::drawn_with(const Mistake& mistake) const {
+    const auto [place, is_new] = with_mistakes_.try_emplace(&mistake);
+    if (const Trace* const trace = is_new ? draw_mistake_(mistake) : nullptr)
+        place->second = std::make_unique<TruthIndex>(
+            *trace, nullptr, [] { return nullptr; }, [](const Trace&) { return nullptr; },
+            [](const Mistake&) { return nullptr; });
+    return place->second.get();
+}
+
 Subject subject_of(const Claim& claim, const Claims& claims, const TruthIndex& truth) {
-    return Finder(claim, claims, truth).find();
+    Subject subject = Finder(claim, claims, truth).find();
+    subject.claim = &claim;
+    return subject;
 }
 
 std::string edge_in(const StepIndex& index, const std::string& name) {

@@ -11,6 +11,7 @@
 #include <cstddef>
 #include <functional>
 #include <map>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -25,11 +26,14 @@ public:
     /// A trace in exact numbers, drawn again with many digits of sines and roots; nullptr if it has none.
     using DrawManyDigits = std::function<const Trace*(const Trace&)>;
 
+    /// The trace of a scene that is drawn with a mistake; nullptr if it cannot be, or no hand works so many steps out.
+    using DrawMistake = std::function<const Trace*(const Mistake&)>;
+
     /// No `exact`: the decided one is. `draw_faces` gives the trace that has every face tested, or nullptr.
     TruthIndex(const Trace& decided, const Trace* exact, std::function<const Trace*()> draw_faces,
-               DrawManyDigits draw_many_digits)
+               DrawManyDigits draw_many_digits, DrawMistake draw_mistake)
         : decided_(decided), draw_faces_(std::move(draw_faces)),
-          draw_many_digits_(std::move(draw_many_digits)) {
+          draw_many_digits_(std::move(draw_many_digits)), draw_mistake_(std::move(draw_mistake)) {
         if (exact != nullptr)
             exact_.emplace(*exact);
     }
@@ -43,19 +47,25 @@ public:
     /// The same steps with many digits of sines and roots; nullptr if there are none.
     const StepIndex* with_many_digits(const StepIndex& index) const;
 
+    /// The scene drawn with a mistake; nullptr if it cannot be.
+    const TruthIndex* drawn_with(const Mistake& mistake) const;
+
 private:
     StepIndex decided_;
     std::optional<StepIndex> exact_;
     std::function<const Trace*()> draw_faces_;
     DrawManyDigits draw_many_digits_;
+    DrawMistake draw_mistake_;
     mutable std::optional<StepIndex> faces_;
     mutable std::map<const StepIndex*, std::optional<StepIndex>> with_many_digits_;
+    mutable std::map<const Mistake*, std::unique_ptr<TruthIndex>> with_mistakes_;
 };
 
 /// What a claim is about: a step, in the exact trace and in that of the scene's own method and scalar; or a
 /// pixel of the final picture, which may have no step.
 struct Subject {
     StepKind kind;
+    const Claim* claim = nullptr;
     const StepIndex* exact = nullptr;
     const StepIndex* decided = nullptr;
     StepIndex::Keys keys = {};

@@ -90,8 +90,14 @@ double habit_of(const HowOften& often) {
     return std::log(likelihood(always) + likelihood(now_and_then));
 }
 
-double prior_of(const Slip& slip) {
-    return std::log(slip.in_thousand / 1000.0);
+double prior_of(std::string_view slip) {
+    const Slip* const known = find_slip(slip);
+    return known != nullptr ? std::log(known->in_thousand / 1000.0) : prior_of_mistake();
+}
+
+double prior_of_mistake() {
+    constexpr double in_thousand = 3; // of each of about a hundred
+    return std::log(in_thousand / 1000.0);
 }
 
 double prior_of_chance() {

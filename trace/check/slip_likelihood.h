@@ -4,7 +4,7 @@
 // How likely a slip is behind a wrong number, and not chance: a digit misread, a factor of ten, any other number. A
 // slip that can be made in many ways gives many numbers, so that one of them is easily met; a long fraction is not.
 //
-//     evidence_for(results, field, right) + prior_of(slip) > prior_of_chance()   // the slip is named
+//     evidence_for(results, field, right) + prior_of(name) > prior_of_chance()   // the slip is named
 //
 // Natural logarithms of probabilities (Bayes). The shares are guesses: what is named hardly depends on them.
 
@@ -14,6 +14,7 @@
 #include <rastertrace/trace/tell/formula.h>
 
 #include <cstddef>
+#include <string_view>
 #include <vector>
 
 namespace rastertrace {
@@ -32,7 +33,8 @@ struct HowOften {
 double habit_of(const HowOften& often);
 
 /// The share of wrong numbers that come of a slip, and of those that come of nothing.
-double prior_of(const Slip& slip);
+double prior_of(std::string_view slip); ///< or a mistake of programs alone
+double prior_of_mistake();              ///< of programs, where no formula is done again with it
 double prior_of_chance();
 
 } // namespace rastertrace

@@ -42,12 +42,11 @@ private:
 };
 
 /// Words of a slip that is a known mistake of programs, too (mistakes.h): they are that one's.
-inline constexpr std::string_view as_mistake = {};
-
-/// The mistake's words, but in Portuguese these. A formula needs none.
-constexpr Words of_mistake(std::string_view portuguese = as_mistake) {
-    return {as_mistake, portuguese};
-}
+struct AsMistake {
+    constexpr operator Words() const { return {{}, {}}; }
+    constexpr operator std::string_view() const { return {}; }
+};
+inline constexpr AsMistake as_mistake;
 
 /// The formula, if it is of this form.
 template <typename Form> const Form* as_form(const Formula& formula) {

@@ -579,23 +579,18 @@ std::vector<SlipResult> edge_the_other_way(const Formula& formula) {
     return results.take();
 }
 
-constexpr std::string_view rounding_down = "arredondar para baixo, floor(x)";
-constexpr std::string_view both_ends_down =
-    "arredondar para baixo nos dois extremos, floor(esquerdo) a floor(direito)";
 constexpr Words scenes_own_rule("the scene's own rule", "a regra da cena");
 
 constexpr Slip other_slips[] = {
-    {"truncate-for-floor", of_mistake("arredondar em direção a 0, int(x)"),
-     of_mistake(rounding_down), as_mistake, 150, instead_of_floor<Rounding::truncate>},
-    {"nearest-for-floor", of_mistake("arredondar para o mais próximo, round(x)"),
-     of_mistake(rounding_down), as_mistake, 120, instead_of_floor<Rounding::nearest>},
-    {"inside-for-floor",
-     of_mistake("só os pixels entre os extremos, ceil(esquerdo) a floor(direito)"),
-     of_mistake(both_ends_down), as_mistake, 80, instead_of_floor<Rounding::inside>},
-    {"half-open-for-floor",
-     of_mistake("deixar de fora o extremo direito, ceil(esquerdo) a ceil(direito) - 1"),
-     of_mistake(both_ends_down), as_mistake, 80, instead_of_floor<Rounding::half_open>},
-    {"dx-dy-inverted", of_mistake(), of_mistake(), as_mistake, 70, dx_dy_inverted},
+    {"truncate-for-floor", as_mistake, as_mistake, as_mistake, 150,
+     instead_of_floor<Rounding::truncate>},
+    {"nearest-for-floor", as_mistake, as_mistake, as_mistake, 120,
+     instead_of_floor<Rounding::nearest>},
+    {"inside-for-floor", as_mistake, as_mistake, as_mistake, 80,
+     instead_of_floor<Rounding::inside>},
+    {"half-open-for-floor", as_mistake, as_mistake, as_mistake, 80,
+     instead_of_floor<Rounding::half_open>},
+    {"dx-dy-inverted", as_mistake, as_mistake, as_mistake, 70, dx_dy_inverted},
     {"dy-dx-inverted",
      {"(x2 - x1) / (y2 - y1)", "(x2 - x1) / (y2 - y1)"},
      {"(y2 - y1) / (x2 - x1)", "(y2 - y1) / (x2 - x1)"},
@@ -629,16 +624,14 @@ constexpr Slip other_slips[] = {
      as_mistake,
      60,
      z_for_inverse_z},
-    {"start-and-step-exchanged", of_mistake(), of_mistake(), as_mistake, 20,
-     start_and_step_exchanged},
+    {"start-and-step-exchanged", as_mistake, as_mistake, as_mistake, 20, start_and_step_exchanged},
     {"y-for-z",
      {"z in the place of y", "z no lugar de y"},
      {"y", "y"},
      "what points away points up",
      20,
      y_for_z},
-    {"view-turned-round", of_mistake("do olho para a face"), of_mistake("da face para o olho"),
-     as_mistake, 40, view_turned_round},
+    {"view-turned-round", as_mistake, as_mistake, as_mistake, 40, view_turned_round},
     {"cosine-of-dot-only",
      {"the dot product alone", "só o produto escalar"},
      {"the dot product divided by both lengths",
@@ -652,8 +645,7 @@ constexpr Slip other_slips[] = {
      "no face is turned away",
      10,
      normal_for_view},
-    {"corner-for-center", of_mistake("a amostra de um pixel é (x, y)"), of_mistake(), as_mistake,
-     40, corner_for_center},
+    {"corner-for-center", as_mistake, as_mistake, as_mistake, 40, corner_for_center},
     {"corner-for-centroid",
      {"a corner", "um vértice"},
      {"the centroid", "o baricentro"},
@@ -696,7 +688,7 @@ constexpr Slip other_slips[] = {
      "moved by a constant",
      20,
      term_dropped},
-    {"slope-of-zero", of_mistake(), of_mistake(), as_mistake, 25, slope_of_zero},
+    {"slope-of-zero", as_mistake, as_mistake, as_mistake, 25, slope_of_zero},
     {"three-corners",
      {"three corners of a polygon", "três vértices de um polígono"},
      {"all of its corners", "todos os seus vértices"},
@@ -715,7 +707,7 @@ constexpr Slip other_slips[] = {
      "whole numbers where fractions belong",
      10,
      pixel_for_end},
-    {"integer-division", of_mistake(), of_mistake(), as_mistake, 20, integer_division},
+    {"integer-division", as_mistake, as_mistake, as_mistake, 20, integer_division},
     {"coordinates-exchanged",
      {"two coordinates exchanged", "duas coordenadas trocadas"},
      {"x, y, z in this order", "x, y, z nesta ordem"},
@@ -742,22 +734,31 @@ constexpr Slip other_slips[] = {
      another_rounding},
 };
 
-/// Words of a slip, with those of its mistake where it has none.
-Words filled(const Words& words, std::string_view of_its_mistake) {
-    const auto in = [&](Language language) {
-        const std::string_view own = words.in(language);
-        return own.empty() ? of_its_mistake : own;
-    };
-    return {in(Language::english), in(Language::portuguese)};
+Words words_of(const RuleWords& rule) {
+    return {rule.english, rule.portuguese};
+}
+
+std::string meaning_of(const Words& done, const Words& instead_of, std::string_view detail) {
+    const Language language = language_of_steps();
+    return said({"{}{}{}{} instead of {}", "{}{}{}{}, e não {}"}, done.in(language),
+                detail.empty() ? "" : " (", detail, detail.empty() ? "" : ")",
+                instead_of.in(language));
 }
 
 } // namespace
 
 std::string meaning_of(const Slip& slip, std::string_view detail) {
-    const Language language = language_of_steps();
-    return said({"{}{}{}{} instead of {}", "{}{}{}{}, e não {}"}, slip.done.in(language),
-                detail.empty() ? "" : " (", detail, detail.empty() ? "" : ")",
-                slip.instead_of.in(language));
+    return meaning_of(slip.done, slip.instead_of, detail);
+}
+
+std::string meaning_of(std::string_view name) {
+    if (const Slip* const slip = find_slip(name))
+        return meaning_of(*slip);
+    const Mistake* const mistake = find_mistake(name);
+    return mistake == nullptr ? ""
+           : mistake->is_rule()
+               ? std::string(words_of(mistake->says).in(language_of_steps()))
+               : meaning_of(words_of(mistake->says), words_of(mistake->should), {});
 }
 
 std::span<const Slip> slips() {
@@ -767,8 +768,10 @@ std::span<const Slip> slips() {
             rows.insert(rows.end(), more.begin(), more.end());
         for (Slip& row : rows)
             if (const Mistake* const mistake = find_mistake(row.name)) {
-                row.done = filled(row.done, mistake->says);
-                row.instead_of = filled(row.instead_of, mistake->should);
+                if (row.done.in(Language::english).empty())
+                    row.done = words_of(mistake->says);
+                if (row.instead_of.in(Language::english).empty())
+                    row.instead_of = words_of(mistake->should);
                 if (row.symptom.empty())
                     row.symptom = mistake->symptom;
             }

@@ -39,6 +39,9 @@ struct Slip {
 /// "rounding toward 0 instead of rounding down", in the language of steps.
 std::string meaning_of(const Slip& slip, std::string_view detail = {});
 
+/// The same of a slip by its name, or of a known mistake of programs (mistakes.h); "" of any other name.
+std::string meaning_of(std::string_view name);
+
 /// All of them.
 std::span<const Slip> slips();
 

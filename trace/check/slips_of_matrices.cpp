@@ -131,18 +131,15 @@ std::vector<SlipResult> size_for_last_pixel(const Formula& formula) {
 }
 
 constexpr Slip matrix_slips[] = {
-    {"turned-the-other-way", of_mistake("sin no lugar de -sin"), of_mistake(), as_mistake, 30,
-     turned_the_other_way},
+    {"turned-the-other-way", as_mistake, as_mistake, as_mistake, 30, turned_the_other_way},
     {"degrees-for-radians",
      {"the number of degrees taken for radians", "o número de graus tomado por radianos"},
      {"degrees", "graus"},
      "the angle seems to be any",
      30,
      degrees_for_radians},
-    {"factors-exchanged", of_mistake("as matrizes na outra ordem"),
-     of_mistake("o último passo primeiro: sua matriz fica à esquerda"), as_mistake, 30,
-     factors_exchanged},
-    {"size-for-last-pixel", of_mistake(), of_mistake(), as_mistake, 30, size_for_last_pixel},
+    {"factors-exchanged", as_mistake, as_mistake, as_mistake, 30, factors_exchanged},
+    {"size-for-last-pixel", as_mistake, as_mistake, as_mistake, 30, size_for_last_pixel},
     {"rows-for-columns",
      {"the columns of the matrix taken for rows", "as colunas da matriz tomadas por linhas"},
      {"its rows", "suas linhas"},

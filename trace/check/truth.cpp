@@ -2,6 +2,7 @@
 #include "check.h"
 #include "claim_subject.h"
 
+#include <rastertrace/core/draw/model/mistakes.h>
 #include <rastertrace/core/draw/plan/plan.h>
 #include <rastertrace/trace/scene/scene_file.h>
 
@@ -44,33 +45,29 @@ struct Truth::State {
     MethodOverrides overrides = {};
     InputLimits limits = {};
     FrameChoice frames = {};
+    std::optional<PlannedScene> without_mistake = {};
     std::optional<Trace> decided = {};
     std::optional<Trace> exact = {};
     std::optional<Trace> with_faces = {};
     std::map<const Trace*, std::optional<Trace>> with_many_digits = {};
+    std::map<const Mistake*, std::optional<Trace>> with_mistakes = {};
     std::vector<Problem> remarks = {};
     std::optional<TruthIndex> index = {};
 
-    /// Draws the scene with more choices than it has. Every stage runs: it changes no picture, and each
-    /// vertex is told in every space.
-    Trace draw(const MethodOverrides& more) { return *draw(more, RootDigits::of_double); }
-
-    /// Nothing if many digits are asked for and the scene has no sine and no root.
-    std::optional<Trace> draw(const MethodOverrides& more, RootDigits digits) {
+    /// The scene with more choices than it has. Every stage runs: it changes no picture, and each vertex is told in every
+    /// space. Throws a Problem if it cannot be drawn so.
+    PlannedScene planned(const MethodOverrides& more) const {
         MethodOverrides all = every_stage_kept();
         all.insert(all.end(), overrides.begin(), overrides.end());
         all.insert(all.end(), more.begin(), more.end());
         Result<PlannedScene> read = read_scene(*scene, all, limits, frames);
         if (!read)
             throw read.problem();
-        PlannedScene& planned = read.value();
-        remarks = planned.remarks;
-        if (digits == RootDigits::many) {
-            if (!give_many_digits(planned.scene))
-                return std::nullopt;
-            planned.plan = plan_for(planned.scene);
-        }
-        return drawn_trace(planned.scene, planned.plan, scene->name, limits.steps);
+        return std::move(read.value());
+    }
+
+    Trace drawn(const PlannedScene& one) const {
+        return drawn_trace(one.scene, one.plan, scene->name, limits.steps);
     }
 
     /// The same scene in exact numbers; nullptr if it is drawn in them.
@@ -78,7 +75,7 @@ struct Truth::State {
         if (!scene || decided->method.triangles.scalar == ScalarKind::exact)
             return nullptr;
         if (!exact)
-            exact = draw({{"scalar", "exact"}});
+            exact = drawn(planned({{"scalar", "exact"}}));
         return &*exact;
     }
 
@@ -91,9 +88,44 @@ struct Truth::State {
             MethodOverrides all{{"scalar", "exact"}};
             if (with_faces && &trace == &*with_faces)
                 all.emplace_back("cull", "back");
-            place->second = draw(all, RootDigits::many);
+            PlannedScene one = planned(all);
+            if (give_many_digits(one.scene)) {
+                one.plan = plan_for(one.scene);
+                place->second = drawn(one);
+            }
         }
         return place->second ? &*place->second : nullptr;
+    }
+
+    /// The scene drawn with a mistake, in exact numbers; nullptr if that changes nothing that it has, or it has more steps
+    /// than a hand works out.
+    const Trace* drawn_with(const Mistake& mistake) {
+        constexpr std::size_t most_steps = 500;
+        const auto [place, is_new] = with_mistakes.try_emplace(&mistake);
+        if (is_new && scene && decided->size() <= most_steps)
+            place->second = drawn_newly_with(mistake);
+        return place->second ? &*place->second : nullptr;
+    }
+
+    std::optional<Trace> drawn_newly_with(const Mistake& mistake) {
+        if (!without_mistake)
+            without_mistake = planned({{"scalar", "exact"}});
+        if (!mistake.concerns(without_mistake->scene))
+            return std::nullopt;
+        try {
+            if (mistake.put_in == nullptr) {
+                MethodOverrides settings = parse_method({"", std::string(mistake.setting)}).value();
+                settings.emplace_back("scalar", "exact");
+                return drawn(planned(settings));
+            }
+        } catch (const Problem&) {
+            return std::nullopt; // what it sets does not go with what else the scene says
+        }
+        if (!has_model(without_mistake->scene))
+            return std::nullopt;
+        PlannedScene one = *without_mistake;
+        one.scene.method.mistakes = {&mistake};
+        return drawn(one);
     }
 
     /// The same with every face tested; nullptr if there is no scene.
@@ -101,7 +133,7 @@ struct Truth::State {
         if (!scene)
             return nullptr;
         if (!with_faces)
-            with_faces = draw({{"scalar", "exact"}, {"cull", "back"}});
+            with_faces = drawn(planned({{"scalar", "exact"}, {"cull", "back"}}));
         return &*with_faces;
     }
 };
@@ -116,7 +148,9 @@ Truth::Truth(Source scene, MethodOverrides overrides, InputLimits limits, FrameC
     state_->overrides = std::move(overrides);
     state_->limits = limits;
     state_->frames = std::move(frames);
-    state_->decided = state_->draw({});
+    PlannedScene asked = state_->planned({});
+    state_->decided = state_->drawn(asked);
+    state_->remarks = std::move(asked.remarks);
 }
 
 Truth::Truth(Truth&&) noexcept = default;
@@ -142,7 +176,8 @@ const TruthIndex& Truth::index() const {
             [state = state_.get()] { return state->drawn_with_faces(); },
             [state = state_.get()](const Trace& trace) {
                 return state->drawn_with_many_digits(trace);
-            });
+            },
+            [state = state_.get()](const Mistake& mistake) { return state->drawn_with(mistake); });
     return *state_->index;
 }
 

@@ -3,7 +3,6 @@
 
 #include "claim_comparison.h"
 #include "derivation.h"
-#include "slip_likelihood.h"
 #include "typed_number.h"
 
 #include <rastertrace/trace/tell/step_text.h>
@@ -35,26 +34,6 @@ std::optional<Formula> formula_of(const Subject& subject, const ClaimedField& fi
     return std::move(formulas.front());
 }
 
-/// Counts, of each slip, the right numbers of a claim that would be others with it.
-void count_not_made(const Subject& subject, const CheckedClaim& claim,
-                    std::map<std::string, HowOften>& how_often) {
-    for (std::size_t k = 0; k < claim.fields.size() && k < subject.fields.size(); ++k) {
-        if (claim.fields[k].verdict != ClaimVerdict::right)
-            continue;
-        const ClaimedField& field = *subject.fields[k];
-        const auto formula = formula_of(subject, field);
-        if (!formula || !typed_value(field.values.front())) // a verdict is right by chance, too
-            continue;
-        for (auto& [slip, often] : how_often) {
-            const auto results = find_slip(slip)->redo(*formula);
-            if (!results.empty() &&
-                std::none_of(results.begin(), results.end(),
-                             [&](const auto& one) { return gives(one.values, field); }))
-                ++often.not_made;
-        }
-    }
-}
-
 bool share_slip(const std::vector<LikelySlip>& some, const std::vector<LikelySlip>& others) {
     return std::any_of(some.begin(), some.end(), [&others](const LikelySlip& one) {
         return std::any_of(others.begin(), others.end(),
@@ -65,6 +44,12 @@ bool share_slip(const std::vector<LikelySlip>& some, const std::vector<LikelySli
 } // namespace
 
 void WrongExplainer::explain(const Subject& subject, std::size_t order, CheckedClaim& claim) {
+    explain_by_formulas(subject, order, claim);
+    mistakes_.name_in(subject, claim);
+}
+
+void WrongExplainer::explain_by_formulas(const Subject& subject, std::size_t order,
+                                         CheckedClaim& claim) {
     for (std::size_t k = 0; k < claim.fields.size() && k < subject.fields.size(); ++k) {
         CheckedField& checked = claim.fields[k];
         const ClaimedField& field = *subject.fields[k];
@@ -216,6 +201,32 @@ WrongExplainer::Slips WrongExplainer::slips_that_give(const Formula& formula,
     return found;
 }
 
+/// Counts, of each slip, the right numbers of a claim that would be others with it.
+void WrongExplainer::count_not_made(const Subject& subject, const CheckedClaim& claim,
+                                    std::map<std::string, HowOften>& how_often) const {
+    for (std::size_t k = 0; k < claim.fields.size() && k < subject.fields.size(); ++k) {
+        if (claim.fields[k].verdict != ClaimVerdict::right)
+            continue;
+        const ClaimedField& field = *subject.fields[k];
+        const auto formula = formula_of(subject, field);
+        const bool is_number = typed_value(field.values.front()).has_value();
+        for (auto& [name, often] : how_often) {
+            const Slip* const slip = find_slip(name);
+            if (slip == nullptr) {
+                often.not_made += mistakes_.changes(name, subject, field) ? 1 : 0;
+                continue;
+            }
+            const auto results = formula && is_number // a verdict is right by chance, too
+                                     ? slip->redo(*formula)
+                                     : std::vector<SlipResult>();
+            if (!results.empty() &&
+                std::none_of(results.begin(), results.end(),
+                             [&](const auto& one) { return gives(one.values, field); }))
+                ++often.not_made;
+        }
+    }
+}
+
 void WrongExplainer::rank_slips(std::span<const std::optional<Subject>> subjects,
                                 Checked& checked) const {
     // One habit may be behind many wrong numbers.
@@ -224,7 +235,7 @@ void WrongExplainer::rank_slips(std::span<const std::optional<Subject>> subjects
     for (const CheckedClaim& claim : checked.claims)
         for (const CheckedField& field : claim.fields)
             for (const LikelySlip& slip : field.slips) {
-                likelihood.try_emplace(slip.name, prior_of(*find_slip(slip.name))).first->second +=
+                likelihood.try_emplace(slip.name, prior_of(slip.name)).first->second +=
                     slip.evidence;
                 ++how_often[slip.name].made;
             }

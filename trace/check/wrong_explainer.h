@@ -9,7 +9,9 @@
 
 #include "check.h"
 #include "claim_subject.h"
+#include "drawn_mistakes.h"
 #include "numbers.h"
+#include "slip_likelihood.h"
 #include "slips.h"
 
 #include <rastertrace/trace/tell/formula.h>
@@ -24,10 +26,11 @@
 
 namespace rastertrace {
 
-/// Explains the wrong claims of one file. The wrong numbers, all of them, must outlive it.
+/// Explains the wrong claims of one file. The wrong numbers, all of them, and the mistakes must outlive it.
 class WrongExplainer {
 public:
-    explicit WrongExplainer(const WrongNumbers& wrong) : wrong_(wrong) {}
+    WrongExplainer(const WrongNumbers& wrong, DrawnMistakes& mistakes)
+        : wrong_(wrong), mistakes_(mistakes) {}
 
     /// Finds what each wrong field of a claim goes on from, or the slips behind it. `order` is the claim's, as in the
     /// wrong numbers.
@@ -47,6 +50,7 @@ private:
         Formula formula = {};
     };
 
+    void explain_by_formulas(const Subject& subject, std::size_t order, CheckedClaim& claim);
     void explain_exchanged_ends(const Subject& subject, CheckedClaim& claim);
     void hold_against_other_end(const Subject& subject, const ClaimedEnd& wrong,
                                 const ClaimedEnd& other);
@@ -60,7 +64,11 @@ private:
     Slips slips_that_give(const Formula& formula, const std::string& number,
                           const ClaimedField& field);
 
+    void count_not_made(const Subject& subject, const CheckedClaim& claim,
+                        std::map<std::string, HowOften>& how_often) const;
+
     const WrongNumbers& wrong_;
+    DrawnMistakes& mistakes_;
     std::map<const StepIndex*, Numbers> numbers_; ///< with the wrong ones
     std::map<std::string, std::vector<std::vector<SlipResult>>>
         redone_; ///< by number, for each slip

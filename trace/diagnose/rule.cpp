@@ -143,31 +143,25 @@ std::optional<Rule> rule_named(std::string_view name) {
 }
 
 std::optional<Image> drawn_by(const Rule& rule, const Source& scene, DrawnIn numbers) {
-    const auto read =
+    auto read =
         read_by(all_settings(rule), scene, numbers == DrawnIn::doubles ? "double" : "exact");
     if (!read)
         return std::nullopt;
-    // A mistake in what a scene does not have, like a camera, changes nothing.
-    std::vector<const Mistake*> made;
-    std::ranges::copy_if(rule.mistakes, std::back_inserter(made), [&read](const Mistake* one) {
-        return one->put_in != nullptr && one->concerns(read->scene);
-    });
-    if (made.empty())
-        return draw(read->scene, read->plan);
-    if (!has_model(read->scene))
+    read->scene.method.mistakes = rule.mistakes;
+    if (!modelled_mistakes(read->scene).empty() && !has_model(read->scene))
         return std::nullopt;
-    ModelRules rules(read->scene);
-    for (const Mistake* const mistake : made)
-        mistake->put_in(rules);
-    return draw_by(rules);
+    return draw(read->scene, read->plan);
 }
 
 std::optional<Trace> traced_by(const Rule& rule, const Source& scene) {
     constexpr std::size_t most_steps = 1'000'000;
     Settings settings = rule.settings;
+    std::vector<std::string_view> names;
     for (const Mistake* const mistake : rule.mistakes)
-        settings.emplace_back("mistake", mistake->name);
-    const auto read = rule.mistakes.size() < 2 ? read_by(settings, scene) : std::nullopt;
+        names.push_back(mistake->name);
+    if (!names.empty())
+        settings.emplace_back("mistake", joined(names, ","));
+    const auto read = read_by(settings, scene);
     if (!read)
         return std::nullopt;
     return drawn_trace(read->scene, read->plan, scene.name, most_steps);

@@ -39,7 +39,7 @@ enum class DrawnIn { fractions, doubles };
 std::optional<Image> drawn_by(const Rule& rule, const Source& scene,
                               DrawnIn numbers = DrawnIn::fractions);
 
-/// The trace of a scene drawn by a rule, in fractions. `nullopt` if it cannot be drawn so, or by two mistakes.
+/// The trace of a scene drawn by a rule, in fractions. `nullopt` if it cannot be drawn so.
 std::optional<Trace> traced_by(const Rule& rule, const Source& scene);
 
 /// The rules that a scene may have been drawn by: all values of each setting that its picture may depend on, alone and

@@ -108,7 +108,7 @@ public:
             read_keep(*keep);
         apply_overrides();
         apply_convention();
-        apply_mistake();
+        apply_mistakes();
         if (const auto vertices = root.find("vertices"))
             read_vertices(*vertices);
         read_objects(root.find("model"), root.find("meshes"));
@@ -128,7 +128,7 @@ public:
         for (Method* const method : {&scene_.method, &asked_})
             drop_what_means_nothing(*method);
         check_method(root);
-        check_mistake(root);
+        check_mistakes(root);
         read_canvas(root.find("canvas"), root);
     }
 
@@ -161,11 +161,13 @@ public:
             remarks.push_back(*std::move(remark));
         if (place_of_camera_)
             remarks.push_back(remark_on_camera());
-        if (place_of_mistake_ && !mistake_shows(std::get<Plan>(plan)))
+        if (place_of_mistake_ && !mistakes_show(std::get<Plan>(plan)))
             remarks.push_back(
                 problem_at(source_, *place_of_mistake_,
-                           fmt::format("remark: the mistake \"{}\" changes no pixel of this scene",
-                                       scene_.method.mistake->name)));
+                           fmt::format("remark: {} no pixel of this scene",
+                                       scene_.method.mistakes.size() > 1
+                                           ? "the mistakes " + quoted_mistakes() + " change"
+                                           : "the mistake " + quoted_mistakes() + " changes")));
         std::move(remarks_on_meshes_.begin(), remarks_on_meshes_.end(),
                   std::back_inserter(remarks));
         return {std::move(scene_), std::get<Plan>(std::move(plan)), std::move(remarks)};
@@ -251,19 +253,10 @@ private:
                     find_method_key(name)->set(scene_.method, value);
     }
 
-    /// A mistake is a setting, whatever the scene says, or a function in the model, which is exact.
-    void apply_mistake() {
+    void apply_mistakes() {
         asked_ = scene_.method;
-        const Mistake* const mistake = std::exchange(asked_.mistake, nullptr);
-        if (mistake == nullptr)
-            return;
-        if (mistake->put_in != nullptr) {
-            scene_.method.scalar = ScalarKind::exact;
-            return;
-        }
-        const auto settings = parse_method({"", std::string(mistake->setting)});
-        for (const auto& [name, value] : settings.value())
-            find_method_key(name)->set(scene_.method, value);
+        for (const Mistake* const mistake : std::exchange(asked_.mistakes, {}))
+            put_in(*mistake, scene_.method);
     }
 
     /// What the convention has set for other fills, or for depths that the scene has not.
@@ -630,27 +623,30 @@ private:
         }
     }
 
-    /// A mistake that the model cannot make in such a scene is refused.
-    void check_mistake(const JsonValue& root) {
-        const Mistake* const mistake = scene_.method.mistake;
-        if (mistake == nullptr)
+    /// "a", "b"
+    std::string quoted_mistakes() const {
+        std::vector<std::string> names;
+        for (const Mistake* const mistake : scene_.method.mistakes)
+            names.push_back(fmt::format("\"{}\"", mistake->name));
+        return joined(names, ", ");
+    }
+
+    /// The model, which draws with a mistake, goes from pixel to pixel.
+    void check_mistakes(const JsonValue& root) {
+        if (scene_.method.mistakes.empty())
             return;
         const JsonValue blamed = root.find("method").value_or(root);
-        if (mistake->put_in != nullptr && !has_model(scene_))
-            json_.fail(blamed,
-                       fmt::format("expected what the mistake \"{}\" can be made in: triangles "
-                                   "that are filled by rows or by "
-                                   "samples, lines by bresenham, naive or dda, points, and no "
-                                   "coordinate beyond 100000; found "
-                                   "something else",
-                                   mistake->name),
-                       "no known mistake is about polygons, circles, the fan, diamonds, or lines "
-                       "that surfaces hide");
+        if (!modelled_mistakes(scene_).empty() && !has_model(scene_))
+            json_.fail(
+                blamed,
+                fmt::format("expected no coordinate beyond {} to draw with the mistake {}, found "
+                            "a larger one",
+                            farthest_of_model(scene_), quoted_mistakes()));
         place_of_mistake_ = blamed.begin;
     }
 
-    /// True if a pixel is another one with the mistake of the scene than without.
-    bool mistake_shows(const Plan& plan) const {
+    /// True if a pixel is another one with the mistakes of the scene than without.
+    bool mistakes_show(const Plan& plan) const {
         Scene right = scene_;
         right.method = asked_;
         right.method.scalar = scene_.method.scalar;

@@ -114,6 +114,8 @@ Json one_of_values(const MethodKey& key) {
     for (std::size_t i = 0; i < key.values.size(); ++i)
         words.push_back({key.values[i], key.meanings[i]});
     Json schema = one_of(words);
+    if (key.name == "mistake") // or several
+        return {{"anyOf", Json::array({schema, {{"type", "string"}, {"pattern", ","}}})}};
     // A number may stand in quotes, or without.
     if (key.is_number())
         for (const JsonWord& word : words) {

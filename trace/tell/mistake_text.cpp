@@ -4,6 +4,7 @@
 #include "step_text.h"
 
 #include <rastertrace/core/draw/model/mistakes.h>
+#include <rastertrace/trace/text/language.h>
 
 #include <fmt/core.h>
 
@@ -130,14 +131,18 @@ std::string put_in(std::string_view formula, const Letters& letters) {
 
 std::string formula_of_mistake(const Replay& replay) {
     const Trace& trace = replay.trace();
-    const Mistake* const mistake = trace.method.triangles.mistake;
-    if (mistake == nullptr || !trace.numbers_give)
+    if (!trace.numbers_give)
         return {};
     const auto given = trace.numbers_give->find(trace.number_of(replay.step()));
     if (given == trace.numbers_give->end())
         return {};
-    return fmt::format("; {}: {}", mistake->name,
-                       put_in(mistake->says, letters_of(replay, given->second)));
+    std::string text;
+    for (const Mistake* const mistake : trace.method.triangles.mistakes)
+        text += fmt::format(
+            "; {}: {}", mistake->name,
+            put_in(Words(mistake->says.english, mistake->says.portuguese).in(language_of_steps()),
+                   letters_of(replay, given->second)));
+    return text;
 }
 
 } // namespace rastertrace

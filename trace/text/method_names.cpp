@@ -310,31 +310,45 @@ static MethodKey convention_key() {
     return key;
 }
 
-/// A mistake that a setting draws sets that; any other is put into the model, which has exact numbers. The reader does both
-/// (scene_file.cpp), when the scene has said all that it says.
 static MethodKey mistake_key() {
     MethodKey key{.name = "mistake",
-                  .meaning = "a known mistake to draw with",
+                  .meaning = "known mistakes to draw with",
                   .values = {},
                   .get =
                       [](const Method& method) {
-                          return std::string(method.mistake == nullptr ? "" : method.mistake->name);
+                          std::vector<std::string_view> names;
+                          for (const Mistake* const mistake : method.mistakes)
+                              names.push_back(mistake->name);
+                          return joined(names, ",");
                       },
                   .set =
                       [](Method& method, std::string_view value) {
-                          const Mistake* const found = find_mistake(value);
-                          if (found != nullptr)
-                              method.mistake = found;
-                          return found != nullptr;
+                          method.mistakes.clear();
+                          for (const std::string& name : split_at(std::string(value), ',')) {
+                              method.mistakes.push_back(find_mistake(name));
+                              if (method.mistakes.back() == nullptr)
+                                  return false;
+                          }
+                          return true;
                       },
                   .otherwise = [](const Scene&) { return std::string(); },
-                  .in_force = [](const Scene& scene) { return scene.method.mistake != nullptr; },
-                  .told_as = "a name that `rastertrace diagnose --list` lists"};
+                  .in_force = [](const Scene& scene) { return !scene.method.mistakes.empty(); },
+                  .told_as = "a name that `rastertrace diagnose --list` lists, or several: a,b"};
     for (const Mistake& mistake : mistakes()) {
         key.values.push_back(mistake.name);
-        key.meanings.push_back(mistake.says);
+        key.meanings.push_back(mistake.says.english);
     }
     return key;
+}
+
+void put_in(const Mistake& mistake, Method& method) {
+    if (mistake.put_in != nullptr) {
+        method.scalar = ScalarKind::exact;
+        return;
+    }
+    const auto settings = parse_method({"", std::string(mistake.setting)});
+    for (const auto& [name, value] : settings.value())
+        find_method_key(name)->set(method, value);
 }
 
 std::string MethodKey::listed() const {

@@ -52,6 +52,10 @@ std::string value_in_force(const MethodKey& key, const Scene& scene);
 /// The key of that name, or nullptr.
 const MethodKey* find_method_key(std::string_view name);
 
+/// What a mistake makes of a method that has it: its setting, whatever the method says, or the exact numbers of the
+/// model.
+void put_in(const Mistake& mistake, Method& method);
+
 /// The method of a trace, as its header tells it. What that does not say, or in words that are not ours, is as in Method{}.
 struct ToldMethod {
     Method triangles;

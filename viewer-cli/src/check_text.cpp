@@ -213,9 +213,9 @@ std::string frequent_slips(const std::vector<CheckedFile>& files) {
                              &std::pair<std::string, std::size_t>::second);
     std::string text;
     for (const auto& [name, count] : slips) {
-        const Slip* const known = find_slip(name);
-        text += fmt::format("{:<{}}  {}{}\n", name, name_width, count,
-                            known ? "  " + meaning_of(*known) : "");
+        const std::string meaning = meaning_of(name);
+        text += fmt::format("{:<{}}  {}{}{}\n", name, name_width, count,
+                            meaning.empty() ? "" : "  ", meaning);
     }
     return text.empty() ? ""
                         : said({"\nThe most likely slip of a sheet, and of how many sheets:\n",

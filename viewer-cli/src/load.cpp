@@ -90,7 +90,7 @@ Trace InputFrames::trace(std::size_t frame) {
         return titled(std::move(trace), path_);
     }
     Trace trace = drawn(scene(frame), source_.name, options_.limits);
-    if (options_.tells_steps && trace.method.triangles.mistake != nullptr)
+    if (options_.tells_steps && !trace.method.triangles.mistakes.empty())
         mark_wrong_steps(trace);
     return titled(std::move(trace), path_);
 }

@@ -45,10 +45,10 @@ void tell_cut_faces(const Scene& scene, const Listener& listener) {
 
 Image draw(const Scene& scene, const Plan& plan, const Listener& listener, Fallbacks* fallbacks) {
     tell_cut_faces(scene, listener);
-    if (const Mistake* const mistake = scene.method.mistake;
-        mistake && mistake->put_in && mistake->concerns(scene)) {
+    if (const auto mistakes = modelled_mistakes(scene); !mistakes.empty()) {
         ModelRules rules(scene);
-        mistake->put_in(rules);
+        for (const Mistake* const mistake : mistakes)
+            mistake->put_in(rules);
         return draw_by(rules, listener);
     }
     const auto draw_by_plan = with_scalar(plan, []<typename Scalar>() { return draw_in<Scalar>; });

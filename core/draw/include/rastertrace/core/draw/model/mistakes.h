@@ -13,13 +13,25 @@
 
 #include <span>
 #include <string_view>
+#include <vector>
 
 namespace rastertrace {
 
+/// Words of a rule in two languages; a formula is the same in both.
+struct RuleWords {
+    constexpr RuleWords(const char* both)
+        : english(both), portuguese(both) {} // NOLINT: words are a text
+    constexpr RuleWords(std::string_view of_english, std::string_view of_portuguese)
+        : english(of_english), portuguese(of_portuguese) {}
+
+    std::string_view english;
+    std::string_view portuguese;
+};
+
 struct Mistake {
     std::string_view name;    ///< "dx-dy-inverted"
-    std::string_view says;    ///< the formula with the mistake in it
-    std::string_view should;  ///< the right one; "" if the mistake is a rule that is as good
+    RuleWords says;           ///< the formula with the mistake in it
+    RuleWords should;         ///< the right one; "" if the mistake is a rule that is as good
     std::string_view step;    ///< the kind of step that it changes
     std::string_view symptom; ///< what is seen of it in the picture
     std::string_view source;
@@ -28,7 +40,7 @@ struct Mistake {
     std::string_view setting = {}; ///< "rounding=truncate": draws the same, without the model
 
     /// True if it is a rule of another program, and no mistake.
-    bool is_rule() const { return should.empty(); }
+    bool is_rule() const { return should.english.empty(); }
 };
 
 /// All of them.
@@ -36,5 +48,8 @@ std::span<const Mistake> mistakes();
 
 /// The mistake of that name, or nullptr.
 const Mistake* find_mistake(std::string_view name);
+
+/// Those of a scene's method that the model makes in it: no setting, and none in what the scene does not have.
+std::vector<const Mistake*> modelled_mistakes(const Scene& scene);
 
 } // namespace rastertrace

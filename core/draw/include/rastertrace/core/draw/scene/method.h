@@ -14,6 +14,8 @@
 #include <rastertrace/core/raster/painter.h>
 #include <rastertrace/core/raster/rounding.h>
 
+#include <vector>
+
 namespace rastertrace {
 
 /// The numbers to draw with.
@@ -110,7 +112,7 @@ struct Method {
     std::optional<Shade> shade = {};          ///< interpolate if a vertex has a color, else flat
     std::optional<ColorLerp> color_lerp = {}; ///< space in a perspective, else axis
     ColorRounding color_rounding = ColorRounding::nearest;
-    const Mistake* mistake = nullptr; ///< that the scene is drawn with, to show it
+    std::vector<const Mistake*> mistakes = {}; ///< that the scene is drawn with, to show them
 };
 
 /// True if every decision is the one that exact arithmetic takes.
