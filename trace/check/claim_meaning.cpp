@@ -135,11 +135,9 @@ Claim as_meant(Claim claim, const Claims& claims, const TruthIndex& truth) {
 }
 
 void name_snapped_place(Claim& claim, const Subject& subject) {
-    // A trace that does not tell its vertices has them in its primitives.
-    const Trace& trace = subject.exact->trace();
-    if (subject.kind != StepKind::vertex || subject.step == 0 ||
-        trace.kind_of(subject.step) != StepKind::vertex || claim.find("snapped") != nullptr ||
-        !trace.step(subject.step).as<VertexStep>().snapped)
+    if (subject.kind != StepKind::vertex || !subject.is_told_in(*subject.exact, subject.step) ||
+        claim.find("snapped") != nullptr ||
+        !subject.exact->trace().step(subject.step).as<VertexStep>().snapped)
         return;
     const auto is_whole = [](const std::string& value) {
         return value == open_value || value.find_first_not_of("-0123456789") == std::string::npos;

@@ -75,6 +75,11 @@ struct Subject {
     std::string absence = {};                     ///< why there is no such step
     bool is_left_out = false; ///< it may be one of those that the trace leaves out
     bool culls = true;        ///< of a face: the scene tests faces by itself
+
+    /// True if step n tells what the claim is about. The place of a vertex may stand in its primitive alone.
+    bool is_told_in(const StepIndex& index, std::size_t n) const {
+        return n != 0 && index.trace().kind_of(n) == kind;
+    }
 };
 
 /// Finds it. Throws a Problem that points at a name which the scene does not have, or at a claim that several

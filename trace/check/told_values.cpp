@@ -255,8 +255,7 @@ ToldValues told(const StepIndex& index, std::size_t step, const Subject& subject
         return told_of_pixel(index, step, subject, field.name);
     if (subject.kind == StepKind::scanline && step == 0 && field.name == "pixel_count")
         return std::vector<std::string>{"0"}; // there is no such row
-    if (subject.kind == StepKind::vertex && step != 0 &&
-        index.trace().kind_of(step) == StepKind::primitive)
+    if (subject.kind == StepKind::vertex && step != 0 && !subject.is_told_in(index, step))
         return told_in_primitive(index, step, value_of_key(subject, "name"));
     return told_in(index, step, field);
 }
@@ -297,9 +296,9 @@ NumbersHeld numbers_held(const Subject& subject) {
 }
 
 std::string name_of_number(const Subject& subject, const ClaimedField& field) {
-    const bool is_of_step = subject.step != 0 && subject.kind != StepKind::pixel &&
+    const bool is_of_step = subject.kind != StepKind::pixel &&
                             !(subject.kind == StepKind::decide && field.is_list) &&
-                            subject.exact->trace().kind_of(subject.step) == subject.kind;
+                            subject.is_told_in(*subject.exact, subject.step);
     if (is_of_step)
         return name_of_number(*subject.exact, subject.step, field.name);
     std::string name =
