@@ -23,44 +23,19 @@ mpz_class ceil_of(const Rational& x) {
     return whole;
 }
 
-/// The whole number nearest to x: floor(x + 1/2), but for ties.
-mpz_class nearest_of(const Rational& x, Ties ties) {
-    const mpz_class up = floor_of(x + Rational(1, 2));
-    const mpz_class down = ceil_of(x - Rational(1, 2));
-    switch (ties) {
-    case Ties::up:
-    case Ties::step:
-        return up;
-    case Ties::start:
-        return down;
-    case Ties::away:
-        return sgn(x) < 0 ? down : up;
-    case Ties::even:
-        break;
-    }
-    return mpz_even_p(up.get_mpz_t()) ? up : down;
+/// The nearest whole number, of two the larger one, or the smaller one.
+mpz_class nearest_of(const Rational& x, bool goes_up) {
+    const Rational half(1, 2);
+    return goes_up ? floor_of(x + half) : ceil_of(x - half);
 }
 
-ExactPoint exact_offset(Sample sample) {
-    const Rational offset = offset_of(sample).exact();
-    return {offset, offset};
-}
-
-void plot(const Scene& scene, const mpz_class& x, const mpz_class& y, Color color,
-          Colors& picture) {
-    if (!x.fits_slong_p() || !y.fits_slong_p() || !scene.canvas.contains(x.get_si(), y.get_si()))
-        return;
-    picture[scene.canvas.offset_of({static_cast<int>(x.get_si()), static_cast<int>(y.get_si())})] =
-        color;
-}
-
-/// A pixel for each whole number along the major axis, the other coordinate exact and rounded.
+/// Bresenham's line: a pixel for each whole number along the major axis, the other coordinate exact and rounded.
 void draw_line(const Scene& scene, const ScenePrimitive& line, Colors& picture) {
-    const ExactPoint offset = exact_offset(sample_of_lines(scene.method));
+    const Rational offset = offset_of(sample_of_lines(scene.method)).exact();
     const auto whole = [&](std::size_t i) {
         const SceneVertex& vertex = scene.vertices[line.vertices[i]];
-        return std::pair(nearest_of(vertex.x.exact() - offset.x, Ties::up),
-                         nearest_of(vertex.y.exact() - offset.y, Ties::up));
+        return std::pair(nearest_of(vertex.x.exact() - offset, true),
+                         nearest_of(vertex.y.exact() - offset, true));
     };
     auto [from_x, from_y] = whole(0);
     auto [to_x, to_y] = whole(1);
@@ -69,32 +44,33 @@ void draw_line(const Scene& scene, const ScenePrimitive& line, Colors& picture) 
         std::swap(from_x, from_y);
         std::swap(to_x, to_y);
     }
-
     const bool begins_at_to = scene.method.from == LineStart::low && to_x < from_x;
+    const bool falls = to_y < from_y;
+    const bool stays =
+        line_rules(scene.method).ties != Ties::step; // on the side that it comes from
 
-    // Of a long line, only what the canvas can have.
+    // Only what the canvas can have.
     const Canvas& canvas = scene.canvas;
     const int low = is_x_major ? canvas.left() : std::min(canvas.top(), canvas.bottom());
     const int high = is_x_major ? canvas.right() : std::max(canvas.top(), canvas.bottom());
     const mpz_class first = std::max<mpz_class>(std::min(from_x, to_x), low);
     const mpz_class last = std::min<mpz_class>(std::max(from_x, to_x), high);
-    const bool falls = to_y < from_y;
-    const bool is_on_grid = traits_of(scene.method.line).rule == LineRule::grid;
     for (mpz_class along = first; along <= last; ++along) {
+        // What is drawn last may be left out.
+        if (scene.method.ends == EndPixels::first && along == (begins_at_to ? from_x : to_x))
+            continue;
         const Rational across = from_x == to_x
                                     ? Rational(from_y)
                                     : Rational(from_y + Rational(along - from_x) * (to_y - from_y) /
                                                             Rational(to_x - from_x));
-        // What is drawn last may be left out.
-        if (scene.method.ends == EndPixels::first && along == (begins_at_to ? from_x : to_x))
+        const mpz_class pixel = nearest_of(across, stays == falls);
+        if (!pixel.fits_sint_p())
             continue;
-        // At a tie Bresenham's line stays on the side that it comes from, or goes to the other one.
-        const Ties ties = line_rules(scene.method).ties;
-        const bool steps = ties == Ties::step;
-        const bool stays = !steps && (is_on_grid || ties == Ties::start);
-        const mpz_class pixel =
-            nearest_of(across, stays || steps ? (stays == falls ? Ties::up : Ties::start) : ties);
-        plot(scene, is_x_major ? along : pixel, is_x_major ? pixel : along, line.color, picture);
+        const auto a = static_cast<int>(along.get_si());
+        const auto b = static_cast<int>(pixel.get_si());
+        const Pixel at = is_x_major ? Pixel{a, b} : Pixel{b, a};
+        if (canvas.contains(at.x, at.y))
+            picture[canvas.offset_of(at)] = line.color;
     }
 }
 
@@ -159,7 +135,8 @@ Colors reference_picture(const Scene& scene) {
         const Image image = draw_by(ModelRules(one));
         return Colors(image.colors().begin(), image.colors().end());
     };
-    if (has_model(scene))
+    // It samples other lines where the canvas is, and walks along Bresenham's.
+    if (has_model(scene) || scene.method.line != LineMethod::bresenham)
         return drawn(scene);
     Scene without_lines = scene;
     std::erase_if(without_lines.primitives,

@@ -2,8 +2,8 @@
 #pragma once
 
 // What a picture must be: as the model draws it, in fractions, by the definition of each method
-// (model.h). It shares no line with the fills that it judges. Lines that are too long for it are done
-// here, pixel by pixel of the canvas.
+// (model.h). It shares no line with the fills that it judges. Bresenham's lines that are too long for it
+// are done here, pixel by pixel of the canvas.
 
 #include <rastertrace/core/draw/scene/scene.h>
 #include <rastertrace/core/numbers/conversion.h>
@@ -32,8 +32,7 @@ CoveredPixels covered_by(const std::array<ExactPoint, 3>& triangle, const Method
 /// The samples, at the centers of pixels, of a convex polygon by the top-left rule.
 CoveredPixels covered_by_polygon(const std::vector<ExactPoint>& polygon, const Canvas& canvas);
 
-/// The picture of a scene. Lines beyond the model's reach must run between integer points, and are
-/// drawn over all else.
+/// The picture of a scene. Lines beyond the model's reach are drawn over all else.
 Colors reference_picture(const Scene& scene);
 
 /// The scene with every vertex at the nearest multiple of 1/parts pixel, a half up.
