@@ -42,7 +42,7 @@ const Subject* DrawnMistakes::subject_with(const Mistake& mistake, const Subject
 }
 
 bool DrawnMistakes::accounts_for(const Mistake& mistake, const Subject& subject,
-                                 const CheckedClaim& claim) {
+                                 const CheckedClaim& claim, const std::vector<ToldValues>& right) {
     const Subject* const other = subject_with(mistake, subject);
     if (other == nullptr)
         return false;
@@ -57,7 +57,7 @@ bool DrawnMistakes::accounts_for(const Mistake& mistake, const Subject& subject,
             compare(field, *told, NumbersHeld::fractions, subject.kind == StepKind::vertex);
         const bool is_wrong = claim.fields[k].verdict == ClaimVerdict::wrong;
         if (!comparison.is_right || comparison.fit == Fit::truncated ||
-            (is_wrong && told == told_exactly(subject, field)))
+            (is_wrong && told == right[k]))
             return false;
     }
     return true;
@@ -69,8 +69,11 @@ void DrawnMistakes::name_in(const Subject& subject, CheckedClaim& claim) {
     };
     if (std::none_of(claim.fields.begin(), claim.fields.end(), is_wrong))
         return;
+    std::vector<ToldValues> right;
+    for (const ClaimedField* const field : subject.fields)
+        right.push_back(told_exactly(subject, *field));
     for (const Mistake& mistake : mistakes()) {
-        if (!accounts_for(mistake, subject, claim))
+        if (!accounts_for(mistake, subject, claim, right))
             continue;
         for (std::size_t k = 0; k < claim.fields.size() && k < subject.fields.size(); ++k) {
             CheckedField& checked = claim.fields[k];
@@ -80,10 +83,9 @@ void DrawnMistakes::name_in(const Subject& subject, CheckedClaim& claim) {
             if (!is_wrong(checked) || is_known)
                 continue;
             const ClaimedField& field = *subject.fields[k];
-            const ToldValues right = told_exactly(subject, field);
             const ToldValues with = told_exactly(*subject_with(mistake, subject), field);
             const double evidence =
-                right ? evidence_for({{values_in(*with)}}, field, values_in(*right)) : 0;
+                right[k] ? evidence_for({{values_in(*with)}}, field, values_in(*right[k])) : 0;
             checked.slips.push_back({std::string(mistake.name), meaning_of(mistake.name),
                                      evidence + prior_of_mistake() - prior_of(mistake.name)});
         }

@@ -14,6 +14,7 @@
 #include <optional>
 #include <string_view>
 #include <utility>
+#include <vector>
 
 namespace rastertrace {
 
@@ -30,7 +31,9 @@ public:
 
 private:
     const Subject* subject_with(const Mistake& mistake, const Subject& subject);
-    bool accounts_for(const Mistake& mistake, const Subject& subject, const CheckedClaim& claim);
+    /// `right`: what is told exactly of each field of the subject.
+    bool accounts_for(const Mistake& mistake, const Subject& subject, const CheckedClaim& claim,
+                      const std::vector<ToldValues>& right);
 
     const TruthIndex& truth_;
     const Claims& claims_;

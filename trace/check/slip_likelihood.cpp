@@ -96,7 +96,7 @@ double prior_of(std::string_view slip) {
 }
 
 double prior_of_mistake() {
-    constexpr double in_thousand = 3; // of each of about a hundred
+    constexpr double in_thousand = 3; // each; about a hundred are known
     return std::log(in_thousand / 1000.0);
 }
 

@@ -14,7 +14,7 @@ std::span<const Mistake> mistakes_of_samples();
 std::span<const Mistake> mistakes_of_lines();
 std::span<const Mistake> mistakes_of_space();
 
-/// Without braces, so that a row stays short.
+/// A call, which clang-format puts on fewer lines than nested braces.
 constexpr RuleWords words(std::string_view english, std::string_view portuguese) {
     return {english, portuguese};
 }
@@ -45,7 +45,7 @@ inline bool is_half_open(const Scene& scene) {
     return rounds_by(scene, Rounding::half_open);
 }
 
-/// The coordinates that vertices are typed with, if no matrix moves these; else any coordinates.
+/// The extent of the vertices as typed; nullopt if a matrix moves them, so that it is not that of the picture.
 struct TypedBox {
     Rational width, height; ///< from the least to the largest
     Rational farthest_x;    ///< from 0

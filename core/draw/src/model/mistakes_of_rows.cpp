@@ -18,6 +18,10 @@ bool has_far_rows(const Scene& scene) {
     return fills_rows(scene) && has_far_x(scene);
 }
 
+constexpr RuleWords floor_of_x("rounding down, floor(x)", "arredondar para baixo, floor(x)");
+constexpr RuleWords
+    floor_of_ends("rounding down at both ends, floor(left) to floor(right)",
+                  "arredondar para baixo nos dois extremos, floor(esquerdo) a floor(direito)");
 constexpr RuleWords right_slope = "dx/dy = (x2 - x1)/(y2 - y1)";
 constexpr RuleWords right_x = "x = x1 + (x2 - x1)/(y2 - y1) (y - y1)";
 
@@ -235,26 +239,21 @@ constexpr Mistake rows_table[] = {
          };
      }},
     {"truncate-for-floor", words("rounding toward 0, int(x)", "arredondar em direção a 0, int(x)"),
-     words("rounding down, floor(x)", "arredondar para baixo, floor(x)"), "scanline",
-     "left of x = 0, rows begin and end one pixel too far right", "T0, figures", rounds_down,
-     nullptr, "rounding=truncate"},
+     floor_of_x, "scanline", "left of x = 0, rows begin and end one pixel too far right",
+     "T0, figures", rounds_down, nullptr, "rounding=truncate"},
     {"nearest-for-floor",
      words("rounding to the nearest, round(x)", "arredondar para o mais próximo, round(x)"),
-     words("rounding down, floor(x)", "arredondar para baixo, floor(x)"), "scanline",
-     "half of the ends lie one pixel too far right", "T0 against T2", rounds_down, nullptr,
-     "rounding=nearest"},
+     floor_of_x, "scanline", "half of the ends lie one pixel too far right", "T0 against T2",
+     rounds_down, nullptr, "rounding=nearest"},
     {"inside-for-floor",
      words("only the pixels between the ends, ceil(left) to floor(right)",
            "só os pixels entre os extremos, ceil(esquerdo) a floor(direito)"),
-     words("rounding down at both ends, floor(left) to floor(right)",
-           "arredondar para baixo nos dois extremos, floor(esquerdo) a floor(direito)"),
-     "scanline", "rows begin one pixel too late", "T3", rounds_down, nullptr, "rounding=inside"},
+     floor_of_ends, "scanline", "rows begin one pixel too late", "T3", rounds_down, nullptr,
+     "rounding=inside"},
     {"half-open-for-floor",
      words("leaving out the right end, ceil(left) to ceil(right) - 1",
            "deixar de fora o extremo direito, ceil(esquerdo) a ceil(direito) - 1"),
-     words("rounding down at both ends, floor(left) to floor(right)",
-           "arredondar para baixo nos dois extremos, floor(esquerdo) a floor(direito)"),
-     "scanline", "rows end one pixel too early", "TIC-80#1862", rounds_down, nullptr,
+     floor_of_ends, "scanline", "rows end one pixel too early", "TIC-80#1862", rounds_down, nullptr,
      "rounding=half-open"},
     {"half-open-left-out",
      words("y <= floor(y3), x <= floor(right)", "y <= floor(y3), x <= floor(direito)"),

@@ -71,6 +71,7 @@ template <typename Enough> void fill_by_part(ModelRules& rules, Enough enough) {
     };
 }
 
+constexpr RuleWords as_it_is("the vertex as it is", "o vértice como é");
 constexpr RuleWords top_left{"E > 0, or E = 0 on a top or left edge",
                              "E > 0, ou E = 0 numa aresta de cima ou da esquerda"};
 
@@ -150,8 +151,7 @@ constexpr Mistake samples_table[] = {
      "(x + 1/2, y + 1/2)", "sample", "edges one pixel to the lower right here and there",
      "dolphin#306", has_triangles, [](ModelRules& rules) { rules.sample = Rational(7, 12); }},
     {"vertices-in-the-middle",
-     words("vertex = floor(vertex) + 1/2", "vértice = floor(vértice) + 1/2"),
-     words("the vertex as it is", "o vértice como é"), "vertex",
+     words("vertex = floor(vertex) + 1/2", "vértice = floor(vértice) + 1/2"), as_it_is, "vertex",
      "half a pixel off, but not constantly", "datashader#806", has_triangles,
      [](ModelRules& rules) {
          rules.placed = [](const Vec<Rational, 2>& at) {
@@ -159,16 +159,13 @@ constexpr Mistake samples_table[] = {
                                      floor_index(at.y) + Rational(1, 2)};
          };
      }},
-    {"vertices-rounded", words("vertex = round(vertex)", "vértice = round(vértice)"),
-     words("the vertex as it is", "o vértice como é"), "vertex", "edges jump while things move",
-     "T3", has_triangles, nullptr, "snap=nearest"},
-    {"vertices-cut-off", words("vertex = int(vertex)", "vértice = int(vértice)"),
-     words("the vertex as it is", "o vértice como é"), "vertex",
-     "everything up to a pixel too near to 0", "T0, error 14", has_triangles, nullptr,
+    {"vertices-rounded", words("vertex = round(vertex)", "vértice = round(vértice)"), as_it_is,
+     "vertex", "edges jump while things move", "T3", has_triangles, nullptr, "snap=nearest"},
+    {"vertices-cut-off", words("vertex = int(vertex)", "vértice = int(vértice)"), as_it_is,
+     "vertex", "everything up to a pixel too near to 0", "T0, error 14", has_triangles, nullptr,
      "snap=truncate"},
-    {"vertices-floored", words("vertex = floor(vertex)", "vértice = floor(vértice)"),
-     words("the vertex as it is", "o vértice como é"), "vertex", "everything up to a pixel beside",
-     "T0", has_triangles, nullptr, "snap=floor"},
+    {"vertices-floored", words("vertex = floor(vertex)", "vértice = floor(vértice)"), as_it_is,
+     "vertex", "everything up to a pixel beside", "T0", has_triangles, nullptr, "snap=floor"},
     {"one-winding-only",
      words("E >= 0 for all three, whatever the winding",
            "E >= 0 nas três, qualquer que seja o sentido"),

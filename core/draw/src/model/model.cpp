@@ -91,12 +91,16 @@ void ModelDrawing::tell_rejected() {
     rejected_.reset();
 }
 
-/// The pixels of a row that are drawn: those of the canvas. If there is a rule where others are stored, it may bring
-/// back what lies as far off as the canvas has pixels.
+/// How far off the canvas pixels are drawn. A rule where these are stored may bring back what lies as far off as the
+/// canvas has pixels.
+Index ModelDrawing::reach() const {
+    return rules_.beside_canvas ? Index{canvas_.width} * canvas_.height : 0;
+}
+
+/// The pixels of a row that are drawn.
 std::pair<Index, Index> ModelDrawing::within_reach(Index from, Index to) const {
-    const Index reach = rules_.beside_canvas ? Index{canvas_.width} * canvas_.height : 0;
-    return {std::max<Index>(from, canvas_.left() - reach),
-            std::min<Index>(to, canvas_.right() + reach)};
+    return {std::max<Index>(from, canvas_.left() - reach()),
+            std::min<Index>(to, canvas_.right() + reach())};
 }
 
 /// Visits the pixels of a row that are drawn, and tells the others.

@@ -50,6 +50,7 @@ private:
     void reject(GridPoint at);
     void tell_rejected();
     std::optional<Pixel> stored_at(GridPoint at) const;
+    Index reach() const;
     std::pair<Index, Index> within_reach(Index from, Index to) const;
     void for_each_in_row(Index row, Index from, Index to,
                          const std::function<void(GridPoint)>& visit);

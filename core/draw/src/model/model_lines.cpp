@@ -120,11 +120,10 @@ void ModelDrawing::walk(const ModelLine& line, Index last, bool is_told,
 /// may come back from as far off as it has pixels.
 std::pair<Index, Index> ModelDrawing::steps_within_reach(bool is_x_major, Index first,
                                                          bool goes_back, Index last_step) const {
-    const Index reach = rules_.beside_canvas ? Index{canvas_.width} * canvas_.height : 0;
     const Index low =
-        (is_x_major ? canvas_.left() : std::min(canvas_.top(), canvas_.bottom())) - reach;
+        (is_x_major ? canvas_.left() : std::min(canvas_.top(), canvas_.bottom())) - reach();
     const Index high =
-        (is_x_major ? canvas_.right() : std::max(canvas_.top(), canvas_.bottom())) + reach;
+        (is_x_major ? canvas_.right() : std::max(canvas_.top(), canvas_.bottom())) + reach();
     const StepRange steps = steps_between(low, high, first, goes_back, last_step);
     return {steps.first, steps.last};
 }
