@@ -3,6 +3,7 @@
 
 #include <rastertrace/core/draw/model/mistakes.h>
 #include <rastertrace/core/numbers/irrational.h>
+#include <rastertrace/trace/tell/mistake_text.h>
 #include <rastertrace/trace/tell/step_text.h>
 
 #include <algorithm>
@@ -363,16 +364,6 @@ std::vector<SlipResult> angle_for_cosine(const Formula& formula) {
     return results.take();
 }
 
-std::vector<SlipResult> complement_of_angle(const Formula& formula) {
-    SlipResults results(formula);
-    if (as_form<FaceCosine>(formula) && !results.right().empty()) {
-        const Rational& cosine = results.right().front();
-        if (abs(cosine) <= 1)
-            results.add(square_root(1 - cosine * cosine));
-    }
-    return results.take();
-}
-
 std::vector<SlipResult> only_z_divided(const Formula& formula) {
     SlipResults results(formula);
     if (const auto* division = as_form<DividedByW>(formula))
@@ -439,23 +430,43 @@ std::vector<SlipResult> three_corners(const Formula& formula) {
 
 std::vector<SlipResult> c_minus_a(const Formula& formula) {
     SlipResults results(formula);
-    if (const auto* edge = as_form<Slope>(formula); edge && edge->other) {
-        results.add_formula({Slope{edge->from, *edge->other}});
-        results.add_formula({Slope{*edge->other, edge->to}});
-    }
+    // Both coordinates of another corner, or one alone: dx of one edge over dy of another.
+    if (const auto* edge = as_form<Slope>(formula); edge && edge->other)
+        for (const Vec2& other :
+             {*edge->other, Vec2{edge->other->x, edge->to.y}, Vec2{edge->to.x, edge->other->y}})
+            results.add_formula({Slope{edge->from, other}});
+    if (const auto* edge = as_form<Slope>(formula); edge && edge->other)
+        for (const Vec2& other :
+             {*edge->other, Vec2{edge->other->x, edge->from.y}, Vec2{edge->from.x, edge->other->y}})
+            results.add_formula({Slope{other, edge->to}});
     if (const auto* lerp = as_form<Lerp>(formula); lerp && lerp->other) {
         const auto& [d, i] = *lerp->other;
         results.add_formula({Lerp{.d1 = lerp->d1, .i1 = lerp->i1, .d2 = d, .i2 = i, .i = lerp->i}});
         results.add_formula({Lerp{.d1 = d, .i1 = i, .d2 = lerp->d2, .i2 = lerp->i2, .i = lerp->i}});
+        for (const auto& [dd, di] :
+             {std::pair(Rational(d - lerp->d1), Rational(lerp->i2 - lerp->i1)),
+              std::pair(Rational(lerp->d2 - lerp->d1), Rational(i - lerp->i1))}) {
+            Lerp mixed = *lerp;
+            mixed.step = divided(dd, di);
+            if (mixed.step)
+                results.add_formula({mixed});
+        }
     }
     if (const auto* face = as_form<FaceNormal>(formula)) {
         const Vec3& a = face->corners[0];
         const Vec3& b = face->corners[1];
         const Vec3& c = face->corners[2];
-        results.add(cross(b, c));     // nothing taken away
-        results.add(cross(b - a, c)); // only from one of them
-        results.add(cross(b, c - a));
-        results.add(cross(b - a, a - c)); // A - C
+        for (const Vec3& wrong : {cross(b, c),                             // nothing taken away
+                                  cross(b - a, c),                         // only from one of them
+                                  cross(b, c - a), cross(b - a, a - c)}) { // A - C
+            results.add(wrong);
+            const Values components{wrong.x, wrong.y, wrong.z};
+            for (std::size_t i = 0; i < 3; ++i) {
+                Values one = results.right();
+                one[i] = components[i];
+                results.add(std::move(one));
+            }
+        }
     }
     return results.take();
 }
@@ -506,6 +517,12 @@ std::vector<std::vector<Rational>> terms_of(const Formula& formula) {
     if (const auto* lerp = as_form<Lerp>(formula))
         if (const auto slope = lerp->slope())
             sums = {std::vector<Rational>{lerp->d1, *slope * lerp->i, -(*slope * lerp->i1)}};
+    if (const auto* line = as_form<LineForm>(formula))
+        if (const Values right = value_of(formula); !right.empty()) {
+            const auto& [x, y] = line->is_of_y ? std::pair(line->from.y, line->from.x)
+                                               : std::pair(line->from.x, line->from.y);
+            sums = {{}, {y, -(right.front() * x)}}; // b = y1 - m x1
+        }
     if (const auto* mixed = as_form<MixedDepth>(formula); mixed && !mixed->gives_inverse) {
         sums.emplace_back();
         for (std::size_t i = 0; i < mixed->depths.size(); ++i)
@@ -720,12 +737,6 @@ constexpr Slip other_slips[] = {
      "numbers beyond 1",
      15,
      angle_for_cosine},
-    {"complement-of-angle",
-     {"the sine, as of 90 degrees less the angle", "o seno, como de 90 graus menos o ângulo"},
-     {"the cosine of the angle", "o cosseno do ângulo"},
-     "bright where it should be dark",
-     5,
-     complement_of_angle},
     {"another-rounding",
      {"another rule for rounding", "outra regra de arredondamento"},
      {"the scene's own", "a da cena"},
@@ -733,10 +744,6 @@ constexpr Slip other_slips[] = {
      30,
      another_rounding},
 };
-
-Words words_of(const RuleWords& rule) {
-    return {rule.english, rule.portuguese};
-}
 
 std::string meaning_of(const Words& done, const Words& instead_of, std::string_view detail) {
     const Language language = language_of_steps();

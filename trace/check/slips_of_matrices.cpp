@@ -6,6 +6,7 @@
 #include <rastertrace/core/numbers/irrational.h>
 #include <rastertrace/trace/tell/step_text.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -68,22 +69,20 @@ std::vector<SlipResult> turned_the_other_way(const Formula& formula) {
     });
 }
 
-/// The rotation about the same axis by an angle whose degrees were taken for radians.
-std::vector<SlipResult> degrees_for_radians(const Formula& formula) {
-    return with_other_factors(formula, "rotate", [](std::array<MatrixTimes::Row, 4>& rows) {
+/// The rotation about the same axis by an angle of which `other` gives the sine and the cosine.
+template <typename Other>
+std::vector<SlipResult> turned_by(const Formula& formula, const Other& other) {
+    return with_other_factors(formula, "rotate", [&](std::array<MatrixTimes::Row, 4>& rows) {
         const auto entry = [&rows](std::size_t i, std::size_t k) {
             return nearest_double(rows[i][k]);
         };
         const std::array axis{(entry(2, 1) - entry(1, 2)) / 2, (entry(0, 2) - entry(2, 0)) / 2,
                               (entry(1, 0) - entry(0, 1)) / 2};
         const double sine = std::hypot(axis[0], axis[1], axis[2]);
-        const double cosine = (entry(0, 0) + entry(1, 1) + entry(2, 2) - 1) / 2;
         if (sine == 0)
             return false;
-        const double degrees =
-            std::round(std::atan2(sine, cosine) * 180 / std::numbers::pi * 1e6) / 1e6;
-        const double other_sine = std::sin(degrees);
-        const double other_cosine = std::cos(degrees);
+        const auto [other_sine, other_cosine] =
+            other(sine, (entry(0, 0) + entry(1, 1) + entry(2, 2) - 1) / 2);
         for (std::size_t i = 0; i < 3; ++i)
             for (std::size_t k = 0; k < 3; ++k) {
                 const double a = axis[i] / sine;
@@ -95,6 +94,29 @@ std::vector<SlipResult> degrees_for_radians(const Formula& formula) {
             }
         return true;
     });
+}
+
+/// The number of degrees as if it were one of radians.
+std::vector<SlipResult> degrees_for_radians(const Formula& formula) {
+    return turned_by(formula, [](double sine, double cosine) {
+        const double degrees =
+            std::round(std::atan2(sine, cosine) * 180 / std::numbers::pi * 1e6) / 1e6;
+        return std::pair(std::sin(degrees), std::cos(degrees));
+    });
+}
+
+/// Of a face, the sine for the cosine; of a rotation, each for the other, whichever way the angle goes.
+std::vector<SlipResult> complement_of_angle(const Formula& formula) {
+    SlipResults results(formula);
+    if (as_form<FaceCosine>(formula) && !results.right().empty())
+        if (const Rational& cosine = results.right().front(); abs(cosine) <= 1)
+            results.add(square_root(1 - cosine * cosine));
+    for (const int way : {1, -1})
+        for (SlipResult& turned : turned_by(formula, [way](double sine, double cosine) {
+                 return std::pair(way * cosine, way * sine);
+             }))
+            results.add(std::move(turned.values));
+    return results.take();
 }
 
 std::vector<SlipResult> factors_exchanged(const Formula& formula) {
@@ -114,20 +136,24 @@ std::vector<SlipResult> factors_exchanged(const Formula& formula) {
     return results.take();
 }
 
-/// W/2 for (W - 1)/2.
+/// W/2 for (W - 1)/2, in x and y, or in one of them.
 std::vector<SlipResult> size_for_last_pixel(const Formula& formula) {
     const auto* const times = as_form<MatrixTimes>(formula);
     if (times == nullptr || !times->is_viewport)
         return {};
-    return with_other_factors(formula, "scale", [](std::array<MatrixTimes::Row, 4>& rows) {
-        bool is_changed = false;
-        for (std::size_t i = 0; i < 2; ++i)
-            if (abs(rows[i][i]) > 1) {
-                rows[i][i] += Rational(sgn(rows[i][i])) / 2;
-                is_changed = true;
-            }
-        return is_changed;
-    });
+    SlipResults results(formula);
+    const std::vector<std::size_t> both{0, 1}, x{0}, y{1};
+    for (const auto& axes : {both, x, y})
+        for (SlipResult& one :
+             with_other_factors(formula, "scale", [&axes](std::array<MatrixTimes::Row, 4>& rows) {
+                 return std::count_if(axes.begin(), axes.end(), [&rows](std::size_t i) {
+                            const bool is_size = abs(rows[i][i]) > 1;
+                            rows[i][i] += is_size ? Rational(sgn(rows[i][i])) / 2 : Rational(0);
+                            return is_size;
+                        }) > 0;
+             }))
+            results.add(std::move(one.values));
+    return results.take();
 }
 
 constexpr Slip matrix_slips[] = {
@@ -140,6 +166,12 @@ constexpr Slip matrix_slips[] = {
      degrees_for_radians},
     {"factors-exchanged", as_mistake, as_mistake, as_mistake, 30, factors_exchanged},
     {"size-for-last-pixel", as_mistake, as_mistake, as_mistake, 30, size_for_last_pixel},
+    {"complement-of-angle",
+     {"the sine, as of 90 degrees less the angle", "o seno, como de 90 graus menos o ângulo"},
+     {"the cosine of the angle", "o cosseno do ângulo"},
+     "bright where it should be dark, turned by 90 degrees less the angle",
+     5,
+     complement_of_angle},
     {"rows-for-columns",
      {"the columns of the matrix taken for rows", "as colunas da matriz tomadas por linhas"},
      {"its rows", "suas linhas"},

@@ -114,7 +114,7 @@ struct Truth::State {
             return std::nullopt;
         try {
             if (mistake.put_in == nullptr) {
-                MethodOverrides settings = parse_method({"", std::string(mistake.setting)}).value();
+                MethodOverrides settings = settings_of(mistake);
                 settings.emplace_back("scalar", "exact");
                 return drawn(planned(settings));
             }

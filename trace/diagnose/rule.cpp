@@ -44,12 +44,6 @@ std::vector<Settings> joined_lists(std::initializer_list<std::vector<Settings>> 
     return all;
 }
 
-/// The settings of a mistake that a setting draws.
-Settings settings_of(const Mistake& mistake) {
-    const auto settings = parse_method({"", std::string(mistake.setting)});
-    return settings.value();
-}
-
 /// Where samples lie, and where vertices go before.
 std::vector<Settings> placements() {
     return combined(each("sample", {"integer", "center"}),

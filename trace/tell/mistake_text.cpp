@@ -3,9 +3,6 @@
 
 #include "step_text.h"
 
-#include <rastertrace/core/draw/model/mistakes.h>
-#include <rastertrace/trace/text/language.h>
-
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -138,10 +135,9 @@ std::string formula_of_mistake(const Replay& replay) {
         return {};
     std::string text;
     for (const Mistake* const mistake : trace.method.triangles.mistakes)
-        text += fmt::format(
-            "; {}: {}", mistake->name,
-            put_in(Words(mistake->says.english, mistake->says.portuguese).in(language_of_steps()),
-                   letters_of(replay, given->second)));
+        text += fmt::format("; {}: {}", mistake->name,
+                            put_in(words_of(mistake->says).in(language_of_steps()),
+                                   letters_of(replay, given->second)));
     return text;
 }
 

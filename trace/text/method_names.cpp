@@ -341,13 +341,17 @@ static MethodKey mistake_key() {
     return key;
 }
 
+MethodOverrides settings_of(const Mistake& mistake) {
+    auto settings = parse_method({"", std::string(mistake.setting)});
+    return std::move(settings.value());
+}
+
 void put_in(const Mistake& mistake, Method& method) {
     if (mistake.put_in != nullptr) {
         method.scalar = ScalarKind::exact;
         return;
     }
-    const auto settings = parse_method({"", std::string(mistake.setting)});
-    for (const auto& [name, value] : settings.value())
+    for (const auto& [name, value] : settings_of(mistake))
         find_method_key(name)->set(method, value);
 }
 

@@ -86,4 +86,7 @@ using MethodOverrides = std::vector<std::pair<std::string, std::string>>;
 /// that is none points into it.
 Result<MethodOverrides> parse_method(const Source& source);
 
+/// The settings that draw a mistake. It must have some.
+MethodOverrides settings_of(const Mistake& mistake);
+
 } // namespace rastertrace
