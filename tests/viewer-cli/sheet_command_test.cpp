@@ -4,12 +4,12 @@
 #include "exercise_scenes.h"
 #include "program.h"
 
-#include <rastertrace/trace/check/derivation.h>
 #include <rastertrace/trace/check/exercise.h>
 #include <rastertrace/trace/check/slips.h>
 #include <rastertrace/trace/check/step_index.h>
 #include <rastertrace/trace/record/traced_steps.h>
 #include <rastertrace/trace/scene/scene_file.h>
+#include <rastertrace/trace/tell/formulas_of.h>
 #include <rastertrace/trace/text/text.h>
 
 #include <fmt/core.h>
@@ -40,7 +40,7 @@ std::string sheet_with(const Slip& slip, const Source& scene) {
     const auto read = read_scene(scene, {{"scalar", "exact"}});
     const Trace trace = drawn_trace(read.value().scene, read.value().plan, "scene.json", 20'000);
     const StepIndex index(trace);
-    const Numbers numbers(index);
+    const Numbers& numbers = index.right();
     json claims = json::array();
     std::set<std::size_t> lines;
     for (std::size_t n = 1; n <= trace.size(); ++n) {

@@ -13,6 +13,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
+#include <variant>
 
 namespace rastertrace {
 
@@ -42,51 +44,22 @@ Rational largest_of(const std::vector<Rational>& numbers) {
     return largest;
 }
 
-/// A matrix times a point; `sizes` are the sums of the summands' sizes.
-std::vector<Rational> times(const std::vector<std::vector<Rational>>& matrix,
-                            std::vector<Rational> point, std::vector<Rational>& sizes) {
-    if (point.size() == 3)
-        point.emplace_back(1);
-    std::vector<Rational> result;
-    sizes.clear();
-    for (const auto& row : matrix) {
-        Rational sum = 0;
-        Rational size = 0;
-        for (std::size_t i = 0; i < 4; ++i) {
-            const Rational summand = told_at(row, i) * told_at(point, i);
-            sum += summand;
-            size += abs(summand);
-        }
-        result.push_back(sum);
-        sizes.push_back(size);
-    }
-    return result;
+Rational largest_of(const Vec3& v) {
+    return largest_of(std::vector{v.x, v.y, v.z});
+}
+
+/// What a matrix's products are at most, before they are added.
+Matrix<Rational> sizes_of(const Matrix<Rational>& matrix) {
+    return mapped<Rational>(matrix, [](const Rational& entry) { return Rational(abs(entry)); });
+}
+
+Vec<Rational, 4> as_point(const Vec3& v, int w) {
+    return {v.x, v.y, v.z, w};
 }
 
 /// True of a vertex that clipping makes: ABC:1.
 bool is_made(const std::string& vertex) {
     return vertex.find(':') != std::string::npos;
-}
-
-/// Of matrices, the one that moves a point nearest to another: meshes without a name do not say whose a model is.
-const std::vector<std::vector<Rational>>&
-nearest_to(const std::vector<Rational>& place,
-           const std::vector<std::vector<std::vector<Rational>>>& matrices,
-           const std::vector<Rational>& point) {
-    std::size_t best = 0;
-    Rational least = -1;
-    for (std::size_t i = 0; i < matrices.size() && matrices.size() > 1; ++i) {
-        std::vector<Rational> sizes;
-        const auto moved = times(matrices[i], point, sizes);
-        Rational distance = 0;
-        for (std::size_t k = 0; k < place.size() && k < moved.size(); ++k)
-            distance += abs(moved[k] - place[k]);
-        if (least < 0 || distance < least) {
-            best = i;
-            least = distance;
-        }
-    }
-    return matrices[best];
 }
 
 /// The mesh that a vertex belongs to; "" for the scene's own.
@@ -103,7 +76,7 @@ Vec<double, 3> in_doubles(const TracedList<TracedNumber>& list) {
 } // namespace
 
 SpaceAgain::SpaceAgain(const Trace& trace, Findings& findings)
-    : trace_(trace), rules_(trace.method), findings_(findings),
+    : trace_(trace), numbers_(StepContext(trace)), rules_(trace.method), findings_(findings),
       projection_(projection_named(trace.projection.substr(0, trace.projection.find(',')))) {
     // A vertex without a model begins in the world.
     std::map<std::string, std::string> firsts;
@@ -192,7 +165,7 @@ void SpaceAgain::redo(const TriangulateStep& step) {
     if (!cut.ears)
         return;
     const auto& [normal, dropped, triangles] = *cut.ears;
-    expect(Numbers{normal.x, normal.y, normal.z}, numbers_of<Rational>(step.normal),
+    expect(Values{normal.x, normal.y, normal.z}, numbers_of<Rational>(step.normal),
            "triangulate: normal");
     expect(std::string(1, axis_name(dropped)), step.drops.text(), "triangulate: drops");
     const auto names = step.ears.texts();
@@ -208,129 +181,96 @@ void SpaceAgain::redo(const TriangulateStep& step) {
 }
 
 void SpaceAgain::redo(const MatrixStep& step) {
-    std::vector<Numbers> rows;
-    for (const auto& row : step.rows.values())
-        rows.push_back(numbers_of<Rational>(row));
-    if (rows.size() != 4)
+    const auto rows = rows_in(step);
+    if (!rows)
         throw NotTold();
-    matrices_[step.name.text() + " " + step.object.text()].push_back(rows);
-
-    // The product of its factors, column by column.
-    std::vector<std::vector<Numbers>> factors;
-    for (const auto& row : step.factor_rows.values()) {
-        if (factors.empty() || factors.back().size() == 4)
-            factors.emplace_back();
-        factors.back().push_back(numbers_of<Rational>(row));
+    const Matrix<Rational> matrix{{(*rows)[0], (*rows)[1], (*rows)[2], (*rows)[3]}};
+    const auto factors = factors_in(step);
+    Matrix<Rational> product = identity<Rational>();
+    Matrix<Rational> sizes = product;
+    for (const auto& factor : factors) {
+        product = product * Matrix<Rational>{factor.rows};
+        sizes = sizes * sizes_of({factor.rows});
     }
     const auto told = step.rows.values();
-    for (std::size_t column = 0; column < 4 && !factors.empty(); ++column) {
-        Numbers point(4);
-        point[column] = 1;
-        Numbers sizes(4);
-        for (std::size_t i = factors.size(); i-- > 0;)
-            point = times(factors[i], point, sizes);
-        for (std::size_t i = 0; i < 4; ++i)
-            expect_rounded(point[i], told_at(told_at(told, i).values(), column),
-                           std::max<Rational>(sizes[i], 1), "matrix: rows");
-    }
+    for (std::size_t i = 0; i < 4 && !factors.empty(); ++i)
+        for (std::size_t k = 0; k < 4; ++k)
+            expect_rounded(product.rows[i][k], told_at(told_at(told, i).values(), k),
+                           std::max<Rational>(sizes.rows[i][k], 1), "matrix: rows");
 
     // A view moves the camera to the origin, and what it looks at to the axis.
     const auto camera = step.camera.values();
     if (camera.size() != 3)
         return;
-    const auto position = numbers_of<Rational>(camera[0]);
-    const auto look_at = numbers_of<Rational>(camera[1]);
-    const auto up = numbers_of<Rational>(camera[2]);
-    if (position.size() != 3 || look_at.size() != 3 || up.size() != 3)
-        throw NotTold();
-    eye_ = position;
-    toward_camera_ = {position[0] - look_at[0], position[1] - look_at[1], position[2] - look_at[2]};
-    Numbers sizes;
-    Numbers of_look_at;
-    const auto origin = times(rows, position, sizes);
-    const auto on_axis = times(rows, look_at, of_look_at);
-    Numbers direction = up;
-    direction.emplace_back(0);
-    Numbers of_up;
-    const auto upward = times(rows, direction, of_up);
-    const Rational slack(rules_.has_floats() ? 0x1p-12 : 0x1p-30);
-    bool is_so = upward[1] > 0 && abs(upward[0]) <= slack * of_up[0];
-    for (std::size_t i = 0; i < 3; ++i)
-        is_so = is_so && abs(origin[i]) <= slack * sizes[i] &&
-                (i == 2 || abs(on_axis[i]) <= slack * of_look_at[i]);
-    expect(true, is_so && on_axis[2] != 0, "matrix: camera", " is what the matrix has");
-}
-
-/// A point in the next space; nothing if that is not told.
-std::optional<SpaceAgain::Numbers> SpaceAgain::moved(const std::string& name, Space from,
-                                                     const Numbers& at, Space to,
-                                                     const Numbers& like, Numbers& sizes) const {
-    Numbers point = at;
-    const auto divide = [&] {
-        if (point.size() != 4 || point[3] == 0)
-            throw NotTold();
-        for (std::size_t i = 0; i < 3; ++i)
-            point[i] /= point[3];
-        point.pop_back();
-        sizes = point;
+    const auto vector_of = [](const TracedList<TracedNumber>& list) {
+        const auto numbers = numbers_of<Rational>(list);
+        return numbers.size() == 3 ? Vec3{numbers[0], numbers[1], numbers[2]} : throw NotTold();
     };
-    if (to == Space::canonical) {
-        if (from != Space::clip)
-            return std::nullopt;
-        divide();
-        return point;
-    }
-    if (point.size() == 4)
-        divide();
-    const std::string matrix = to == Space::world    ? "model "
-                               : to == Space::camera ? "view "
-                               : to == Space::clip   ? "projection "
-                                                     : "viewport ";
-    auto found = matrices_.find(matrix + object_of(name));
-    if (found == matrices_.end())
-        found = matrices_.find(matrix);
-    if (found != matrices_.end())
-        point = times(nearest_to(like, found->second, point), point, sizes);
-    else if (matrices_.empty())
-        return std::nullopt;
-    else
-        sizes = point;
-    sizes.resize(4);
-    if (to != Space::clip)
-        point.resize(to == Space::screen ? 2 : 3);
-    else if (point.size() == 3)
-        point.emplace_back(1);
-    return point;
+    const Vec3 position = vector_of(camera[0]);
+    const Vec3 look_at = vector_of(camera[1]);
+    eye_ = position;
+    toward_camera_ = position - look_at;
+    const Rational slack(rules_.has_floats() ? 0x1p-12 : 0x1p-30);
+    bool is_so = true;
+    const auto moves_to_axis = [&](const Vec<Rational, 4>& point, bool to_origin) {
+        const auto at = matrix * point;
+        const auto size = sizes_of(matrix) *
+                          Vec<Rational, 4>{abs(point.x), abs(point.y), abs(point.z), abs(point.w)};
+        is_so = is_so && abs(at.x) <= slack * size.x &&
+                (point.w == 0 || abs(at.y) <= slack * size.y) &&
+                (!to_origin || abs(at.z) <= slack * size.z);
+        return at;
+    };
+    moves_to_axis(as_point(position, 1), true);
+    const bool is_before = moves_to_axis(as_point(look_at, 1), false).z != 0;
+    const bool is_upright = moves_to_axis(as_point(vector_of(camera[2]), 0), false).y > 0;
+    expect(true, is_so && is_before && is_upright, "matrix: camera", " is what the matrix has");
 }
 
 void SpaceAgain::redo(const VertexStep& step) {
     const std::string name = step.name.text();
     const Space space = space_of(step.space);
-    const Numbers at = numbers_of<Rational>(step.at);
-    const auto last = at_.find(name);
-    if (last == at_.end()) {
+    const auto& places = numbers_.steps().places_of(name);
+    const auto here = std::lower_bound(places.begin(), places.end(), n_);
+    if (here == places.begin()) {
         // Without a model, a vertex begins in the world; one that clipping makes, where it is made.
-        const auto models = matrices_.find("model " + object_of(name));
-        const bool has_model = models != matrices_.end();
-        const bool may_have_model = has_model && models->second.size() > 1;
+        const auto matrices = numbers_.steps().at(n_).matrices();
+        const auto models = std::count_if(matrices.begin(), matrices.end(), [&](std::size_t n) {
+            const auto matrix = trace_.step(n).as<MatrixStep>();
+            return matrix.name == "model" && matrix.object.text() == object_of(name);
+        });
         const bool begins = is_made(name)
                                 ? space == Space::clip
-                                : space == first_space_ || matrices_.empty() || may_have_model ||
-                                      space == (has_model ? Space::object : Space::world);
+                                : space == first_space_ || matrices.empty() || models > 1 ||
+                                      space == (models > 0 ? Space::object : Space::world);
         expect(true, begins, "vertex: name", ", told in the space before");
     } else {
-        expect(true, last->second < space, "vertex: space", " behind the one before");
-        Numbers sizes;
-        if (const auto again =
-                moved(name, last->second, places_[name][last->second], space, at, sizes))
-            for (std::size_t i = 0; i < again->size(); ++i)
-                expect_near((*again)[i], told_at(step.at.values(), i), abs(sizes[i]), "vertex: at");
+        const Space last = space_of(trace_.step(*std::prev(here)).as<VertexStep>().space);
+        expect(true, last < space, "vertex: space", " behind the one before");
+        if (space == Space::canonical ? last == Space::clip
+                                      : !numbers_.steps().at(n_).matrices().empty())
+            redo_place(step);
     }
-    at_[name] = space;
-    places_[name][space] = at;
-    if (space == Space::screen)
-        on_screen_[name] = step.snapped ? step.snapped : step.at;
+    has_screen_ = has_screen_ || space == Space::screen;
     redo_snap(step);
+}
+
+/// A point in the next space.
+void SpaceAgain::redo_place(const VertexStep& step) {
+    const auto formulas = formulas_of(numbers_, n_, "at");
+    if (formulas.empty())
+        return;
+    const Values again = value_of(formulas.front());
+    const auto told = step.at.values();
+    for (std::size_t i = 0; i < std::min(again.size(), told.size()); ++i) {
+        Rational size;
+        if (const auto* const product = std::get_if<MatrixTimes>(&formulas.front().of))
+            for (std::size_t k = 0; k < 4; ++k)
+                size += abs(product->rows[i][k] * product->point[k]);
+        else
+            size = abs(again[i]);
+        expect_near(again[i], told[i], size, "vertex: at");
+    }
 }
 
 void SpaceAgain::redo_snap(const VertexStep& step) {
@@ -365,21 +305,14 @@ void SpaceAgain::redo(const OrderStep& step) {
 
 /// How far a vertex lies from the eye, as the painter sorts by it.
 std::optional<Rational> SpaceAgain::distance_of(const std::string& vertex) const {
-    const auto found = places_.find(vertex);
-    if (found == places_.end())
-        return std::nullopt;
-    const auto at = [&](Space space, std::size_t i) -> std::optional<Rational> {
-        const auto place = found->second.find(space);
-        return place == found->second.end() ? std::nullopt
-                                            : std::optional(told_at(place->second, i));
-    };
-    if (projection_ == ProjectionType::clip_space)
-        return at(Space::clip, 3);
-    auto z = at(Space::camera, 2);
-    for (const Space space : {Space::world, Space::object})
-        if (!z)
-            z = at(space, 2);
-    return z;
+    if (projection_ != ProjectionType::clip_space) {
+        const auto at = numbers_.place_in(vertex, Space::camera);
+        return at ? std::optional(at->z) : std::nullopt;
+    }
+    for (const std::size_t n : numbers_.steps().places_of(vertex))
+        if (const auto step = trace_.step(n).as<VertexStep>(); step.space == Space::clip)
+            return exactly(told_at(step.at.values(), 3));
+    return std::nullopt;
 }
 
 void SpaceAgain::redo(const PrimitiveStep& step) {
@@ -423,14 +356,18 @@ void SpaceAgain::redo(const PrimitiveStep& step) {
             expect(true,
                    traits_of(kind).has_ring ? corners.size() >= count : corners.size() == count,
                    "primitive: kind", ", by its corners");
-    for (std::size_t i = 0; i < corners.size() && i < names.size() && !on_screen_.empty(); ++i) {
-        const auto known = on_screen_.find(names[i]);
-        if (known == on_screen_.end()) {
+    for (std::size_t i = 0; i < corners.size() && i < names.size() && has_screen_; ++i) {
+        std::optional<VertexStep> known;
+        for (const std::size_t n : numbers_.steps().places_of(names[i]))
+            if (auto vertex = trace_.step(n).as<VertexStep>();
+                n < n_ && vertex.space == Space::screen)
+                known = vertex;
+        if (!known) {
             if (!is_made(names[i]))
                 expect(true, false, "primitive: vertices", ", on the screen");
             continue;
         }
-        const auto at = numbers_of<Rational>(known->second);
+        const auto at = numbers_of<Rational>(known->snapped ? known->snapped : known->at);
         const bool is_on_grid = rules_.triangles.scalar == ScalarKind::fixed;
         for (std::size_t k = 0; k < 2; ++k) {
             const TracedNumber told = told_at(corners[i].values(), k);
@@ -458,15 +395,8 @@ void SpaceAgain::redo_name(const TracedText& name, const char* what) {
 std::vector<Vec<Rational, 3>> SpaceAgain::corners() const {
     std::vector<Vec<Rational, 3>> corners;
     for (const std::string& name : primitive_.vertices.texts()) {
-        const auto found = places_.find(name);
-        if (found == places_.end())
-            throw NotTold();
-        auto place = found->second.find(Space::world);
-        if (place == found->second.end())
-            place = found->second.find(Space::object);
-        if (place == found->second.end() || place->second.size() < 3)
-            throw NotTold();
-        corners.push_back({place->second[0], place->second[1], place->second[2]});
+        const auto corner = numbers_.place_in(name, Space::world);
+        corners.push_back(corner ? *corner : throw NotTold());
     }
     return corners.size() < 3 ? throw NotTold() : corners;
 }
@@ -476,7 +406,7 @@ void SpaceAgain::redo_normal(const TracedList<TracedNumber>& told, const char* w
     const auto normal = normal_of<Rational>(at);
     Rational farthest = 0;
     for (const auto& corner : at)
-        farthest = std::max(farthest, largest_of({corner.x, corner.y, corner.z}));
+        farthest = std::max(farthest, largest_of(corner));
     const Rational size = 8 * farthest * farthest;
     expect_near(normal.x, told_at(told.values(), 0), size, what);
     expect_near(normal.y, told_at(told.values(), 1), size, what);
@@ -524,23 +454,23 @@ void SpaceAgain::redo(const FaceStep& step) {
     if (step.by || projection_ == ProjectionType::clip_space)
         return; // the light is not told
     const auto view = step.view.values();
-    Numbers expected = eye_;
-    Numbers sizes{1, 1, 1};
+    Vec3 expected = eye_;
+    Rational size;
     if (projection_ && is_perspective(*projection_)) {
         const auto at = corners();
-        const auto center = centroid_of<Rational>(at);
-        expected = {eye_[0] - center.x, eye_[1] - center.y, eye_[2] - center.z};
+        expected = eye_ - centroid_of<Rational>(at);
         Rational farthest = largest_of(eye_);
         for (const auto& corner : at)
-            farthest = std::max(farthest, largest_of({corner.x, corner.y, corner.z}));
-        sizes.assign(3, 4 * farthest);
+            farthest = std::max(farthest, largest_of(corner));
+        size = 4 * farthest;
     } else {
         const bool is_back = told_at(view, 2).text().starts_with('-');
-        expected = toward_camera_.empty() ? Numbers{0, 0, is_back ? -1 : 1} : toward_camera_;
-        sizes.assign(3, largest_of(expected) + largest_of(eye_));
+        expected = toward_camera_.value_or(Vec3{0, 0, is_back ? -1 : 1});
+        size = largest_of(expected) + largest_of(eye_);
     }
+    const std::array components{expected.x, expected.y, expected.z};
     for (std::size_t i = 0; i < 3; ++i)
-        expect_near(told_at(expected, i), told_at(view, i), sizes[i], "face: view");
+        expect_near(components[i], told_at(view, i), size, "face: view");
 }
 
 void SpaceAgain::redo(const LightStep& step) {

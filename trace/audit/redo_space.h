@@ -12,6 +12,7 @@
 #include <rastertrace/core/draw/scene/transforms.h>
 #include <rastertrace/core/numbers/vec.h>
 #include <rastertrace/core/transform/projection.h>
+#include <rastertrace/trace/tell/formulas_of.h>
 
 #include <cstddef>
 #include <map>
@@ -33,8 +34,6 @@ public:
     void finish();
 
 private:
-    using Numbers = std::vector<Rational>;
-
     void redo(const TriangulateStep& step);
     void redo(const MatrixStep& step);
     void redo(const VertexStep& step);
@@ -49,8 +48,7 @@ private:
     void redo_normal(const TracedList<TracedNumber>& told, const char* what);
     void redo_product(const TracedList<TracedNumber>& normal, const TracedList<TracedNumber>& other,
                       const TracedNumber& told, const char* what);
-    std::optional<Numbers> moved(const std::string& name, Space from, const Numbers& at, Space to,
-                                 const Numbers& like, Numbers& sizes) const;
+    void redo_place(const VertexStep& step);
     std::vector<Vec<Rational, 3>> corners() const;
     std::optional<Rational> distance_of(const std::string& vertex) const;
     void expect_near(const Rational& redone, const TracedNumber& told, const Rational& size,
@@ -65,17 +63,15 @@ private:
     }
 
     const Trace& trace_;
+    Numbers numbers_;
     const ToldMethod& rules_;
     Findings& findings_;
     std::optional<ProjectionType> projection_;
     std::size_t n_ = 0;                 ///< the step
     Space first_space_ = Space::object; ///< in which most vertices begin
-    std::map<std::string, std::vector<std::vector<Numbers>>> matrices_; ///< by name and object
-    Numbers eye_{0, 0, 0};
-    Numbers toward_camera_; ///< from what it looks at; none without one
-    std::map<std::string, std::map<Space, Numbers>> places_; ///< of vertices
-    std::map<std::string, Space> at_;                        ///< where each was last
-    std::map<std::string, TracedList<TracedNumber>> on_screen_;
+    Vec3 eye_{0, 0, 0};
+    std::optional<Vec3> toward_camera_; ///< from what it looks at; none without one
+    bool has_screen_ = false;           ///< a vertex has been told there
     struct Ear {
         std::string face;
         std::vector<std::string> corners;

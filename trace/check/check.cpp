@@ -251,7 +251,7 @@ private:
         const auto other = with_many_digits(subject, truth_);
         if (!other || !checked.remark.empty())
             return;
-        for (const Formula& formula : formulas_of(*other, Numbers(*other->exact), field.name))
+        for (const Formula& formula : formulas_of(*other, other->exact->right(), field.name))
             if (is_at_tie(formula)) {
                 checked.remark =
                     said({"by the sines and roots as doubles; without rounding it is a tie",
@@ -347,7 +347,7 @@ private:
     /// before it.
     std::string what_follows(const ClaimedField& field, std::size_t place) const {
         const auto formulas =
-            formulas_of(*subjects_.back(), Numbers(*subjects_.back()->exact), field.name);
+            formulas_of(*subjects_.back(), subjects_.back()->exact->right(), field.name);
         const auto* const line =
             formulas.empty() ? nullptr : std::get_if<BresenhamDecisions>(&formulas.front().of);
         for (std::size_t i = place + 1; line != nullptr && i < field.values.size(); ++i) {
@@ -502,7 +502,7 @@ private:
             return 0;
         // d is worked out from the one before it.
         const bool are_pixels = subject.kind == StepKind::primitive;
-        const auto steps = are_pixels ? subject.exact->pixels_of(subject.step)
+        const auto steps = are_pixels ? pixels_of(subject.exact->steps(), subject.step)
                            : subject.kind == StepKind::decide
                                ? decisions_from(*subject.exact, subject.step)
                                : std::vector<std::size_t>{};

@@ -5,8 +5,9 @@
 
 #include "check.h"
 #include "claim_comparison.h"
-#include "derivation.h"
 #include "step_index.h"
+
+#include <rastertrace/trace/tell/formulas_of.h>
 
 #include <cstddef>
 #include <functional>
@@ -121,11 +122,11 @@ Pixel pixel_of(const Subject& subject);
 /// What kind of numbers the exact trace tells.
 NumbersHeld numbers_held(const Subject& subject);
 
-/// The formulas that a field can be worked out by, see derivation.h.
+/// The formulas that a field can be worked out by, see tell/formulas_of.h.
 std::vector<Formula> formulas_of(const Subject& subject, const Numbers& numbers,
                                  std::string_view field);
 
-/// Where the number stands that a field is about, see derivation.h; a pixel's by where it lies.
+/// Where the number stands that a field is about, see tell/numbers.h; a pixel's by where it lies.
 std::string name_of_number(const Subject& subject, const ClaimedField& field);
 
 /// The step that shows how a field is worked out; 0 for none.

@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: MIT
 // What must be the same in two exercises, and what each slip makes of their numbers.
 
-#include "derivation.h"
 #include "exercise.h"
 #include "slips.h"
-#include "step_index.h"
 
 #include <rastertrace/trace/record/step_kind.h>
 #include <rastertrace/trace/record/traced_steps.h>
+#include <rastertrace/trace/tell/formulas_of.h>
 #include <rastertrace/trace/tell/step_text.h>
 
 #include <fmt/core.h>
@@ -107,8 +106,7 @@ Answers slip_answers_in(const Trace& trace) {
                                     StepKind::edge,   StepKind::scanline, StepKind::decide,
                                     StepKind::along,  StepKind::depth};
     constexpr std::size_t most = 200;
-    const StepIndex index(trace);
-    const Numbers numbers(index);
+    const Numbers numbers{StepContext(trace)};
     Answers answers(slips().size());
     std::size_t count = 0;
     for (std::size_t n = 1; n <= trace.size() && count < most; ++n) {

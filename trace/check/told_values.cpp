@@ -40,18 +40,18 @@ std::vector<std::string> told_decisions(const StepIndex& index, std::size_t firs
     std::vector<std::string> on_canvas;
     for (const std::size_t n : decisions_from(index, first))
         on_canvas.push_back(index.trace().step(n).as<DecideStep>().d.text());
-    const auto formulas = formulas_of(Numbers(index), first, "d");
+    const auto formulas = formulas_of(index.right(), first, "d");
     if (on_canvas.size() == claimed || formulas.empty())
         return on_canvas;
     std::vector<std::string> all;
     for (const Rational& d : value_of(formulas.front()))
         all.push_back(d.get_str());
-    return all;
+    return all.empty() ? on_canvas : all;
 }
 
 /// The angle between a face's normal and its view in degrees, to nine digits behind the point.
 ToldValues told_angle(const StepIndex& index, std::size_t face) {
-    for (const Formula& formula : formulas_of(Numbers(index), face, "cosine"))
+    for (const Formula& formula : formulas_of(index.right(), face, "cosine"))
         if (const Values cosine = value_of(formula); cosine.size() == 1) {
             constexpr double digits = 1e9;
             const double degrees =
@@ -91,7 +91,7 @@ ToldValues told_of_pixels(const StepIndex& index, std::size_t primitive, std::st
     }
     std::vector<std::string> listed;
     std::set<Index> rows;
-    for (const std::size_t n : index.pixels_of(primitive)) {
+    for (const std::size_t n : pixels_of(index.steps(), primitive)) {
         const StepView step = index.trace().step(n);
         rows.insert(y_in(step).value_or(0));
         for (const auto coordinate : {x_in(step), y_in(step)})
@@ -142,7 +142,7 @@ ToldValues told_in(const StepIndex& index, std::size_t step, const ClaimedField&
     if (json)
         return json->starts_with('[') ? TracedList<TracedValue>(*json).texts()
                                       : std::vector{plain_text(*json)};
-    const auto formulas = formulas_of(Numbers(index), step, field.name);
+    const auto formulas = formulas_of(index.right(), step, field.name);
     if (formulas.empty())
         return std::nullopt;
     std::vector<std::string> values;
@@ -197,9 +197,8 @@ bool is_inside_any(const StepIndex& index, const Subject& subject) {
 ToldValues told_share(const StepIndex& index, std::size_t pixel) {
     if (pixel == 0)
         return std::nullopt;
-    Replay replay(index.trace());
-    replay.go_to(pixel);
-    const auto line = color_on_line(replay, primitive_of(replay));
+    const StepContext at = index.steps().at(pixel);
+    const auto line = color_on_line(at, primitive_of(at));
     return line ? ToldValues({line->share().get_str()}) : std::nullopt;
 }
 
@@ -272,7 +271,7 @@ ToldValues told_exactly(const Subject& subject, const ClaimedField& field) {
 ToldValues cosine_with_many_digits(const Subject& subject, const ClaimedField& field) {
     if (field.name != "cosine" && field.name != "intensity")
         return std::nullopt;
-    for (const Formula& formula : formulas_of(subject, Numbers(*subject.exact), field.name))
+    for (const Formula& formula : formulas_of(subject, subject.exact->right(), field.name))
         if (const auto* const face = std::get_if<FaceCosine>(&formula.of))
             if (const auto cosine = face->value(RootDigits::many))
                 return std::vector{
@@ -300,7 +299,7 @@ std::string name_of_number(const Subject& subject, const ClaimedField& field) {
                             !(subject.kind == StepKind::decide && field.is_list) &&
                             subject.is_told_in(*subject.exact, subject.step);
     if (is_of_step)
-        return name_of_number(*subject.exact, subject.step, field.name);
+        return name_of_number(subject.exact->trace(), subject.step, field.name);
     std::string name =
         fmt::format("{}{} of {}", field.is_list ? "all " : "", field.name, name_of(subject.kind));
     for (const auto& [key, value] : subject.keys)
@@ -330,7 +329,7 @@ std::vector<Formula> formulas_of(const Subject& subject, const Numbers& numbers,
         if (const std::size_t sample = step_of(subject, field);
             sample != 0 && numbers.trace().kind_of(sample) == StepKind::sample)
             return formulas_of(numbers, sample, "inside");
-        const std::size_t row = row_of_pixel(numbers.index(), subject);
+        const std::size_t row = row_of_pixel(*subject.exact, subject);
         return row == 0 ? std::vector<Formula>{}
                         : std::vector{in_row(numbers, row, Rational(pixel_of(subject).x))};
     }

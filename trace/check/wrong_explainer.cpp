@@ -2,7 +2,6 @@
 #include "wrong_explainer.h"
 
 #include "claim_comparison.h"
-#include "derivation.h"
 #include "typed_number.h"
 
 #include <rastertrace/trace/tell/step_text.h>
@@ -17,7 +16,7 @@ namespace {
 
 /// The formula that a field was worked out by; nothing if there is none. No slip is named by any other.
 std::optional<Formula> formula_of(const Subject& subject, const ClaimedField& field) {
-    auto formulas = formulas_of(subject, Numbers(*subject.exact), field.name);
+    auto formulas = formulas_of(subject, subject.exact->right(), field.name);
     const ToldValues told = told_exactly(subject, field);
     if (formulas.empty() || !told)
         return std::nullopt;
@@ -146,7 +145,7 @@ void WrongExplainer::explain_exchanged_ends(const Subject& subject, CheckedClaim
 bool WrongExplainer::follows(const Subject& subject, const ClaimedField& field, std::size_t order,
                              CheckedField& checked) {
     const Values right =
-        subject.step == 0 ? Values{} : subject.exact->numbers(subject.step, field.name);
+        subject.step == 0 ? Values{} : subject.exact->right().of(subject.step, field.name);
     const auto comes_to_it = [&](const Formula& formula) {
         const Values values = value_of(formula);
         return values != right && gives(values, field);
@@ -165,14 +164,14 @@ bool WrongExplainer::follows(const Subject& subject, const ClaimedField& field, 
     const auto by_textbook = formulas_of(subject, all, field.name);
     if (is_from(all.take_used(), !by_textbook.empty() && comes_to_it(by_textbook.front())))
         return true;
-    const Numbers before(*subject.exact, wrong_, order);
+    const Numbers before(subject.exact->right(), wrong_, order);
     const auto by_any = formulas_of(subject, before, field.name);
     return is_from(before.take_used(), std::any_of(by_any.begin(), by_any.end(), comes_to_it));
 }
 
 /// The numbers of a trace with all wrong ones in place of the right ones.
 const Numbers& WrongExplainer::claimed_numbers(const StepIndex& index) {
-    return numbers_.try_emplace(&index, index, wrong_).first->second;
+    return numbers_.try_emplace(&index, index.right(), wrong_).first->second;
 }
 
 /// What a formula comes to with each slip in it. Several claims may be about one number.

@@ -10,11 +10,11 @@
 #include "check.h"
 #include "claim_subject.h"
 #include "drawn_mistakes.h"
-#include "numbers.h"
 #include "slip_likelihood.h"
 #include "slips.h"
 
 #include <rastertrace/trace/tell/formula.h>
+#include <rastertrace/trace/tell/numbers.h>
 
 #include <cstddef>
 #include <map>

@@ -7,7 +7,7 @@
 namespace rastertrace {
 
 Replay::Replay(const Trace& trace, FrameParts parts, std::size_t most_bytes)
-    : trace_(trace), frame_(trace.canvas, parts),
+    : StepContext(trace), frame_(trace.canvas, parts),
       changed_by_(frame_.drawn_by.size() / tile_size + 1), shared_(std::make_shared<Shared>()) {
     shared_->most_bytes = most_bytes;
 }
@@ -19,80 +19,51 @@ void Replay::go_to(std::size_t n) {
     if (!kept.empty()) {
         const Keyframe& nearest = *std::prev(std::upper_bound(
             kept.begin(), kept.end(), n,
-            [](std::size_t step, const Keyframe& keyframe) { return step < keyframe.place.step; }));
-        if (n < step() || step() < nearest.place.step)
+            [](std::size_t step, const Keyframe& keyframe) { return step < keyframe.step; }));
+        if (n < step() || step() < nearest.step)
             restore(nearest);
     }
     while (step() < n) {
         take_next();
-        if (!kept.empty() && step() == kept.back().place.step + shared_->interval)
+        if (!kept.empty() && step() == kept.back().step + shared_->interval)
             keep();
     }
 }
 
 void Replay::take_next() {
-    const StepView step = trace_.step(++place_.step);
-    place_.drew_over = place_.stored_before = 0;
+    const StepView step = trace().step(++step_);
+    memory_.drew_over = memory_.stored_before = 0;
     const auto kind = step.kind();
-    if (!kind)
-        return;
-    switch (*kind) {
-    case StepKind::primitive:
-        place_.primitive = place_.step;
-        place_.ray = place_.scanline = place_.scanline_before = 0;
-        place_.edges.clear();
-        place_.color = color_of_primitive(step.as<PrimitiveStep>());
-        break;
-    case StepKind::pixel:
+    if (kind == StepKind::primitive)
+        memory_.color = color_of_primitive(step.as<PrimitiveStep>());
+    else if (kind == StepKind::pixel)
         take(step.as<PixelStep>());
-        break;
-    case StepKind::depth:
+    else if (kind == StepKind::depth)
         take(step.as<DepthStep>());
-        break;
-    case StepKind::order:
-        place_.order = place_.step;
-        break;
-    case StepKind::vertex:
-        place_.vertex_before = std::exchange(place_.vertex, place_.step);
-        break;
-    case StepKind::edge:
-        place_.edges.push_back(place_.step);
-        place_.ray = 0;
-        break;
-    case StepKind::ray:
-        place_.ray = place_.step;
-        break;
-    case StepKind::scanline:
-        place_.scanline_before = std::exchange(place_.scanline, place_.step);
-        break;
-    default:
-        break;
-    }
 }
 
 void Replay::take(const PixelStep& step) {
-    const auto plotted = plotted_by(step, trace_.canvas, place_.color);
+    const auto plotted = plotted_by(step, trace().canvas, memory_.color);
     if (!plotted)
         return;
-    const std::size_t offset = trace_.canvas.offset_of(plotted->pixel);
+    const std::size_t offset = trace().canvas.offset_of(plotted->pixel);
     frame_.image.at(plotted->pixel) = plotted->color;
-    place_.drew_over =
-        std::exchange(frame_.drawn_by[offset], static_cast<std::uint32_t>(place_.step));
+    memory_.drew_over = std::exchange(frame_.drawn_by[offset], static_cast<std::uint32_t>(step_));
     if (!frame_.writes.empty())
         ++frame_.writes[offset];
-    changed_by_[offset / tile_size] = place_.step;
+    changed_by_[offset / tile_size] = step_;
 }
 
 void Replay::take(const DepthStep& step) {
-    if (frame_.stored_by.empty() || !trace_.canvas.contains(step.x, step.y))
+    if (frame_.stored_by.empty() || !trace().canvas.contains(step.x, step.y))
         return;
     const std::size_t offset =
-        trace_.canvas.offset_of({static_cast<int>(step.x), static_cast<int>(step.y)});
-    place_.stored_before = frame_.stored_by[offset];
+        trace().canvas.offset_of({static_cast<int>(step.x), static_cast<int>(step.y)});
+    memory_.stored_before = frame_.stored_by[offset];
     if (!stores_depth(step))
         return;
-    frame_.stored_by[offset] = static_cast<std::uint32_t>(place_.step);
-    changed_by_[offset / tile_size] = place_.step;
+    frame_.stored_by[offset] = static_cast<std::uint32_t>(step_);
+    changed_by_[offset / tile_size] = step_;
 }
 
 std::shared_ptr<const Replay::Tile> Replay::blank_tile() {
@@ -115,7 +86,7 @@ std::shared_ptr<const Replay::Tile> Replay::tile(std::size_t index) const {
 }
 
 void Replay::restore(const Keyframe& keyframe) {
-    Color* const colors = frame_.image.row(trace_.canvas.top()).colors;
+    Color* const colors = frame_.image.row(trace().canvas.top()).colors;
     const std::array lists{&frame_.drawn_by, &frame_.writes, &frame_.stored_by};
     for (std::size_t index = 0; index < changed_by_.size(); ++index) {
         const Tile& tile = *keyframe.tiles[index];
@@ -128,12 +99,12 @@ void Replay::restore(const Keyframe& keyframe) {
             if (!lists[list]->empty())
                 std::copy_n(tile.numbers[list].data(), size, lists[list]->data() + begin);
     }
-    place_ = keyframe.place;
+    step_ = keyframe.step;
+    memory_ = keyframe.memory;
 }
 
 std::size_t Replay::Keyframe::bytes_beside(const Keyframe& before) const {
-    std::size_t bytes = sizeof(Keyframe) + tiles.size() * sizeof(tiles[0]) +
-                        place.edges.size() * sizeof(std::size_t);
+    std::size_t bytes = sizeof(Keyframe) + tiles.size() * sizeof(tiles[0]);
     for (std::size_t index = 0; index < tiles.size(); ++index)
         if (tiles[index] != before.tiles[index]) {
             bytes += sizeof(Tile) + tiles[index]->colors.size() * sizeof(Color);
@@ -144,8 +115,8 @@ std::size_t Replay::Keyframe::bytes_beside(const Keyframe& before) const {
 }
 
 void Replay::keep() {
-    auto& [most_bytes, interval, bytes, kept, steps, places] = *shared_;
-    Keyframe next{place_, kept.back().tiles};
+    auto& [most_bytes, interval, bytes, kept] = *shared_;
+    Keyframe next{step_, memory_, kept.back().tiles};
     for (std::size_t index = 0; index < changed_by_.size(); ++index)
         if (next.tiles[index]->changed_by != changed_by_[index])
             next.tiles[index] = tile(index);
@@ -154,43 +125,12 @@ void Replay::keep() {
     while (bytes > most_bytes && kept.size() > 1) {
         interval *= 2;
         std::erase_if(kept, [interval = interval](const Keyframe& keyframe) {
-            return keyframe.place.step % interval != 0;
+            return keyframe.step % interval != 0;
         });
         bytes = 0;
         for (std::size_t i = 1; i < kept.size(); ++i)
             bytes += kept[i].bytes_beside(kept[i - 1]);
     }
-}
-
-const std::vector<std::size_t>& Replay::all_of(StepKind kind) const {
-    const auto [all, is_new] = shared_->steps_of.try_emplace(kind);
-    if (is_new)
-        all->second = trace_.steps_of({kind});
-    return all->second;
-}
-
-std::span<const std::size_t> Replay::so_far(StepKind kind) const {
-    const std::vector<std::size_t>& all = all_of(kind);
-    const auto behind = std::upper_bound(all.begin(), all.end(), step());
-    return std::span(all).first(static_cast<std::size_t>(behind - all.begin()));
-}
-
-std::size_t Replay::primitive_of(std::size_t step) const {
-    const std::vector<std::size_t>& all = all_of(StepKind::primitive);
-    const auto next = std::upper_bound(all.begin(), all.end(), step);
-    return next == all.begin() ? 0 : *std::prev(next);
-}
-
-const std::vector<std::size_t>& Replay::places_of(const std::string& vertex) const {
-    auto& places = shared_->places_of;
-    if (!places) {
-        places.emplace();
-        for (const std::size_t n : all_of(StepKind::vertex))
-            (*places)[trace_.step(n).as<VertexStep>().name.text()].push_back(n);
-    }
-    static const std::vector<std::size_t> none;
-    const auto found = places->find(vertex);
-    return found == places->end() ? none : found->second;
 }
 
 std::optional<PlottedPixel> plotted_by(const PixelStep& pixel, const Canvas& canvas,

@@ -414,9 +414,8 @@ std::string slope_form(const Context& context) {
     const auto form = ends ? slope_form_of(*ends, is_x_major) : std::nullopt;
     if (!form || !value || !at)
         return {};
-    const std::size_t before = replay.trace().method.others.line == LineMethod::dda
-                                   ? along_before(replay, replay.step())
-                                   : 0;
+    const std::size_t before =
+        replay.trace().method.others.line == LineMethod::dda ? along_before(replay) : 0;
     if (before != 0) {
         const auto last = replay.trace().step(before).as<AlongStep>();
         const auto last_value = last.value.exact();

@@ -106,7 +106,10 @@ Values value(const DividedByW& division) {
 }
 
 Values value(const BresenhamDecisions& line) {
+    constexpr std::size_t most_steps = 1000; // no hand works more out
     Values of;
+    if (line.steps > most_steps)
+        return of;
     Rational d = line.start();
     for (std::size_t i = 0; i < line.steps; ++i) {
         of.push_back(d);

@@ -315,7 +315,7 @@ struct FormulaRule {
 };
 FormulaRule rule_of(const Formula& formula);
 
-/// What it comes to; nothing where it divides by 0.
+/// What it comes to; nothing where it divides by 0, or of a list that is too long for a hand.
 Values value_of(const Formula& formula);
 
 } // namespace rastertrace

@@ -3,11 +3,11 @@
 
 // Where clipping has cut an edge.
 //
-//     if (const auto meeting = meeting_point_of(replay))
+//     if (const auto meeting = meeting_point_of(step))
 //         meeting->plane;  // "near"
 
 #include <rastertrace/core/numbers/rational.h>
-#include <rastertrace/trace/record/replay.h>
+#include <rastertrace/trace/record/step_context.h>
 
 #include <optional>
 #include <string>
@@ -22,8 +22,8 @@ struct MeetingPoint {
     Rational t;
 };
 
-/// That of the current step of a replay, of a vertex in clip space; nothing if clipping did not make it, or if the edge
+/// That of a step, of a vertex in clip space; nothing if clipping did not make it, or if the edge
 /// is not found that meets a plane there.
-std::optional<MeetingPoint> meeting_point_of(const Replay& replay);
+std::optional<MeetingPoint> meeting_point_of(const StepContext& step);
 
 } // namespace rastertrace

@@ -3,11 +3,11 @@
 
 // What the workings of all kinds of steps are written on, and the numbers in them.
 
+#include "formulas_of.h"
 #include "step_text.h"
 
 #include <rastertrace/core/numbers/conversion.h>
 #include <rastertrace/core/transform/matrix.h>
-#include <rastertrace/trace/record/replay.h>
 
 #include <array>
 #include <cstddef>
@@ -21,15 +21,25 @@ namespace rastertrace {
 
 /// What a working is made of, and its lines so far.
 struct Sheet {
-    const Replay& replay;
-    std::size_t number; ///< of the step
+    explicit Sheet(const StepContext& of_step, std::size_t step_before = 0)
+        : at(of_step), numbers(at), step(at.trace().step(at.step())), primitive(primitive_of(at)),
+          drew_over(step_before) {}
+
+    StepContext at;
+    Numbers numbers;
     StepView step;
     PrimitiveText primitive;
+    std::size_t drew_over; ///< the step that had plotted the same pixel; 0 for none
     std::vector<std::string> lines = {};
 
     void put(std::string line) { lines.push_back(std::move(line)); }
 
-    const Trace& trace() const { return replay.trace(); }
+    const Trace& trace() const { return at.trace(); }
+
+    /// The formula that a field of the step is worked out by, if it has this form.
+    template <typename Form> std::optional<Form> form(std::string_view field) const {
+        return form_of<Form>(numbers, at.step(), field);
+    }
     const Method& method() const { return trace().method.triangles; }
 
     /// From the integer points of the primitive's pixels to their samples.
@@ -86,7 +96,7 @@ void write_light(Sheet& sheet);
 /// Where an edge meets the plane that cuts it, of a vertex that clipping made (working_of_clipping.cpp).
 void write_meeting_point(Sheet& sheet);
 
-/// The matrix of this name, if there is one before the current step.
+/// The matrix of this name, if there is one before the step.
 std::optional<Matrix<Rational>> matrix_named(const Sheet& sheet, std::string_view name);
 
 /// The levels of a pixel's color, and of the color that a line of a fan begins with (working_of_color.cpp).

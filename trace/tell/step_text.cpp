@@ -191,8 +191,8 @@ std::optional<Levels<Rational>> PrimitiveText::color_of(std::size_t vertex) cons
     return result;
 }
 
-std::optional<Divisors> divisors_of(const Replay& replay, const PrimitiveText& primitive) {
-    const Trace& trace = replay.trace();
+std::optional<Divisors> divisors_of(const StepContext& context, const PrimitiveText& primitive) {
+    const Trace& trace = context.trace();
     const auto& stages = trace.stages;
     if (trace.method.triangles.shade == Shade::affine ||
         std::find(stages.begin(), stages.end(), "perspective") == stages.end())
@@ -208,7 +208,7 @@ std::optional<Divisors> divisors_of(const Replay& replay, const PrimitiveText& p
             if (divisor && sgn(*divisor) != 0)
                 divisor = 1 / *divisor;
         } else {
-            for (const std::size_t n : replay.places_of(primitive.vertices[i])) {
+            for (const std::size_t n : context.places_of(primitive.vertices[i])) {
                 const auto vertex = trace.step(n).as<VertexStep>();
                 const auto at = vertex.at.values();
                 if (vertex.space == Space::clip && at.size() == 4)
@@ -249,9 +249,9 @@ std::string edge_name(const PrimitiveText& primitive, std::size_t from, std::siz
     return fmt::format("{}{}{}", names[from], name_separator(names), names[to]);
 }
 
-PrimitiveText primitive_of(const Replay& replay) {
-    return replay.primitive() == 0 ? PrimitiveText{}
-                                   : primitive_in(replay.trace().step(replay.primitive()));
+PrimitiveText primitive_of(const StepContext& context) {
+    return context.primitive() == 0 ? PrimitiveText{}
+                                    : primitive_in(context.trace().step(context.primitive()));
 }
 
 std::optional<EdgeEnds> ends_of_edge(const PrimitiveText& primitive, const std::string& edge) {
@@ -303,18 +303,18 @@ LineEnds between_nearest_pixels(const LineEnds& ends, const SampleOffset<Rationa
 }
 
 /// The edge, or the side, that was set up last.
-std::optional<EdgeEnds> current_edge(const Replay& replay, const PrimitiveText& primitive) {
-    if (replay.edges().empty())
+std::optional<EdgeEnds> current_edge(const StepContext& context, const PrimitiveText& primitive) {
+    if (context.edges().empty())
         return std::nullopt;
-    const auto edge = replay.trace().step(replay.edges().back()).as<EdgeStep>();
+    const auto edge = context.trace().step(context.edges().back()).as<EdgeStep>();
     return ends_of_edge(primitive, edge.edge.text());
 }
 
 } // namespace
 
-std::optional<LineEnds> ends_of_line(const Replay& replay, const PrimitiveText& primitive) {
+std::optional<LineEnds> ends_of_line(const StepContext& context, const PrimitiveText& primitive) {
     const auto& positions = primitive.positions;
-    const Trace& trace = replay.trace();
+    const Trace& trace = context.trace();
     const ToldSamples samples = told_samples(trace);
     const auto as_drawn = [&](const std::vector<std::string>& from,
                               const std::vector<std::string>& to) {
@@ -325,14 +325,14 @@ std::optional<LineEnds> ends_of_line(const Replay& replay, const PrimitiveText& 
     };
     if (primitive.kind == PrimitiveKind::line && positions.size() == 2)
         return as_drawn(positions[0], positions[1]);
-    const auto ends = current_edge(replay, primitive);
+    const auto ends = current_edge(context, primitive);
     if (!ends)
         return std::nullopt;
     if (primitive.kind == PrimitiveKind::outline)
         return as_drawn(ends->from, ends->to);
-    if (replay.ray() == 0)
+    if (context.ray() == 0)
         return std::nullopt;
-    const auto ray = trace.step(replay.ray()).as<RayStep>();
+    const auto ray = trace.step(context.ray()).as<RayStep>();
     for (const auto& corner : positions)
         if (corner != ends->from && corner != ends->to) {
             const auto apex = vec2_in(corner);
@@ -429,7 +429,8 @@ ColorOnLine color_at(const ColoredLine& line, GridPoint at, const Trace& trace) 
 }
 
 /// The same in space: a pixel stands for the point of the line at its sample along the longer axis.
-std::optional<ColorOnLine> color_in_space(const Replay& replay, const PrimitiveText& primitive,
+std::optional<ColorOnLine> color_in_space(const StepContext& context,
+                                          const PrimitiveText& primitive,
                                           const std::array<std::size_t, 2>& ends) {
     const auto place_of = [&](std::size_t i) {
         return i < primitive.positions.size() ? vec2_in(primitive.positions[i]) : std::nullopt;
@@ -441,8 +442,8 @@ std::optional<ColorOnLine> color_in_space(const Replay& replay, const PrimitiveT
     const auto to = primitive.color_of(second);
     if (!a || !b || !from || !to || from->of == to->of)
         return std::nullopt;
-    const auto pixel = replay.trace().step(replay.step()).as<PixelStep>();
-    const auto samples = told_samples(replay.trace()).lines;
+    const auto pixel = context.trace().step(context.step()).as<PixelStep>();
+    const auto samples = told_samples(context.trace()).lines;
     const bool is_x_major = abs(b->x - a->x) >= abs(b->y - a->y);
     const Rational run = is_x_major ? Rational(b->x - a->x) : Rational(b->y - a->y);
     const Rational along = is_x_major ? Rational(samples.x_of(pixel.x) - a->x)
@@ -455,7 +456,7 @@ std::optional<ColorOnLine> color_in_space(const Replay& replay, const PrimitiveT
                       .lerp = ColorLerp::space};
     color.way =
         sgn(run) == 0 ? Rational(0) : std::clamp<Rational>(along / run, Rational(0), Rational(1));
-    if (auto divisors = divisors_of(replay, primitive))
+    if (auto divisors = divisors_of(context, primitive))
         color.divisors = {divisors->name, {divisors->of[first], divisors->of[second]}};
     return color;
 }
@@ -473,10 +474,10 @@ std::optional<ColoredLine> edge_of_fan(const PrimitiveText& primitive, const Edg
 }
 
 /// The line of a fan that is being drawn: from a pixel of its edge, in the color that is there, to the vertex beyond.
-std::optional<ColoredLine> line_of_fan(const Replay& replay, const PrimitiveText& primitive,
+std::optional<ColoredLine> line_of_fan(const StepContext& context, const PrimitiveText& primitive,
                                        const LineEnds& ends) {
-    const auto edge = current_edge(replay, primitive);
-    const auto start = color_on_edge_of_fan(replay, primitive);
+    const auto edge = current_edge(context, primitive);
+    const auto start = color_on_edge_of_fan(context, primitive);
     if (!edge || !start)
         return std::nullopt;
     const std::size_t apex = 3 - edge->vertices[0] - edge->vertices[1];
@@ -485,54 +486,56 @@ std::optional<ColoredLine> line_of_fan(const Replay& replay, const PrimitiveText
         return std::nullopt;
     line->from = start->color;
     line->names[0] = text(ends.from);
-    begin_left(*line, replay.trace());
+    begin_left(*line, context.trace());
     return line;
 }
 
 } // namespace
 
-std::optional<ColorOnLine> color_on_edge_of_fan(const Replay& replay,
+std::optional<ColorOnLine> color_on_edge_of_fan(const StepContext& context,
                                                 const PrimitiveText& primitive) {
-    if (replay.trace().method.others.color_lerp == ColorLerp::space)
+    if (context.trace().method.others.color_lerp == ColorLerp::space)
         return std::nullopt; // mixed of those of all corners
-    const auto edge = current_edge(replay, primitive);
-    const bool is_fan = primitive.kind == PrimitiveKind::triangle && replay.ray() != 0;
-    const auto line = edge && is_fan ? edge_of_fan(primitive, *edge, replay.trace()) : std::nullopt;
+    const auto edge = current_edge(context, primitive);
+    const bool is_fan = primitive.kind == PrimitiveKind::triangle && context.ray() != 0;
+    const auto line =
+        edge && is_fan ? edge_of_fan(primitive, *edge, context.trace()) : std::nullopt;
     if (!line)
         return std::nullopt;
-    const auto ray = replay.trace().step(replay.ray()).as<RayStep>();
-    return color_at(*line, {ray.x, ray.y}, replay.trace());
+    const auto ray = context.trace().step(context.ray()).as<RayStep>();
+    return color_at(*line, {ray.x, ray.y}, context.trace());
 }
 
-std::optional<ColorOnLine> color_on_line(const Replay& replay, const PrimitiveText& primitive) {
-    const auto ends = ends_of_line(replay, primitive);
+std::optional<ColorOnLine> color_on_line(const StepContext& context,
+                                         const PrimitiveText& primitive) {
+    const auto ends = ends_of_line(context, primitive);
     if (!ends)
         return std::nullopt;
     std::optional<ColoredLine> line;
     if (primitive.kind == PrimitiveKind::triangle) {
-        line = line_of_fan(replay, primitive, *ends);
+        line = line_of_fan(context, primitive, *ends);
     } else {
-        const auto side = current_edge(replay, primitive);
+        const auto side = current_edge(context, primitive);
         const auto [first, second] = side ? side->vertices : std::array<std::size_t, 2>{0, 1};
-        if (replay.trace().method.others.color_lerp == ColorLerp::space)
-            return color_in_space(replay, primitive, {first, second});
-        const bool are_pixels = replay.trace().method.draws_lines_by(LineMethod::bresenham);
+        if (context.trace().method.others.color_lerp == ColorLerp::space)
+            return color_in_space(context, primitive, {first, second});
+        const bool are_pixels = context.trace().method.draws_lines_by(LineMethod::bresenham);
         line = colored_line(*ends, primitive, {first, second},
                             are_pixels ? SampleOffset<Rational>()
-                                       : told_samples(replay.trace()).lines);
+                                       : told_samples(context.trace()).lines);
         // Which direction is the longer one, the step that led to the pixel says: doubles may not tell.
-        const std::size_t reason = reason_of_pixel(replay);
-        if (line && reason != 0 && replay.trace().kind_of(reason) == StepKind::along)
-            line->is_along_x = replay.trace().step(reason).as<AlongStep>().x.has_value();
+        const std::size_t reason = reason_of_pixel(context);
+        if (line && reason != 0 && context.trace().kind_of(reason) == StepKind::along)
+            line->is_along_x = context.trace().step(reason).as<AlongStep>().x.has_value();
         const bool runs_down =
             line && line->is_along_x ? ends->to.x < ends->from.x : ends->to.y < ends->from.y;
-        if (line && runs_down && replay.trace().method.others.from == LineStart::low)
+        if (line && runs_down && context.trace().method.others.from == LineStart::low)
             reverse(*line);
     }
     if (!line)
         return std::nullopt;
-    const auto pixel = replay.trace().step(replay.step()).as<PixelStep>();
-    const ColorOnLine color = color_at(*line, {pixel.x, pixel.y}, replay.trace());
+    const auto pixel = context.trace().step(context.step()).as<PixelStep>();
+    const ColorOnLine color = color_at(*line, {pixel.x, pixel.y}, context.trace());
     return sgn(color.steps) == 0 ? std::nullopt : std::optional(color);
 }
 
@@ -569,10 +572,10 @@ std::optional<SlopeForm> slope_form_of(const LineEnds& ends, bool is_x_major) {
     return m ? std::optional(SlopeForm{*m, at_0.value()}) : std::nullopt;
 }
 
-std::optional<Rational> next_d_told(const Replay& replay) {
+std::optional<Rational> next_d_told(const StepContext& context) {
     constexpr std::size_t between = 4; // a depth test and a pixel, and what a later program may add
-    const Trace& trace = replay.trace();
-    const std::size_t n = replay.step();
+    const Trace& trace = context.trace();
+    const std::size_t n = context.step();
     for (std::size_t next = n + 1; next <= std::min(trace.size(), n + between); ++next) {
         const auto kind = trace.kind_of(next);
         const bool is_at_hand = trace.number_of(next) - trace.number_of(n) == next - n;
@@ -657,10 +660,10 @@ std::optional<Weights> weights_of_sample(const Trace& trace, const StepView& ste
     return Weights{*corners, *p};
 }
 
-std::size_t along_before(const Replay& replay, std::size_t n) {
-    for (std::size_t before = n; before > replay.primitive() + 1;) {
+std::size_t along_before(const StepContext& context) {
+    for (std::size_t before = context.step(); before > context.primitive() + 1;) {
         --before;
-        const auto kind = replay.trace().kind_of(before);
+        const auto kind = context.trace().kind_of(before);
         if (kind == StepKind::along)
             return before;
         if (kind != StepKind::pixel && kind != StepKind::depth && kind != StepKind::reject)
@@ -669,11 +672,11 @@ std::size_t along_before(const Replay& replay, std::size_t n) {
     return 0;
 }
 
-std::size_t reason_of_pixel(const Replay& replay) {
-    if (replay.primitive() == 0)
+std::size_t reason_of_pixel(const StepContext& context) {
+    if (context.primitive() == 0)
         return 0; // a trace of some steps only
-    for (std::size_t n = replay.step() - 1; n > replay.primitive(); --n) {
-        const auto kind = replay.trace().kind_of(n);
+    for (std::size_t n = context.step() - 1; n > context.primitive(); --n) {
+        const auto kind = context.trace().kind_of(n);
         if (kind != StepKind::pixel && kind != StepKind::depth && kind != StepKind::reject)
             return kind ? n : 0; // a kind that nobody knows is no reason
     }

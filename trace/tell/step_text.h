@@ -12,7 +12,7 @@
 #include <rastertrace/core/raster/image.h>
 #include <rastertrace/core/raster/line.h>
 #include <rastertrace/core/raster/mixed_colors.h>
-#include <rastertrace/trace/record/replay.h>
+#include <rastertrace/trace/record/step_context.h>
 #include <rastertrace/trace/record/traced_steps.h>
 #include <rastertrace/trace/text/language.h>
 
@@ -129,8 +129,8 @@ PrimitiveText primitive_in(const StepView& step);
 /// AB, or A1-B1: the edge between two of its vertices.
 std::string edge_name(const PrimitiveText& primitive, std::size_t from, std::size_t to);
 
-/// The primitive that the current step of a replay belongs to.
-PrimitiveText primitive_of(const Replay& replay);
+/// The primitive that the step of a context belongs to.
+PrimitiveText primitive_of(const StepContext& context);
 
 /// Where the corners of a triangle are drawn.
 std::optional<std::array<Vec2, 3>> corners_of(const PrimitiveText& primitive);
@@ -152,7 +152,7 @@ struct LineEnds {
 
 /// Those of the line that is being drawn: the primitive, a side of an outline, or a line of a `fan`, from its
 /// edge to the vertex beyond. Where lines are drawn between pixels, those.
-std::optional<LineEnds> ends_of_line(const Replay& replay, const PrimitiveText& primitive);
+std::optional<LineEnds> ends_of_line(const StepContext& context, const PrimitiveText& primitive);
 
 /// What the colors of a primitive's corners are divided by in a perspective, where that is not the same: z, or the w of
 /// clip space.
@@ -160,7 +160,7 @@ struct Divisors {
     std::string_view name;
     std::vector<Rational> of;
 };
-std::optional<Divisors> divisors_of(const Replay& replay, const PrimitiveText& primitive);
+std::optional<Divisors> divisors_of(const StepContext& context, const PrimitiveText& primitive);
 
 /// Shares of corners in space: each divided by its z or w, and by the sum of all. Nothing if that is not above 0.
 struct SharesInSpace {
@@ -189,10 +189,11 @@ struct ColorOnLine {
     Rational share_by(ColorLerp lerp) const;
     Rational share() const { return share_by(lerp); }
 };
-std::optional<ColorOnLine> color_on_line(const Replay& replay, const PrimitiveText& primitive);
+std::optional<ColorOnLine> color_on_line(const StepContext& context,
+                                         const PrimitiveText& primitive);
 
 /// The same in the pixel of a fan's edge that the current line begins in.
-std::optional<ColorOnLine> color_on_edge_of_fan(const Replay& replay,
+std::optional<ColorOnLine> color_on_edge_of_fan(const StepContext& context,
                                                 const PrimitiveText& primitive);
 
 /// True for a line of octant 1, 4, 5 or 8, which goes from column to column; `nullopt` if its step tells none.
@@ -216,7 +217,7 @@ std::optional<BresenhamDecisions> decisions_between(const Trace& trace, const Li
 
 /// The d of the next decision of the same line or circle, if the trace tells it a few steps later. A mistake, or another
 /// rasterizer, may add something else than the decision says.
-std::optional<Rational> next_d_told(const Replay& replay);
+std::optional<Rational> next_d_told(const StepContext& context);
 
 /// Where a circle decides, seen from the pixel of its center.
 struct CircleDecision {
@@ -269,11 +270,11 @@ std::array<EndOfRow, 2> ends_of(const ScanlineStep& row);
 std::string rule_of_end(const Trace& trace, const EndOfRow& end,
                         const TracedWord<PrimitiveKind>& kind);
 
-/// The `along` step before step n of the current primitive on the same line; 0 if there is none.
-std::size_t along_before(const Replay& replay, std::size_t n);
+/// The `along` step before this one on the same line; 0 if there is none.
+std::size_t along_before(const StepContext& context);
 
 /// The row, line or sample that the pixel of the current step belongs to: the last step before it in its
 /// primitive that is not about a pixel; 0 if there is none.
-std::size_t reason_of_pixel(const Replay& replay);
+std::size_t reason_of_pixel(const StepContext& context);
 
 } // namespace rastertrace

@@ -64,7 +64,7 @@ void put_octant(Sheet& sheet, const std::optional<LineEnds>& ends,
 void primitive(Sheet& sheet) {
     const auto octant = sheet.step.as<PrimitiveStep>().octant;
     if (sheet.primitive.kind == PrimitiveKind::line)
-        return put_octant(sheet, ends_of_line(sheet.replay, sheet.primitive),
+        return put_octant(sheet, ends_of_line(sheet.at, sheet.primitive),
                           sheet.trace().method.draws_lines_by(LineMethod::bresenham)
                               ? SampleOffset<Rational>() // they are pixels
                               : told_samples(sheet.trace()).lines,
@@ -129,23 +129,23 @@ namespace {
 /// Both forms of the line, and on which side the third corner lies.
 void edge(Sheet& sheet) {
     const auto step = sheet.step.as<EdgeStep>();
-    const auto ends = ends_of_edge(sheet.primitive, step.edge.text());
-    const auto from = ends ? vec2_in(ends->from) : std::nullopt;
-    const auto to = ends ? vec2_in(ends->to) : std::nullopt;
-    if (!from || !to)
+    const auto slope = sheet.form<Slope>("dx_dy");
+    if (!slope)
         return;
-    const Rational dx = to->x - from->x;
-    const Rational dy = to->y - from->y;
-    sheet.put(fmt::format("dx = {} {} = {}, dy = {} {} = {}", text(to->x), minus(text(from->x)),
-                          text(dx), text(to->y), minus(text(from->y)), text(dy)));
-    if (const auto x = slope_form_of({*from, *to}, false)) {
+    const auto& [from, to, other] = *slope;
+    const Rational dx = to.x - from.x;
+    const Rational dy = to.y - from.y;
+    sheet.put(fmt::format("dx = {} {} = {}, dy = {} {} = {}", text(to.x), minus(text(from.x)),
+                          text(dx), text(to.y), minus(text(from.y)), text(dy)));
+    const LineEnds ends{from, to};
+    if (const auto x = slope_form_of(ends, false)) {
         sheet.put(
-            fmt::format("x = {} {} (y {})", text(from->x), plus(text(x->m)), minus(text(from->y))));
+            fmt::format("x = {} {} (y {})", text(from.x), plus(text(x->m)), minus(text(from.y))));
         sheet.put(fmt::format("  = {} y {}", text(x->m), plus(text(x->b))));
     }
-    if (const auto y = slope_form_of({*from, *to}, true))
+    if (const auto y = slope_form_of(ends, true))
         sheet.put(fmt::format("y = {} x {}", text(y->m), plus(text(y->b))));
-    put_octant(sheet, LineEnds{*from, *to}, sheet.samples(), step.octant);
+    put_octant(sheet, ends, sheet.samples(), step.octant);
     const auto corners = corners_of(sheet.primitive);
     const auto function = edge_function_in(sheet.trace(), step, sheet.primitive);
     if (!corners || !function)
@@ -159,7 +159,7 @@ void edge(Sheet& sheet) {
         sheet.put(fmt::format("a = -dy = {}, b = dx = {}", text(-dy), text(dx)));
     const auto is_at = [](const Vec2& p, const Vec2& q) { return p.x == q.x && p.y == q.y; };
     for (std::size_t i = 0; i < 3; ++i)
-        if (const Vec2& p = (*corners)[i]; !is_at(p, *from) && !is_at(p, *to))
+        if (const Vec2& p = (*corners)[i]; !is_at(p, from) && !is_at(p, to))
             sheet.put(said({"E at {} = {}", "E em {} = {}"}, sheet.primitive.vertices[i],
                            function->at(p)));
 }
@@ -169,45 +169,34 @@ constexpr std::string_view x_of_edge = "x = (x2 - x1)/(y2 - y1) (y - y1) + x1 = 
 
 /// Where an edge crosses a row.
 void put_crossing(Sheet& sheet, const EndOfRow& end) {
-    const auto ends = ends_of_edge(sheet.primitive, end.edge.text());
-    const auto from = ends ? vec2_in(ends->from) : std::nullopt;
-    const auto to = ends ? vec2_in(ends->to) : std::nullopt;
+    const auto x = sheet.form<Lerp>(end.is_left ? "left" : "right");
     const auto told = end.x.exact();
-    if (!from || !to || sgn(to->y - from->y) == 0)
+    if (!x || x->i1 == x->i2)
         return;
-    const auto offset = sheet.samples();
-    const Rational y = offset.y_of(end.y);
-    const Lerp x{.d1 = from->x, .i1 = from->y, .d2 = to->x, .i2 = to->y, .i = y};
     // A row that adds to the one before says so in its sentence.
     const bool adds = sheet.method().lerp == LerpForm::incremental;
-    if (told && !adds && sheet.agrees(x.value(), *told))
+    if (told && !adds && sheet.agrees(x->value(), *told))
         sheet.put(fmt::format("{} {}: {}{}{} -> {}", end.name(), end.edge.text(), x_of_edge,
-                              x.written_out(*told),
+                              x->written_out(*told),
                               rule_of_end(sheet.trace(), end, sheet.primitive.kind), end.pixel));
 
     // The same LERP for the depth there.
-    const auto depths = sheet.primitive.depths.values();
-    const auto& [first, second] = ends->vertices;
     const auto depth = end.depth.exact();
-    if (!depth || std::max(first, second) >= depths.size())
+    const auto d =
+        depth ? sheet.form<Lerp>(end.is_left ? "left_depth" : "right_depth") : std::nullopt;
+    if (!d || !sheet.agrees(d->value(), *depth))
         return;
-    const auto d1 = depths[first].exact();
-    const auto d2 = depths[second].exact();
-    if (!d1 || !d2)
-        return;
-    const Lerp d{.d1 = *d1, .i1 = from->y, .d2 = *d2, .i2 = to->y, .i = y};
-    if (!sheet.agrees(d.value(), *depth))
-        return;
-    if (*d1 != *d2)
+    const auto& [d1, y1, d2, y2, y, step, other, is_inverse_z] = *d;
+    if (d1 != d2)
         sheet.put(
             said({"  depth per row on {}: (d2 - d1)/(y2 - y1) = ({} {})/({} {}) = {}",
                   "  profundidade por linha em {}: (d2 - d1)/(y2 - y1) = ({} {})/({} {}) = {}"},
-                 end.edge.text(), text(*d2), minus(text(*d1)), text(to->y), minus(text(from->y)),
-                 text(*d.slope())));
+                 end.edge.text(), text(d2), minus(text(d1)), text(y2), minus(text(y1)),
+                 text(*d->slope())));
     sheet.put(said(
         {"  depth = {} {} ({} {}) = {} {} = {}", "  profundidade = {} {} ({} {}) = {} {} = {}"},
-        text(*d1), plus(text(*d.slope())), text(y), minus(text(from->y)), text(*d1),
-        plus(text(Rational(*d.slope() * (y - from->y)))), text(*depth)));
+        text(d1), plus(text(*d->slope())), text(y), minus(text(y1)), text(d1),
+        plus(text(Rational(*d->slope() * (y - y1)))), text(*depth)));
 }
 
 /// Which boundary each end of a row lies on (T3): A leads from the lowest vertex t0 to the highest t2, B by way of t1.
@@ -238,7 +227,7 @@ void put_boundaries(Sheet& sheet, const ScanlineStep& row) {
 void put_edge_function(Sheet& sheet, const EndOfRow& end) {
     const auto offset = sheet.samples();
     const Vec2 sample{offset.x_of(end.pixel), offset.y_of(end.y)};
-    for (const std::size_t n : sheet.replay.edges()) {
+    for (const std::size_t n : sheet.at.edges()) {
         const auto edge = sheet.trace().step(n).as<EdgeStep>();
         const auto function = edge_function_in(sheet.trace(), edge, sheet.primitive);
         if (!function || edge.edge != end.edge)
@@ -342,38 +331,26 @@ void sample(Sheet& sheet) {
 }
 
 /// The depth of a pixel on a line between its ends, along the major axis.
-void put_depth_on_line(Sheet& sheet) {
-    const auto ends = ends_of_line(sheet.replay, sheet.primitive);
-    const auto depths = numbers_in<2>(sheet.primitive.depths.texts());
-    const auto test = sheet.step.as<DepthStep>();
-    const auto told = test.depth.exact();
-    if (!ends || !depths || !told)
+void put_depth_on_line(Sheet& sheet, const Rational& told) {
+    const auto depth = sheet.form<Lerp>("depth");
+    if (!depth || depth->i1 == depth->i2 || !sheet.agrees(depth->value(), told))
         return;
-    const auto& [d1, d2] = *depths;
-    const bool is_x_major = abs(ends->to.x - ends->from.x) >= abs(ends->to.y - ends->from.y);
-    const Rational& from = is_x_major ? ends->from.x : ends->from.y;
-    const Rational& to = is_x_major ? ends->to.x : ends->to.y;
-    const Rational at =
-        std::clamp(sample_of_lines(sheet.trace(), is_x_major, is_x_major ? test.x : test.y),
-                   std::min(from, to), std::max(from, to));
-    if (from == to)
-        return;
-    const Rational value = Lerp{.d1 = d1, .i1 = from, .d2 = d2, .i2 = to, .i = at}.value();
-    if (sheet.agrees(value, *told))
-        sheet.put(said({"depth = {} + ({} {}) ({} {}) / ({} {}) = {}",
-                        "profundidade = {} + ({} {}) ({} {}) / ({} {}) = {}"},
-                       text(d1), text(d2), minus(text(d1)), text(at), minus(text(from)), text(to),
-                       minus(text(from)), text(*told)));
+    sheet.put(said({"depth = {} + ({} {}) ({} {}) / ({} {}) = {}",
+                    "profundidade = {} + ({} {}) ({} {}) / ({} {}) = {}"},
+                   text(depth->d1), text(depth->d2), minus(text(depth->d1)), text(depth->i),
+                   minus(text(depth->i1)), text(depth->i2), minus(text(depth->i1)), text(told)));
 }
 
 /// The depth of a pixel on the plane through the three corners, if that is what decided.
 void depth(Sheet& sheet) {
+    const auto told = sheet.step.as<DepthStep>().depth.exact();
+    if (!told)
+        return;
     if (sheet.primitive.kind == PrimitiveKind::line)
-        return put_depth_on_line(sheet);
+        return put_depth_on_line(sheet, *told);
     const auto depths = numbers_in<3>(sheet.primitive.depths.texts());
     const auto of_sample = weights_of_sample(sheet.trace(), sheet.step, sheet.primitive);
-    const auto told = sheet.step.as<DepthStep>().depth.exact();
-    if (!depths || !of_sample || !told)
+    if (!depths || !of_sample)
         return;
     const auto weights = *of_sample->value();
     const MixedDepth mixed{.weights = {weights.begin(), weights.end()},
@@ -422,10 +399,10 @@ void decide(Sheet& sheet) {
     if (const auto circle =
             circle_decision(sheet.primitive, sheet.step.as<DecideStep>(), sheet.trace()))
         return put_circle_decision(sheet, *circle);
-    const auto ends = ends_of_line(sheet.replay, sheet.primitive);
     const auto d = sheet.step.as<DecideStep>().d.exact();
-    const auto line = d && ends ? decisions_between(sheet.trace(), *ends) : std::nullopt;
-    if (!line)
+    const auto ends = ends_of_line(sheet.at, sheet.primitive);
+    const auto line = sheet.form<BresenhamDecisions>("d");
+    if (!d || !ends || !line)
         return;
     const Rational dx = abs(ends->to.x - ends->from.x);
     const Rational dy = abs(ends->to.y - ends->from.y);
@@ -434,7 +411,7 @@ void decide(Sheet& sheet) {
     sheet.put(said({"dx = {}, dy = {}: d begins at 2 {} - {} = {}",
                     "dx = {}, dy = {}: d começa em 2 {} - {} = {}"},
                    text(dx), text(dy), minor, major, text(line->start())));
-    if (const auto told = next_d_told(sheet.replay); told && !sheet.agrees(line->next(*d), *told))
+    if (const auto told = next_d_told(sheet.at); told && !sheet.agrees(line->next(*d), *told))
         return;
     sheet.put(said({"straight on adds 2 {} = {}, diagonally 2 ({} - {}) = {}",
                     "em frente soma 2 {} = {}, na diagonal 2 ({} - {}) = {}"},
@@ -443,38 +420,28 @@ void decide(Sheet& sheet) {
 }
 
 void along(Sheet& sheet) {
-    const auto ends = ends_of_line(sheet.replay, sheet.primitive);
     const auto step = sheet.step.as<AlongStep>();
     const auto value = step.value.exact();
+    const auto lerp = sheet.form<Lerp>("value");
+    const auto m_of_line = lerp ? lerp->slope() : std::nullopt;
+    if (!value || !m_of_line || !sheet.agrees(lerp->value(), *value))
+        return;
+    const Rational& m = *m_of_line;
+    const Rational b = lerp->d1 - m * lerp->i1;
     const bool is_x_major = step.x.has_value();
     const auto at = is_x_major ? step.x : step.y;
-    if (!ends || !value || !at)
-        return;
-    const Rational dx = ends->to.x - ends->from.x;
-    const Rational dy = ends->to.y - ends->from.y;
-    const auto form = slope_form_of(*ends, is_x_major);
-    const Rational sample = sample_of_lines(sheet.trace(), is_x_major, *at);
-    if (!form || !sheet.agrees(form->m * sample + form->b, *value))
-        return;
-    const auto& [m, b] = *form;
     const std::string_view major = is_x_major ? "x" : "y";
     const std::string_view minor = is_x_major ? "y" : "x";
-    const auto place_of = [is_x_major](const Vec2& end) {
-        return is_x_major ? end : Vec2{end.y, end.x};
-    };
-    const Vec2 first = place_of(ends->from);
-    const Vec2 second = place_of(ends->to);
     sheet.put(said({"{} = m {} + b at both ends: {} = m ({}) + b, {} = m ({}) + b",
                     "{} = m {} + b nos dois extremos: {} = m ({}) + b, {} = m ({}) + b"},
-                   minor, major, text(first.y), text(first.x), text(second.y), text(second.x)));
+                   minor, major, text(lerp->d1), text(lerp->i1), text(lerp->d2), text(lerp->i2)));
     sheet.put(fmt::format("m = ({0}2 - {0}1)/({1}2 - {1}1) = ({2} {3})/({4} {5}) = {6}, "
                           "b = {0}1 - m {1}1 = {7} - {8} = {9}",
-                          minor, major, text(second.y), minus(text(first.y)), text(second.x),
-                          minus(text(first.x)), text(m), text(first.y), product(m, first.x),
+                          minor, major, text(lerp->d2), minus(text(lerp->d1)), text(lerp->i2),
+                          minus(text(lerp->i1)), text(m), text(lerp->d1), product(m, lerp->i1),
                           text(b)));
-    const std::size_t before = sheet.trace().method.others.line == LineMethod::dda
-                                   ? along_before(sheet.replay, sheet.number)
-                                   : 0;
+    const std::size_t before =
+        sheet.trace().method.others.line == LineMethod::dda ? along_before(sheet.at) : 0;
     const auto step_before = before == 0 ? AlongStep{} : sheet.trace().step(before).as<AlongStep>();
     const auto last = step_before.value.exact();
     const auto last_at = is_x_major ? step_before.x : step_before.y;
@@ -483,7 +450,7 @@ void along(Sheet& sheet) {
                        minor, *at > *last_at ? "+ m" : "- m", text(*last),
                        plus(text(m * (*at - *last_at))), text(*value)));
     else
-        sheet.put(fmt::format("{} = m {} + b = {} {} = {}", minor, major, product(m, sample),
+        sheet.put(fmt::format("{} = m {} + b = {} {} = {}", minor, major, product(m, lerp->i),
                               plus(text(b)), text(*value)));
 }
 
@@ -496,10 +463,9 @@ void pixel(Sheet& sheet) {
     const auto plotted = sheet.step.as<PixelStep>();
     if (!canvas.contains(plotted.x, plotted.y))
         return;
-    const std::size_t reason = reason_of_pixel(sheet.replay);
+    const std::size_t reason = reason_of_pixel(sheet.at);
     if (reason != 0) {
-        // The row or the sample is of the same primitive, with the same edges.
-        Sheet of_reason{sheet.replay, reason, sheet.trace().step(reason), sheet.primitive};
+        Sheet of_reason(sheet.at.at(reason));
         write_working(of_reason);
         sheet.put(
             said({"because of step {}", "por causa do passo {}"}, sheet.trace().number_of(reason)) +
@@ -553,7 +519,7 @@ void write_working(Sheet& sheet) {
 std::vector<std::string> working_of(const Replay& replay) {
     if (replay.step() == 0)
         return {};
-    Sheet sheet{replay, replay.step(), replay.trace().step(replay.step()), primitive_of(replay)};
+    Sheet sheet(replay, replay.drew_over());
     write_working(sheet);
     for (std::string& line : sheet.lines)
         line = printable(line);

@@ -15,7 +15,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <initializer_list>
 #include <optional>
 #include <string_view>
 
@@ -44,73 +43,39 @@ std::string length_of(const Vec3& v) {
                : fmt::format("sqrt({}) = {}", text(square), six_places(nearest_double(*root)));
 }
 
-/// Where they are in one of these spaces, the last that they have been in: as the `vertex` steps before
-/// the first primitive tell.
-std::optional<std::vector<Vec3>> corners_in_space(const Sheet& sheet,
-                                                  std::initializer_list<Space> spaces) {
+/// The corners of the primitive in a space, or the last of those before it that they have been in.
+std::optional<std::vector<Vec3>> corners_in(const Sheet& sheet, Space space) {
     std::vector<Vec3> corners;
     for (const std::string& name : sheet.primitive.vertices) {
-        std::optional<Vec3> found;
-        for (const std::size_t n : sheet.replay.places_of(name)) {
-            const auto vertex = sheet.trace().step(n).as<VertexStep>();
-            if (std::find(spaces.begin(), spaces.end(), vertex.space) != spaces.end())
-                found = vec3_in(vertex.at.texts());
-        }
-        if (!found)
+        const auto corner = sheet.numbers.place_in(name, space);
+        if (!corner)
             return std::nullopt;
-        corners.push_back(*found);
+        corners.push_back(*corner);
     }
     return corners.size() < 3 ? std::nullopt : std::optional(std::move(corners));
 }
 
-/// Without a model, objects stand in the world as they are.
-std::optional<std::vector<Vec3>> world_corners_of(const Sheet& sheet) {
-    return corners_in_space(sheet, {Space::object, Space::world});
-}
-
-/// Without a camera, it stands at the origin of the world.
-std::optional<std::vector<Vec3>> camera_corners_of(const Sheet& sheet) {
-    return corners_in_space(sheet, {Space::object, Space::world, Space::camera});
-}
-
-/// The four rows from `first` on.
-std::optional<Matrix<Rational>> matrix_of(const std::vector<std::vector<std::string>>& rows,
-                                          std::size_t first = 0) {
-    Matrix<Rational> matrix;
-    for (std::size_t i = 0; i < 4; ++i) {
-        const auto row = first + i < rows.size() ? numbers_in<4>(rows[first + i]) : std::nullopt;
-        if (!row)
-            return std::nullopt;
-        matrix.rows[i] = *row;
-    }
-    return matrix;
-}
-
 std::optional<Matrix<Rational>> matrix_in(const MatrixStep& step) {
-    return matrix_of(text_rows(step.rows));
+    const auto rows = rows_in(step);
+    return rows ? std::optional(Matrix<Rational>{{(*rows)[0], (*rows)[1], (*rows)[2], (*rows)[3]}})
+                : std::nullopt;
 }
 
-/// The matrices that a `matrix` step tells its matrix to be the product of; none if it is not.
-std::vector<Matrix<Rational>> factors_in(const Sheet& sheet, const MatrixStep& step) {
-    const auto rows = text_rows(step.factor_rows);
+using Factors = std::vector<MatrixTimes::Factor>;
+
+/// The factors of a step, if their product is its matrix.
+Factors factors_that_agree(const Sheet& sheet, const MatrixStep& step) {
     constexpr std::size_t most_factors = 256; // as many rotations as a scene may have
-    if (rows.size() > 4 * most_factors)
-        return {};
-    std::vector<Matrix<Rational>> factors;
-    std::optional<Matrix<Rational>> together;
-    for (std::size_t first = 0; first < rows.size(); first += 4) {
-        const auto factor = matrix_of(rows, first);
-        if (!factor)
-            return {};
-        together = together ? *together * *factor : *factor;
-        factors.push_back(*factor);
-    }
+    Factors factors = factors_in(step);
     const auto told = matrix_in(step);
-    if (!together || !told)
+    if (factors.empty() || factors.size() > most_factors || !told)
         return {};
+    Matrix<Rational> together = identity<Rational>();
+    for (const auto& factor : factors)
+        together = together * Matrix<Rational>{factor.rows};
     for (std::size_t i = 0; i < 4; ++i)
         for (std::size_t j = 0; j < 4; ++j)
-            if (!sheet.agrees(together->rows[i][j], told->rows[i][j]))
+            if (!sheet.agrees(together.rows[i][j], told->rows[i][j]))
                 return {};
     return factors;
 }
@@ -137,18 +102,18 @@ void put_product(Sheet& sheet, const Matrix<Rational>& left, const Matrix<Ration
 }
 
 /// The product of a step's factors, from the one that moves a point first on.
-void put_factors(Sheet& sheet, const std::vector<std::string>& names,
-                 const std::vector<Matrix<Rational>>& factors) {
+void put_factors(Sheet& sheet, const Factors& factors) {
     constexpr std::size_t most_shown = 8;
-    if (factors.size() < 2 || factors.size() > most_shown || names.size() != factors.size())
+    if (factors.size() < 2 || factors.size() > most_shown)
         return;
-    Matrix<Rational> product = factors.back();
-    std::string name = names.back();
+    Matrix<Rational> product{factors.back().rows};
+    std::string name = factors.back().name;
     for (std::size_t i = factors.size() - 1; i-- > 0;) {
-        name = names[i] + " x " + name;
+        const Matrix<Rational> factor{factors[i].rows};
+        name = factors[i].name + " x " + name;
         sheet.put(said({"{}, row times column:", "{}, linha vezes coluna:"}, name));
-        put_product(sheet, factors[i], product);
-        product = factors[i] * product;
+        put_product(sheet, factor, product);
+        product = factor * product;
     }
 }
 
@@ -165,7 +130,7 @@ std::optional<Product> product_so_far(const Sheet& sheet) {
     std::optional<Product> product;
     std::string last_name;
     std::size_t count = 0;
-    for (const std::size_t n : sheet.replay.matrices()) {
+    for (const std::size_t n : sheet.at.matrices()) {
         const auto step = sheet.trace().step(n).as<MatrixStep>();
         const std::string name = step.name.text();
         const auto matrix = matrix_in(step);
@@ -224,15 +189,11 @@ void put_camera(Sheet& sheet, const MatrixStep& step, const Matrix<Rational>& ro
 }
 
 /// normal . v, the lengths of both, and the angle between them.
-void put_angle(Sheet& sheet, const Vec3& normal, const Vec3& v, std::string_view name,
-               const std::optional<Rational>& told) {
-    const FaceDot product{normal, v};
-    const Rational value = product.value();
-    if (!told || !sheet.agrees(value, *told))
-        return;
+void put_angle(Sheet& sheet, const FaceDot& product, std::string_view name) {
     sheet.put(fmt::format("normal . {} = {}", name, product.written_out()));
-    sheet.put(fmt::format("|normal| = {}, |{}| = {}", length_of(normal), name, length_of(v)));
-    const FaceCosine angle{normal, v};
+    sheet.put(fmt::format("|normal| = {}, |{}| = {}", length_of(product.normal), name,
+                          length_of(product.view)));
+    const FaceCosine angle{product.normal, product.view};
     const auto cosine = angle.value();
     if (!cosine)
         return;
@@ -244,35 +205,35 @@ void put_angle(Sheet& sheet, const Vec3& normal, const Vec3& v, std::string_view
 
 /// The normal of a face from its corners in the world, and the plane that it lies in.
 void put_normal(Sheet& sheet, const Vec3& normal) {
-    const auto corners = world_corners_of(sheet);
-    if (!corners)
+    const auto face = sheet.form<FaceNormal>("normal");
+    if (!face || face->corners.size() > most_corners_shown)
         return;
+    const auto& corners = face->corners;
     const auto& names = sheet.primitive.vertices;
-    const FaceNormal of_corners{*corners};
-    const Vec3 worked_out = of_corners.value();
-    if (corners->size() > most_corners_shown || !sheet.agrees(worked_out.x, normal.x) ||
-        !sheet.agrees(worked_out.y, normal.y) || !sheet.agrees(worked_out.z, normal.z))
+    const Vec3 worked_out = face->value();
+    if (!sheet.agrees(worked_out.x, normal.x) || !sheet.agrees(worked_out.y, normal.y) ||
+        !sheet.agrees(worked_out.z, normal.z))
         return;
-    const Vec3& first = corners->front();
-    for (std::size_t i = 0; i < corners->size(); ++i)
-        sheet.put(fmt::format("{} = {}", names[i], text((*corners)[i])));
-    for (std::size_t i = 1; i < corners->size(); ++i)
-        sheet.put(fmt::format("{1} - {0} = {2}", names[0], names[i], text((*corners)[i] - first)));
+    const Vec3& first = corners.front();
+    for (std::size_t i = 0; i < corners.size(); ++i)
+        sheet.put(fmt::format("{} = {}", names[i], text(corners[i])));
+    for (std::size_t i = 1; i < corners.size(); ++i)
+        sheet.put(fmt::format("{1} - {0} = {2}", names[0], names[i], text(corners[i] - first)));
     std::string products;
-    for (std::size_t i = 2; i < corners->size(); ++i)
+    for (std::size_t i = 2; i < corners.size(); ++i)
         products += fmt::format("{3}({1} - {0}) x ({2} - {0})", names[0], names[i - 1], names[i],
                                 i == 2 ? "" : " + ");
     sheet.put("normal = " + products);
-    sheet.put(fmt::format("= {} = {}", of_corners.written_out(), text(normal)));
+    sheet.put(fmt::format("= {} = {}", face->written_out(), text(normal)));
     sheet.put(said({"centroid = ({}) / {} = {}", "baricentro = ({}) / {} = {}"},
-                   joined(names, " + "), corners->size(), text(Centroid{*corners}.value())));
+                   joined(names, " + "), corners.size(), text(Centroid{corners}.value())));
     sheet.put(said({"plane: {}", "plano: {}"}, FacePlane{normal, first}.written_out()));
 }
 
 /// All matrices at once, from object space to clip space.
 void put_whole_way(Sheet& sheet, const VertexStep& vertex) {
     const auto together = product_so_far(sheet);
-    const auto& places = sheet.replay.places_of(vertex.name.text());
+    const auto& places = sheet.at.places_of(vertex.name.text());
     if (!together || places.empty() || vertex.space != Space::clip)
         return;
     // Where no matrix leads to a space, it is not told: the first one is where the vertex was typed.
@@ -290,14 +251,13 @@ void put_whole_way(Sheet& sheet, const VertexStep& vertex) {
 }
 
 /// The normal of a face, as its `face` or its `light` step tells it, and its angle to the eye or the light.
-void put_face_toward(Sheet& sheet, const auto& face, const TracedList<TracedNumber>& toward,
-                     std::string_view name) {
-    const auto normal = vec3_in(face.normal.texts());
-    const auto v = vec3_in(toward.texts());
-    if (!normal || !v)
+void put_face_toward(Sheet& sheet, const TracedNumber& dot, std::string_view name) {
+    const auto product = sheet.form<FaceDot>("dot");
+    if (!product)
         return;
-    put_normal(sheet, *normal);
-    put_angle(sheet, *normal, *v, name, face.dot.exact());
+    put_normal(sheet, product->normal);
+    if (const auto told = dot.exact(); told && sheet.agrees(product->value(), *told))
+        put_angle(sheet, *product, name);
 }
 
 /// (y1 - y2) (z1 + z2)
@@ -309,7 +269,7 @@ std::string newells_product(const Rational& y1, const Rational& y2, const Ration
 } // namespace
 
 std::optional<Matrix<Rational>> matrix_named(const Sheet& sheet, std::string_view name) {
-    for (const std::size_t n : sheet.replay.matrices())
+    for (const std::size_t n : sheet.at.matrices())
         if (const auto step = sheet.trace().step(n).as<MatrixStep>(); step.name == name)
             return matrix_in(step);
     return std::nullopt;
@@ -359,17 +319,15 @@ void write_triangulation(Sheet& sheet) {
 /// one: view x model, projection x view x model.
 void write_matrix(Sheet& sheet) {
     const auto step = sheet.step.as<MatrixStep>();
-    const auto factors = factors_in(sheet, step);
-    const auto factor_names = step.factors.texts();
+    const Factors factors = factors_that_agree(sheet, step);
     if (step.name == "view" && !factors.empty())
-        put_camera(sheet, step, factors.front());
-    for (std::size_t i = 0; factors.size() > 1 && i < std::min(factors.size(), factor_names.size());
-         ++i) {
-        const auto& rows = factors[i].rows;
-        sheet.put(fmt::format("{}:  {}  {}  {}  {}", factor_names[i], row_text(rows[0]),
-                              row_text(rows[1]), row_text(rows[2]), row_text(rows[3])));
+        put_camera(sheet, step, Matrix<Rational>{factors.front().rows});
+    for (std::size_t i = 0; factors.size() > 1 && i < factors.size(); ++i) {
+        const auto& [name, rows] = factors[i];
+        sheet.put(fmt::format("{}:  {}  {}  {}  {}", name, row_text(rows[0]), row_text(rows[1]),
+                              row_text(rows[2]), row_text(rows[3])));
     }
-    put_factors(sheet, factor_names, factors);
+    put_factors(sheet, factors);
     if (step.name == "viewport" || step.name == "model")
         return;
     const auto together = product_so_far(sheet);
@@ -382,68 +340,46 @@ void write_matrix(Sheet& sheet) {
 /// A matrix times a vertex, or a division by w.
 void write_vertex(Sheet& sheet) {
     write_meeting_point(sheet);
-    if (sheet.replay.vertex_before() == 0)
-        return;
-    const auto before = sheet.trace().step(sheet.replay.vertex_before()).as<VertexStep>();
     const auto vertex = sheet.step.as<VertexStep>();
-    auto from = before.at.texts();
-    const auto at = vertex.at.texts();
-    if (before.name != vertex.name || from.size() < 3)
-        return;
+    const auto told = vertex.at.values();
     constexpr std::array names{"x", "y", "z", "w"};
-    if (vertex.space == Space::canonical && from.size() == 4 && at.size() == 3) {
-        const auto clip = numbers_in<4>(from);
-        const auto told = numbers_in<3>(at);
-        for (std::size_t i = 0; clip && told && i < 3; ++i) {
-            const auto divided = DividedByW{*clip}.value(i);
-            if (divided && sheet.agrees(*divided, (*told)[i]))
-                sheet.put(fmt::format("{} = {} = {}", names[i],
-                                      quotient(in_sentence(from[i]), in_sentence(from[3])),
-                                      in_sentence(at[i])));
-        }
-        return;
-    }
-    if (from.size() == 3)
-        from.emplace_back("1");
-    const auto vector = numbers_in<4>(from);
-    const std::string_view wanted = matrix_into(vertex.space.text());
-    if (!vector || wanted.empty())
-        return;
-    for (const std::size_t n : sheet.replay.matrices()) {
-        const auto step = sheet.trace().step(n).as<MatrixStep>();
-        const auto matrix = matrix_in(step);
-        if (!matrix || step.name != wanted)
-            continue;
-        const MatrixTimes product{{matrix->rows.begin(), matrix->rows.end()}, *vector};
-        std::vector<std::string> lines;
-        bool is_this = true;
-        for (std::size_t i = 0; i < at.size() && i < 4; ++i) {
-            const auto told = number_in(at[i]);
-            is_this = is_this && told && sheet.agrees(product.value(i), *told);
-            lines.push_back(
-                fmt::format("{} = {} = {}", names[i], product.written_out(i), in_sentence(at[i])));
-        }
-        if (is_this) { // of several objects, the one that this vertex belongs to
-            sheet.lines = std::move(lines);
-            put_whole_way(sheet, vertex);
+    const auto put = [&](std::size_t i, const std::string& worked_out) {
+        sheet.put(fmt::format("{} = {} = {}", names[i], worked_out, in_sentence(told[i].text())));
+    };
+    if (const auto division = sheet.form<DividedByW>("at")) {
+        const auto before = sheet.trace().step(sheet.at.vertex_before()).as<VertexStep>();
+        const auto from = before.at.texts();
+        if (before.name != vertex.name || from.size() != 4)
             return;
+        for (std::size_t i = 0; i < std::min<std::size_t>(told.size(), 3); ++i) {
+            const auto divided = division->value(i);
+            const auto number = told[i].exact();
+            if (divided && number && sheet.agrees(*divided, *number))
+                put(i, quotient(in_sentence(from[i]), in_sentence(from[3])));
         }
+    } else if (const auto product = sheet.form<MatrixTimes>("at")) {
+        for (std::size_t i = 0; i < product->rows.size(); ++i)
+            if (const auto number = told[i].exact();
+                !number || !sheet.agrees(product->value(i), *number))
+                return;
+        for (std::size_t i = 0; i < product->rows.size(); ++i)
+            put(i, product->written_out(i));
+        put_whole_way(sheet, vertex);
     }
 }
 
 void write_face(Sheet& sheet) {
     const auto face = sheet.step.as<FaceStep>();
-    put_face_toward(sheet, face, face.view,
+    put_face_toward(sheet, face.dot,
                     face.by == "light" ? said({"light", "luz"}) : said({"view", "visão"}));
 }
 
 void write_light(Sheet& sheet) {
-    const auto face = sheet.step.as<LightStep>();
-    put_face_toward(sheet, face, face.light, said({"light", "luz"}));
+    put_face_toward(sheet, sheet.step.as<LightStep>().dot, said({"light", "luz"}));
 }
 
 void write_plane_in_camera_space(Sheet& sheet, const Vec2& sample, const Rational& told) {
-    const auto corners = camera_corners_of(sheet);
+    const auto corners = corners_in(sheet, Space::camera);
     const auto projection = matrix_named(sheet, "projection");
     const auto viewport = matrix_named(sheet, "viewport");
     if (!corners || !projection)

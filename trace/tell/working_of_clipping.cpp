@@ -56,7 +56,7 @@ Cut cut_before(const Sheet& sheet) {
             cut.corners.push_back({vertex.name.text(), *at});
     };
     std::string whole;
-    for (std::size_t n = sheet.number - 1; n > 0; --n) {
+    for (std::size_t n = sheet.at.step() - 1; n > 0; --n) {
         const auto kind = trace.kind_of(n);
         if (kind == StepKind::vertex) {
             add_corner(n);
@@ -70,13 +70,13 @@ Cut cut_before(const Sheet& sheet) {
     }
     const std::vector<ClipCorner> made = std::exchange(cut.corners, {});
     // The parts of an outline's other sides may stand between.
-    const auto primitives = sheet.replay.primitives();
+    const auto primitives = sheet.at.primitives();
     const auto found = std::find_if(primitives.rbegin(), primitives.rend(), [&](std::size_t n) {
         return trace.step(n).as<PrimitiveStep>().name == whole;
     });
     if (found != primitives.rend())
         for (const std::string& name : primitive_in(trace.step(*found)).vertices)
-            for (const std::size_t n : sheet.replay.places_of(name))
+            for (const std::size_t n : sheet.at.places_of(name))
                 add_corner(n);
     cut.corners.insert(cut.corners.end(), made.begin(), made.end());
     return cut;
@@ -87,7 +87,7 @@ Cut cut_before(const Sheet& sheet) {
 Rational guard_at(const Sheet& sheet, std::size_t axis) {
     const Canvas& canvas = sheet.trace().canvas;
     const Rational extent = axis == 0 ? canvas.width : canvas.height;
-    for (const std::size_t n : sheet.replay.matrices())
+    for (const std::size_t n : sheet.at.matrices())
         if (const auto step = sheet.trace().step(n).as<MatrixStep>(); step.name == "viewport") {
             const auto viewport = matrix_named(sheet, "viewport");
             const bool fits = step.factors.texts().size() > 1;
@@ -191,7 +191,7 @@ void put_meeting(Sheet& sheet, const Meeting& meeting) {
 /// How the vertex of the current step came about; nothing if clipping did not make it.
 std::optional<Meeting> meeting_of(const Sheet& sheet) {
     const auto vertex = sheet.step.as<VertexStep>();
-    if (vertex.space != Space::clip || sheet.replay.primitive() == 0)
+    if (vertex.space != Space::clip || sheet.at.primitive() == 0)
         return std::nullopt;
     const auto at = numbers_in<4>(vertex.at.texts());
     const std::string& type = sheet.trace().projection;
@@ -227,11 +227,8 @@ void write_meeting_point(Sheet& sheet) {
         put_meeting(sheet, *meeting);
 }
 
-std::optional<MeetingPoint> meeting_point_of(const Replay& replay) {
-    const auto meeting = meeting_of({.replay = replay,
-                                     .number = replay.step(),
-                                     .step = replay.trace().step(replay.step()),
-                                     .primitive = {}});
+std::optional<MeetingPoint> meeting_point_of(const StepContext& step) {
+    const auto meeting = meeting_of(Sheet(step));
     if (!meeting)
         return std::nullopt;
     return MeetingPoint{meeting->plane_name, meeting->p.name, meeting->q.name, meeting->t};

@@ -5,6 +5,7 @@
 
 #include <rastertrace/core/numbers/conversion.h>
 #include <rastertrace/core/numbers/vec.h>
+#include <rastertrace/trace/record/replay.h>
 #include <rastertrace/trace/text/text.h>
 
 #include <fmt/core.h>
@@ -158,7 +159,7 @@ void put_mixed_color(Sheet& sheet, Color told) {
     const auto on_screen = *of_sample->value();
     std::vector<Rational> weights(on_screen.begin(), on_screen.end());
     std::vector<std::string> lines;
-    if (const auto divisors = divisors_of(sheet.replay, sheet.primitive))
+    if (const auto divisors = divisors_of(sheet.at, sheet.primitive))
         if (const auto in_space = shares_in_space(weights, *divisors)) {
             lines = lines_in_space(sheet.primitive.vertices, weights, *divisors, *in_space);
             weights = in_space->shares;
@@ -173,20 +174,20 @@ void put_mixed_color(Sheet& sheet, Color told) {
 
 /// Alpha is a channel like any other: a pixel is replaced, and nothing of it shines through.
 void put_alpha(Sheet& sheet, Color told) {
-    if (told.alpha() != 255 && sheet.replay.drew_over() != 0)
+    if (told.alpha() != 255 && sheet.drew_over != 0)
         sheet.put(said({"alpha = {} is stored: nothing of step {} is mixed in",
                         "alfa = {} é guardado: nada do passo {} é misturado"},
-                       told.alpha(), sheet.trace().number_of(sheet.replay.drew_over())));
+                       told.alpha(), sheet.trace().number_of(sheet.drew_over)));
 }
 
 } // namespace
 
 void write_ray(Sheet& sheet) {
-    const auto start = color_on_edge_of_fan(sheet.replay, sheet.primitive);
+    const auto start = color_on_edge_of_fan(sheet.at, sheet.primitive);
     if (!start)
         return;
-    const auto ray = sheet.trace().step(sheet.replay.ray()).as<RayStep>();
-    const auto edge = sheet.trace().step(sheet.replay.edges().back()).as<EdgeStep>();
+    const auto ray = sheet.trace().step(sheet.at.ray()).as<RayStep>();
+    const auto edge = sheet.trace().step(sheet.at.edges().back()).as<EdgeStep>();
     for (const std::string& level : levels_on_line(sheet.trace(), *start, start->color))
         sheet.put(said({"on {} at ({}, {}): {}", "sobre {} em ({}, {}): {}"}, edge.edge.text(),
                        ray.x, ray.y, level));
@@ -194,16 +195,19 @@ void write_ray(Sheet& sheet) {
 
 void write_color(Sheet& sheet) {
     const auto color = sheet.step.as<PixelStep>().color.color();
-    const Color told = color.value_or(sheet.replay.color());
+    const std::size_t primitive = sheet.at.primitive();
+    const Color told = color.value_or(
+        primitive == 0 ? Color()
+                       : color_of_primitive(sheet.trace().step(primitive).as<PrimitiveStep>()));
     const bool is_triangle = sheet.primitive.kind == PrimitiveKind::triangle;
-    if (const auto line = color ? color_on_line(sheet.replay, sheet.primitive) : std::nullopt) {
+    if (const auto line = color ? color_on_line(sheet.at, sheet.primitive) : std::nullopt) {
         std::vector<std::string> levels = levels_on_line(sheet.trace(), *line, *color);
         if (is_triangle && !levels.empty())
             write_ray(sheet);
         for (std::string& level : levels)
             sheet.put(std::move(level));
     } else if (color && is_triangle &&
-               (sheet.replay.ray() == 0 || sheet.method().color_lerp == ColorLerp::space)) {
+               (sheet.at.ray() == 0 || sheet.method().color_lerp == ColorLerp::space)) {
         put_mixed_color(sheet, *color);
     }
     put_alpha(sheet, told);

@@ -1,15 +1,16 @@
 // SPDX-License-Identifier: MIT
-#include "derivation.h"
+#include "formulas_of.h"
+
+#include "describe.h"
+#include "told_samples.h"
 
 #include <rastertrace/trace/record/traced_steps.h>
-#include <rastertrace/trace/tell/describe.h>
-#include <rastertrace/trace/tell/step_text.h>
-#include <rastertrace/trace/tell/told_samples.h>
-
-#include <fmt/core.h>
 
 #include <algorithm>
 #include <array>
+#include <iterator>
+#include <set>
+#include <string>
 #include <utility>
 
 namespace rastertrace {
@@ -36,37 +37,28 @@ RoundedEnd rounded_end(const Numbers& numbers, std::size_t row, const std::strin
     const Method& method = trace.method.triangles;
     const auto x = numbers.one(row, side);
     const bool is_by_samples = traits_of(method.fill).rule == PixelRule::samples;
-    const auto offset = offset_of(trace, numbers.index().primitive_of(row));
+    const auto offset = offset_of(trace, numbers.steps().primitive_of(row));
     return {.x = offset.in_columns(x.value_or(0)),
             .rule = is_by_samples ? SpanRounding{.rounding = Rounding::half_open}
                                   : span_rounding(method),
             .is_last = side == "right"};
 }
 
-/// The rows of matrices, one behind the other.
+/// The rows of matrices, one behind the other; none if one holds no numbers.
 std::vector<MatrixTimes::Row> matrix_rows(const TracedList<TracedList<TracedNumber>>& lists) {
     std::vector<MatrixTimes::Row> rows;
     for (const auto& list : lists.values()) {
         const auto entries = list.values();
         MatrixTimes::Row& row = rows.emplace_back();
-        for (std::size_t i = 0; i < 4 && i < entries.size(); ++i)
-            row[i] = entries[i].exact().value_or(0);
+        for (std::size_t i = 0; i < row.size(); ++i) {
+            const auto entry = i < entries.size() ? entries[i].exact() : std::nullopt;
+            if (!entry)
+                return {};
+            row[i] = *entry;
+        }
     }
     return rows;
 }
-
-std::vector<MatrixTimes::Factor> factors_in(const MatrixStep& step) {
-    const auto names = step.factors.texts();
-    const auto rows = matrix_rows(step.factor_rows);
-    std::vector<MatrixTimes::Factor> factors;
-    for (std::size_t i = 0; i < names.size() && 4 * i + 3 < rows.size(); ++i)
-        factors.push_back(
-            {names[i], {rows[4 * i], rows[4 * i + 1], rows[4 * i + 2], rows[4 * i + 3]}});
-    return factors;
-}
-
-/// The longest line whose decisions are worked out.
-constexpr int most_decisions = 1000;
 
 /// A share of the way from one depth to another, held between them.
 MixedDepth between(const Rational& first, const Rational& last, const Rational& at,
@@ -82,8 +74,8 @@ MixedDepth between(const Rational& first, const Rational& last, const Rational& 
 class Deriver {
 public:
     Deriver(const Numbers& numbers, std::size_t step)
-        : numbers_(numbers), step_(step), view_(numbers.step(step)),
-          primitive_(numbers.index().primitive_of(step)) {}
+        : numbers_(numbers), at_(numbers.steps().at(step)), step_(step), view_(numbers.step(step)),
+          primitive_step_(at_.primitive()), primitive_(primitive_of(at_)) {}
 
     Formulas of_edge() const {
         const auto edge = edge_named(view_.as<EdgeStep>().edge.text());
@@ -98,10 +90,8 @@ public:
             const auto edge = edge_named(view_.as<EdgeStep>().edge.text());
             return edge ? Formulas{{LineForm{edge->from, edge->to, is_of_y}}} : Formulas{};
         }
-        const auto from = numbers_.corner(step_, 0);
-        const auto to = numbers_.corner(step_, 1);
-        const bool is_line = view_.as<PrimitiveStep>().kind == PrimitiveKind::line;
-        return is_line && from && to ? Formulas{{LineForm{*from, *to, is_of_y}}} : Formulas{};
+        const auto line = ends_of_primitive();
+        return line ? Formulas{{LineForm{line->from, line->to, is_of_y}}} : Formulas{};
     }
 
     /// On the edge; or one slope on from the row before or behind, which may be what somebody did.
@@ -125,12 +115,11 @@ public:
         formulas.push_back({by_slope});
         if (!numbers_.takes_only_claims())
             return formulas;
-        for (const int rows : {1, -1}) {
-            const std::string beside = std::to_string(row.y + rows);
-            for (const std::size_t n : numbers_.index().find(StepKind::scanline, {{"y", beside}}))
+        for (const int rows : {1, -1})
+            for (const std::size_t n : at_.in_primitive(StepKind::scanline)) {
+                const auto beside = numbers_.step(n).as<ScanlineStep>();
                 for (const std::string one : {"left", "right"})
-                    if (numbers_.index().primitive_of(n) == primitive_ &&
-                        edge_of_end(numbers_.step(n).as<ScanlineStep>(), one) == name)
+                    if (beside.y == row.y + rows && edge_of_end(beside, one) == name)
                         if (const auto x = numbers_.one(n, one))
                             formulas.push_back({Lerp{.d1 = *x,
                                                      .i1 = y + rows,
@@ -138,14 +127,14 @@ public:
                                                      .i2 = edge->to.y,
                                                      .i = y,
                                                      .step = slope}});
-        }
+            }
         return formulas;
     }
 
     Formulas of_row_depth(const std::string& side) const {
         const auto row = view_.as<ScanlineStep>();
         const auto edge = edge_named(edge_of_end(row, side));
-        const Values depths = numbers_.of(primitive_, "depths");
+        const Values depths = numbers_.of(primitive_step_, "depths");
         if (!edge || depths.size() != 3)
             return {};
         Lerp lerp{.d1 = depths[edge->corners[0]],
@@ -168,16 +157,18 @@ public:
     }
 
     Formulas of_place() const {
-        const auto space = view_.as<VertexStep>().space;
-        const Values right = Numbers(numbers_.index()).of(step_, "at");
-        const std::size_t before = numbers_.index().place_before(step_);
+        const auto vertex = view_.as<VertexStep>();
+        const Values right = numbers_.right().of(step_, "at");
+        const auto& places = at_.places_of(vertex.name.text());
+        const auto here = std::lower_bound(places.begin(), places.end(), step_);
+        const std::size_t before = here == places.begin() ? 0 : *std::prev(here);
         Values from = numbers_.of(before, "at");
-        if (space == Space::canonical && from.size() == 4)
+        if (vertex.space == Space::canonical && from.size() == 4)
             return {{DividedByW{{from[0], from[1], from[2], from[3]}}}};
-        const std::string matrix(matrix_into(space.text()));
         if (from.empty())
             return {{TakenOver{right}}};
-        if (numbers_.index().find(StepKind::matrix, {{"name", matrix}}).empty()) {
+        const std::vector<MatrixStep> matrices = matrices_of(vertex);
+        if (matrices.empty()) {
             from.resize(std::min(from.size(), right.size()));
             return {{TakenOver{from}}};
         }
@@ -185,27 +176,29 @@ public:
             from.emplace_back(1);
         if (from.size() != 4)
             return {};
-        Formulas formulas;
-        // Of several objects, the matrix is that of the one which the vertex belongs to: it gives what is told.
-        const Values told_from = Numbers(numbers_.index()).of(before, "at");
-        for (const std::size_t n : numbers_.index().find(StepKind::matrix, {{"name", matrix}})) {
-            MatrixTimes product{.rows = {}, .point = {from[0], from[1], from[2], from[3]}};
-            const auto step = numbers_.step(n).as<MatrixStep>();
-            for (const MatrixTimes::Row& row : matrix_rows(step.rows))
-                if (product.rows.size() < right.size())
-                    product.rows.push_back(row);
-            product.factors = factors_in(step);
-            product.is_viewport = matrix == "viewport";
+        const Values told_from = numbers_.right().of(before, "at");
+        std::optional<MatrixTimes> nearest;
+        Rational least;
+        for (const MatrixStep& step : matrices) {
+            auto rows = rows_in(step);
+            if (!rows || right.size() > rows->size())
+                continue;
+            rows->resize(right.size());
+            MatrixTimes product{.rows = std::move(*rows),
+                                .point = {from[0], from[1], from[2], from[3]},
+                                .factors = factors_in(step),
+                                .is_viewport = step.name == "viewport"};
             MatrixTimes told = product;
             std::copy(told_from.begin(), told_from.end(), told.point.begin());
-            const Values of_told = value_of({told});
-            bool is_this = of_told.size() == right.size();
-            for (std::size_t i = 0; is_this && i < right.size(); ++i)
-                is_this = agrees(of_told[i], right[i], numbers_.trace());
-            if (is_this)
-                formulas.push_back({product});
+            Rational distance;
+            for (std::size_t i = 0; i < right.size(); ++i)
+                distance += abs(told.value(i) - right[i]);
+            if (!nearest || distance < least) {
+                nearest = std::move(product);
+                least = distance;
+            }
         }
-        return formulas;
+        return nearest ? Formulas{{std::move(*nearest)}} : Formulas{};
     }
 
     Formulas of_snapped() const {
@@ -221,7 +214,7 @@ public:
         const std::string_view to = is_light ? "light" : "view";
         const auto normal = vector_in("normal");
         const auto view = vector_in(to);
-        const auto corners = world_corners(primitive_);
+        const auto corners = world_corners();
         if (field == "dot" && normal && view)
             return {{FaceDot{*normal, *view}}};
         if ((field == "cosine" || field == "intensity") && normal && view)
@@ -239,8 +232,8 @@ public:
         if (field == "centroid")
             return {centroid};
         // The eye is where the trace's own view and centroid say.
-        const Numbers told(numbers_.index());
-        const auto true_corners = Deriver(told, step_).world_corners(primitive_);
+        const Numbers& told = numbers_.right();
+        const auto true_corners = Deriver(told, step_).world_corners();
         const Values true_view = told.of(step_, to);
         const Values claimed = numbers_.of(step_, "centroid");
         const Values middle = claimed.size() == 3 ? claimed : value_of(centroid);
@@ -255,27 +248,19 @@ public:
     }
 
     Formulas of_decisions() const {
-        Replay replay(numbers_.trace());
-        replay.go_to(step_);
-        const auto ends = ends_of_line(replay, primitive_of(replay));
-        if (!ends)
-            return {};
-        const auto line = decisions_between(numbers_.trace(), *ends);
-        if (!line || line->major > most_decisions)
-            return {}; // no hand works that out
-        return {{*line}};
+        const auto ends = ends_of_line(at_, primitive_);
+        const auto line = ends ? decisions_between(numbers_.trace(), *ends) : std::nullopt;
+        return line ? Formulas{{*line}} : Formulas{};
     }
 
     /// Those of a line that Bresenham draws.
     Formulas of_pixels() const {
-        Replay replay(numbers_.trace());
-        replay.go_to(step_);
-        const auto steps = numbers_.index().pixels_of(step_);
-        auto ends = ends_of_line(replay, primitive_of(replay));
+        const auto steps = pixels_of(at_, step_);
+        auto ends = ends_of_line(at_, primitive_);
         const auto line = ends ? decisions_between(numbers_.trace(), *ends) : std::nullopt;
-        if (!line || steps.empty() || line->major > most_decisions ||
+        if (!line || steps.empty() ||
             !numbers_.trace().method.draws_lines_by(LineMethod::bresenham) ||
-            view_.as<PrimitiveStep>().kind != PrimitiveKind::line)
+            primitive_.kind != PrimitiveKind::line)
             return {};
         const StepView first = numbers_.step(steps.front());
         if (x_in(first) != ends->from.x || y_in(first) != ends->from.y)
@@ -291,8 +276,8 @@ public:
 
     /// How many rows a primitive has, or how many pixels a line.
     Formulas of_count(std::string_view field) const {
-        const auto steps = numbers_.index().pixels_of(step_);
-        const bool is_line = view_.as<PrimitiveStep>().kind == PrimitiveKind::line;
+        const auto steps = pixels_of(at_, step_);
+        const bool is_line = primitive_.kind == PrimitiveKind::line;
         if (steps.empty() || (field == "pixel_count" && !is_line))
             return {};
         const auto between = [&](const auto& coordinate) {
@@ -321,10 +306,7 @@ public:
     /// Of a pixel on a line with two colors, or in a triangle with three.
     Formulas of_color() const {
         const bool is_cut = method().color_rounding == ColorRounding::truncate;
-        Replay replay(numbers_.trace());
-        replay.go_to(step_);
-        const PrimitiveText primitive = primitive_of(replay);
-        if (const auto line = color_on_line(replay, primitive)) {
+        if (const auto line = color_on_line(at_, primitive_)) {
             const auto weights = [&](ColorLerp lerp) {
                 const Rational share = line->share_by(lerp);
                 return std::vector<Rational>{1 - share, share};
@@ -338,13 +320,13 @@ public:
         }
         const auto triangle = corners();
         const auto sample = sample_of(numbers_.trace(), view_);
-        if (!triangle || !sample || primitive.colors.values().size() != 3)
+        if (!triangle || !sample || primitive_.colors.values().size() != 3)
             return {};
         MixedColor mixed{
             .corners = {}, .weights = value_of({Weights{*triangle, *sample}}), .is_cut = is_cut};
         for (std::size_t i = 0; i < 3; ++i)
-            mixed.corners.push_back(primitive.color_of(i).value_or(Color()));
-        if (const auto divisors = divisors_of(replay, primitive))
+            mixed.corners.push_back(primitive_.color_of(i).value_or(Color()));
+        if (const auto divisors = divisors_of(at_, primitive_))
             if (auto in_space = shares_in_space(mixed.weights, *divisors))
                 mixed.other_weights = std::exchange(mixed.weights, std::move(in_space->shares));
         return mixed.weights.empty() ? Formulas{} : Formulas{{std::move(mixed)}};
@@ -363,16 +345,12 @@ public:
     Formulas of_along() const {
         const auto along = view_.as<AlongStep>();
         const auto at = along.x ? along.x : along.y;
-        const auto from = numbers_.corner(primitive_, 0);
-        const auto to = numbers_.corner(primitive_, 1);
-        if (!from || !to || !at ||
-            numbers_.step(primitive_).as<PrimitiveStep>().kind != PrimitiveKind::line)
+        const auto line = primitive_.kind == PrimitiveKind::line ? ends_of_primitive()
+                                                                 : ends_of_line(at_, primitive_);
+        if (!line || !at)
             return {};
-        const Rational i = sample_of_lines(numbers_.trace(), along.x.has_value(), *at);
-        Lerp lerp{.d1 = from->y, .i1 = from->x, .d2 = to->y, .i2 = to->x, .i = i};
-        if (!along.x)
-            lerp = {.d1 = from->x, .i1 = from->y, .d2 = to->x, .i2 = to->y, .i = i};
-        return {{lerp}};
+        const bool is_x_major = along.x.has_value();
+        return {{lerp_on(*line, is_x_major, sample_of_lines(numbers_.trace(), is_x_major, *at))}};
     }
 
     Formulas of_weights() const {
@@ -385,6 +363,8 @@ public:
 
     /// `as_z` and `as_inverse`: not the depth of the trace, but z, or 1/z.
     Formulas of_depth(bool as_z, bool as_inverse) const {
+        if (primitive_.kind == PrimitiveKind::line)
+            return as_z || as_inverse ? Formulas{} : depth_on_line();
         std::optional<MixedDepth> mixed = depth_in_row();
         const std::optional<MixedDepth> by_corners = depth_in_triangle();
         if (!mixed)
@@ -409,6 +389,22 @@ public:
     }
 
 private:
+    /// Those that lead to where a vertex is: of its mesh, if one is. Meshes without a name do not say whose a matrix is.
+    std::vector<MatrixStep> matrices_of(const VertexStep& vertex) const {
+        const std::string name = vertex.name.text();
+        const std::size_t point = name.rfind('.');
+        std::vector<MatrixStep> own, others;
+        for (const std::size_t n : at_.matrices())
+            if (auto step = numbers_.step(n).as<MatrixStep>();
+                step.name == matrix_into(vertex.space.text())) {
+                if (point != std::string::npos && step.object == name.substr(0, point))
+                    own.push_back(step);
+                else if (!step.object)
+                    others.push_back(step);
+            }
+        return own.empty() ? others : own;
+    }
+
     struct Edge {
         Vec2 from;
         Vec2 to;
@@ -418,44 +414,45 @@ private:
 
     /// An edge of the step's primitive, found by its name.
     std::optional<Edge> edge_named(const std::string& name) const {
-        if (primitive_ == 0)
+        const auto ends = ends_of_edge(primitive_, name);
+        const auto from = ends ? corner(ends->vertices[0]) : std::nullopt;
+        const auto to = ends ? corner(ends->vertices[1]) : std::nullopt;
+        if (!from || !to)
             return std::nullopt;
-        const PrimitiveText text = primitive_in(numbers_.step(primitive_));
-        for (std::size_t i = 0; i < text.vertices.size(); ++i)
-            for (std::size_t k = 0; k < text.vertices.size(); ++k) {
-                if (i == k || edge_name(text, i, k) != name)
-                    continue;
-                const auto from = numbers_.corner(primitive_, i);
-                const auto to = numbers_.corner(primitive_, k);
-                if (!from || !to)
-                    return std::nullopt;
-                return Edge{*from,
-                            *to,
-                            text.vertices.size() == 3 ? numbers_.corner(primitive_, 3 - i - k)
-                                                      : std::nullopt,
-                            {i, k}};
-            }
-        return std::nullopt;
+        const auto [first, second] = ends->vertices;
+        const bool has_other = primitive_.vertices.size() == 3;
+        return Edge{
+            *from, *to, has_other ? corner(3 - first - second) : std::nullopt, {first, second}};
     }
 
     /// The first `edge` step of an edge in the step's primitive.
     std::size_t edge_step(const std::string& name) const {
-        for (const std::size_t n : numbers_.index().find(StepKind::edge, {{"edge", name}}))
-            if (numbers_.index().primitive_of(n) == primitive_)
+        for (const std::size_t n : at_.in_primitive(StepKind::edge))
+            if (numbers_.step(n).as<EdgeStep>().edge == name)
                 return n;
         return 0;
     }
 
-    /// Of a row of the step's primitive.
-    Rational sample_y(Index row) const { return offset_of(numbers_.trace(), primitive_).y_of(row); }
+    std::optional<Vec2> corner(std::size_t i) const { return numbers_.corner(primitive_, i); }
 
-    std::optional<std::vector<Vec3>> world_corners(std::size_t primitive) const {
-        if (primitive == 0)
-            return std::nullopt;
+    /// Of a primitive that is a line.
+    std::optional<LineEnds> ends_of_primitive() const {
+        const auto from = corner(0);
+        const auto to = corner(1);
+        return primitive_.kind == PrimitiveKind::line && from && to
+                   ? std::optional(LineEnds{*from, *to})
+                   : std::nullopt;
+    }
+
+    /// Of a row of the step's primitive.
+    Rational sample_y(Index row) const {
+        return told_samples(numbers_.trace()).of(primitive_.kind).y_of(row);
+    }
+
+    std::optional<std::vector<Vec3>> world_corners() const {
         std::vector<Vec3> corners;
-        for (const std::string& name :
-             numbers_.step(primitive).as<PrimitiveStep>().vertices.texts()) {
-            const auto corner = numbers_.in_world(name);
+        for (const std::string& name : primitive_.vertices) {
+            const auto corner = numbers_.place_in(name, Space::world);
             if (!corner)
                 return std::nullopt;
             corners.push_back(*corner);
@@ -466,39 +463,57 @@ private:
     std::optional<std::array<Vec2, 3>> corners() const {
         std::array<Vec2, 3> corners;
         for (std::size_t i = 0; i < 3; ++i) {
-            const auto corner = primitive_ == 0 ? std::nullopt : numbers_.corner(primitive_, i);
-            if (!corner)
+            const auto one = corner(i);
+            if (!one)
                 return std::nullopt;
-            corners[i] = *corner;
+            corners[i] = *one;
         }
         return corners;
+    }
+
+    /// Of a pixel on a line between its ends, along the major axis.
+    Formulas depth_on_line() const {
+        const auto line = ends_of_line(at_, primitive_);
+        const Values depths = numbers_.of(primitive_step_, "depths");
+        if (!line || depths.size() != 2)
+            return {};
+        const auto test = view_.as<DepthStep>();
+        const bool is_x_major = abs(line->to.x - line->from.x) >= abs(line->to.y - line->from.y);
+        const Rational& from = is_x_major ? line->from.x : line->from.y;
+        const Rational& to = is_x_major ? line->to.x : line->to.y;
+        const Rational at =
+            sample_of_lines(numbers_.trace(), is_x_major, is_x_major ? test.x : test.y);
+        return {{Lerp{.d1 = depths[0],
+                      .i1 = from,
+                      .d2 = depths[1],
+                      .i2 = to,
+                      .i = std::clamp(at, std::min(from, to), std::max(from, to)),
+                      .is_inverse_z = has_inverse_z()}}};
     }
 
     /// From the ends of the row that a depth test lies in, as fills along the edges do.
     std::optional<MixedDepth> depth_in_row() const {
         const auto test = view_.as<DepthStep>();
-        for (const std::size_t row :
-             numbers_.index().find(StepKind::scanline, {{"y", std::to_string(test.y)}})) {
-            const auto left_depth = numbers_.one(row, "left_depth");
-            const auto right_depth = numbers_.one(row, "right_depth");
-            if (numbers_.index().primitive_of(row) != primitive_ || !left_depth || !right_depth)
-                continue;
-            const bool is_rounded = method().depth_at == DepthAt::rounded_ends;
-            const auto first = numbers_.one(row, is_rounded ? "from" : "left");
-            const auto last = numbers_.one(row, is_rounded ? "to" : "right");
-            const auto offset = told_samples(numbers_.trace()).triangles;
-            const Rational x = is_rounded ? Rational(test.x) : offset.x_of(test.x);
-            if (first && last)
-                return between(*first, *last, x, *left_depth, *right_depth);
-        }
-        return std::nullopt;
+        const std::size_t row = at_.scanline();
+        if (row == 0 || numbers_.step(row).as<ScanlineStep>().y != test.y)
+            return std::nullopt;
+        const auto left_depth = numbers_.one(row, "left_depth");
+        const auto right_depth = numbers_.one(row, "right_depth");
+        const bool is_rounded = method().depth_at == DepthAt::rounded_ends;
+        const auto first = numbers_.one(row, is_rounded ? "from" : "left");
+        const auto last = numbers_.one(row, is_rounded ? "to" : "right");
+        if (!left_depth || !right_depth || !first || !last)
+            return std::nullopt;
+        const auto offset = told_samples(numbers_.trace()).triangles;
+        const Rational x = is_rounded ? Rational(test.x) : offset.x_of(test.x);
+        return between(*first, *last, x, *left_depth, *right_depth);
     }
 
     /// From the depths of all three corners, as a plane over the screen.
     std::optional<MixedDepth> depth_in_triangle() const {
         const auto triangle = corners();
         const auto sample = sample_of(numbers_.trace(), view_);
-        const Values depths = numbers_.of(primitive_, "depths");
+        const Values depths = numbers_.of(primitive_step_, "depths");
         if (!triangle || !sample || depths.size() != 3)
             return std::nullopt;
         const Values weights = value_of({Weights{*triangle, *sample}});
@@ -516,21 +531,58 @@ private:
     bool has_inverse_z() const { return method().depth == Depth::inverse_z; }
 
     const Numbers& numbers_;
+    StepContext at_;
     std::size_t step_;
     StepView view_;
-    std::size_t primitive_;
+    std::size_t primitive_step_;
+    PrimitiveText primitive_;
 };
 
 /// An end of a row as it was claimed, if somebody has.
 RoundedEnd end_in_row(const Numbers& numbers, std::size_t row, const std::string& side) {
     const std::string pixel = side == "left" ? "from" : "to";
     const auto claimed = numbers.one(row, pixel);
-    if (claimed && claimed != Numbers(numbers.index()).one(row, pixel))
+    if (claimed && claimed != numbers.right().one(row, pixel))
         return {.x = *claimed, .rule = {.rounding = Rounding::floor}};
     return rounded_end(numbers, row, side);
 }
 
 } // namespace
+
+std::optional<std::vector<MatrixTimes::Row>> rows_in(const MatrixStep& step) {
+    auto rows = matrix_rows(step.rows);
+    return rows.size() == 4 ? std::optional(std::move(rows)) : std::nullopt;
+}
+
+std::vector<MatrixTimes::Factor> factors_in(const MatrixStep& step) {
+    const auto names = step.factors.texts();
+    const auto rows = matrix_rows(step.factor_rows);
+    std::vector<MatrixTimes::Factor> factors;
+    for (std::size_t i = 0; i < names.size() && 4 * i + 3 < rows.size(); ++i)
+        factors.push_back(
+            {names[i], {rows[4 * i], rows[4 * i + 1], rows[4 * i + 2], rows[4 * i + 3]}});
+    return factors;
+}
+
+std::vector<std::size_t> pixels_of(const StepContext& steps, std::size_t primitive) {
+    const Trace& trace = steps.trace();
+    const std::string name = name_in(trace.step(primitive)).text();
+    std::vector<std::size_t> pixels;
+    std::set<std::pair<Index, Index>> seen;
+    const auto& primitives = steps.all_of(StepKind::primitive);
+    for (std::size_t i = 0; i < primitives.size(); ++i) {
+        const std::string one = name_in(trace.step(primitives[i])).text();
+        if (one != name && !one.starts_with(name + "/")) // a part of it
+            continue;
+        const std::size_t last = i + 1 < primitives.size() ? primitives[i + 1] - 1 : trace.size();
+        for (const std::size_t n :
+             trace.steps_of({StepKind::pixel, StepKind::depth}, primitives[i], last))
+            if (seen.emplace(y_in(trace.step(n)).value_or(0), x_in(trace.step(n)).value_or(0))
+                    .second)
+                pixels.push_back(n);
+    }
+    return pixels;
+}
 
 Formula in_row(const Numbers& numbers, std::size_t row, Rational x) {
     return {

@@ -1,17 +1,18 @@
 // SPDX-License-Identifier: MIT
 #include "numbers.h"
 
-#include "derivation.h"
+#include "formulas_of.h"
 
 #include <rastertrace/trace/record/traced_steps.h>
-#include <rastertrace/trace/tell/step_text.h>
 
 #include <fmt/core.h>
 
+#include <utility>
+
 namespace rastertrace {
 
-std::string name_of_number(const StepIndex& index, std::size_t step, std::string_view field) {
-    const StepView view = index.trace().step(step);
+std::string name_of_number(const Trace& trace, std::size_t step, std::string_view field) {
+    const StepView view = trace.step(step);
     switch (view.kind().value_or(StepKind::primitive)) {
     case StepKind::vertex: {
         const auto vertex = view.as<VertexStep>();
@@ -24,6 +25,26 @@ std::string name_of_number(const StepIndex& index, std::size_t step, std::string
     default:
         return fmt::format("{} of step {}", field, step);
     }
+}
+
+/// What a field says, as numbers; nothing if it holds anything else.
+const Values& Numbers::told(std::size_t step, std::string_view field) const {
+    const auto [place, is_new] = told_.try_emplace({step, std::string(field)});
+    Values& values = place->second;
+    if (!is_new)
+        return values;
+    const auto json = this->step(step).field(field).value_or("");
+    const TracedList<TracedNumber> list(json);
+    for (const auto& one :
+         json.starts_with('[') ? list.values() : std::vector{TracedNumber(json)}) {
+        const auto number = one.exact();
+        if (!number) {
+            values.clear();
+            break;
+        }
+        values.push_back(*number);
+    }
+    return values;
 }
 
 const WrongNumber* Numbers::replacement(const std::string& name) const {
@@ -54,7 +75,7 @@ Values Numbers::of(std::size_t step, std::string_view field) const {
     if (step == 0)
         return {};
     if (wrong_ != nullptr && !wrong_->empty()) {
-        const std::string name = name_of_number(*index_, step, field);
+        const std::string name = name_of_number(trace(), step, field);
         if (const WrongNumber* claimed = replacement(name))
             return claimed->values;
         if (works_out_)
@@ -63,7 +84,7 @@ Values Numbers::of(std::size_t step, std::string_view field) const {
                 return again.values;
             }
     }
-    return index_->numbers(step, field);
+    return right().told(step, field);
 }
 
 std::optional<Rational> Numbers::one(std::size_t step, std::string_view field) const {
@@ -71,27 +92,28 @@ std::optional<Rational> Numbers::one(std::size_t step, std::string_view field) c
     return values.size() == 1 ? std::optional(values.front()) : std::nullopt;
 }
 
-std::optional<Vec<Rational, 2>> Numbers::corner(std::size_t primitive, std::size_t i) const {
-    if (primitive == 0)
-        return std::nullopt; // the trace leaves its primitives out
-    const auto drawn = step(primitive).as<PrimitiveStep>();
-    const auto names = drawn.vertices.texts();
-    const auto places = drawn.at.values();
-    if (i >= names.size() || i >= places.size())
+std::optional<Vec2> Numbers::corner(const PrimitiveText& primitive, std::size_t i) const {
+    if (i >= primitive.vertices.size() || i >= primitive.positions.size())
         return std::nullopt;
-    const std::size_t screen = index_->place(names[i], "screen");
-    const bool is_snapped = screen != 0 && step(screen).as<VertexStep>().snapped;
-    const Values at = of(screen, is_snapped ? "snapped" : "at");
-    if (at.size() == 2)
-        return Vec<Rational, 2>{at[0], at[1]};
-    return vec2_in(places[i].texts());
+    if (wrong_ != nullptr)
+        for (const std::size_t n : steps_.places_of(primitive.vertices[i]))
+            if (const auto vertex = step(n).as<VertexStep>(); vertex.space == Space::screen) {
+                const std::string_view field = vertex.snapped ? "snapped" : "at";
+                const Values at = of(n, field);
+                if (at.size() == 2 && at != right().of(n, field))
+                    return Vec2{at[0], at[1]};
+                break;
+            }
+    return vec2_in(primitive.positions[i]);
 }
 
-std::optional<Vec<Rational, 3>> Numbers::in_world(const std::string& vertex) const {
-    std::size_t step = index_->place(vertex, "world");
-    if (step == 0)
-        step = index_->place(vertex, "object"); // nothing has moved it
-    const Values at = of(step, "at");
+std::optional<Vec3> Numbers::place_in(const std::string& vertex, Space space) const {
+    std::size_t last = 0;
+    for (const std::size_t n : steps_.places_of(vertex))
+        for (const Space one : {Space::object, Space::world, Space::camera})
+            if (one <= space && step(n).as<VertexStep>().space == one)
+                last = n;
+    const Values at = of(last, "at");
     return at.size() == 3 ? std::optional(Vec3{at[0], at[1], at[2]}) : std::nullopt;
 }
 
