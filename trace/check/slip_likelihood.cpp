@@ -102,7 +102,7 @@ double prior_of_mistake() {
 
 double prior_of_chance() {
     // More than a share: the name of a wrong slip leads astray, no name does not. With 2.2, of wrong numbers made by
-    // chance in small scenes of whole numbers less than 3 % get a name; of those made by a slip in random scenes 95 %.
+    // chance in small scenes of whole numbers less than 3 % get a name; of those made by a slip in random scenes 97 %.
     return std::log(2.2);
 }
 

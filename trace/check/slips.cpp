@@ -722,7 +722,7 @@ constexpr Slip other_slips[] = {
      {"the pixel", "o pixel"},
      {"the exact end of the row", "o extremo exato da linha"},
      "whole numbers where fractions belong",
-     10,
+     18,
      pixel_for_end},
     {"integer-division", as_mistake, as_mistake, as_mistake, 20, integer_division},
     {"coordinates-exchanged",
