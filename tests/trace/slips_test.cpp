@@ -151,31 +151,8 @@ Result cut_off(const Place& place) {
     return Planted{"truncate-for-floor", place.row_claim("from", Rational(toward_zero))};
 }
 
-/// An edge of a triangle from its upper end to the third corner.
-Result take_another_corner(const Place& place) {
-    const auto step = place.step<EdgeStep>();
-    const std::string edge = step.edge.text();
-    const auto names = place.owner().vertices.texts();
-    if (edge.size() != 2 || names.size() != 3 || !step.dx_dy.has_number())
-        return std::nullopt;
-    for (const std::string& name : names) {
-        if (name.size() != 1 || edge.find(name) != std::string::npos)
-            continue;
-        const auto from = place.corner(edge[0]);
-        const auto to = place.corner(name[0]);
-        if (from.empty() || to.empty() || from[1] == to[1])
-            return std::nullopt;
-        const Rational wrong = (to[0] - from[0]) / (to[1] - from[1]);
-        if (wrong == step.dx_dy.exact())
-            return std::nullopt;
-        return Planted{"c-minus-a", R"({"step":"edge",)" + place.in() + R"("edge":")" + edge +
-                                        R"(","dx_dy":)" + quoted(wrong) + "}"};
-    }
-    return std::nullopt;
-}
-
-/// dx of an edge over dy of the one from its upper end to the third corner.
-Result take_dy_of_another_edge(const Place& place) {
+/// dx/dy of an edge whose other corners somebody takes: `wrong` gets both ends of the edge, and the third corner.
+Result take_for_slope(const Place& place, const auto& wrong) {
     const auto step = place.step<EdgeStep>();
     const std::string edge = step.edge.text();
     const auto names = place.owner().vertices.texts();
@@ -187,15 +164,29 @@ Result take_dy_of_another_edge(const Place& place) {
         const auto from = place.corner(edge[0]);
         const auto to = place.corner(edge[1]);
         const auto other = place.corner(name[0]);
-        if (from.empty() || other.empty() || from[1] == other[1])
+        if (from.empty() || to.empty() || other.empty() || from[1] == other[1])
             return std::nullopt;
-        const Rational wrong = (to[0] - from[0]) / (other[1] - from[1]);
-        if (wrong == step.dx_dy.exact() || sgn(wrong) == 0)
+        const Rational slope = wrong(from, to, other);
+        if (slope == step.dx_dy.exact())
             return std::nullopt;
         return Planted{"c-minus-a", R"({"step":"edge",)" + place.in() + R"("edge":")" + edge +
-                                        R"(","dx_dy":)" + quoted(wrong) + "}"};
+                                        R"(","dx_dy":)" + quoted(slope) + "}"};
     }
     return std::nullopt;
+}
+
+/// An edge of a triangle from its upper end to the third corner.
+Result take_another_corner(const Place& place) {
+    return take_for_slope(place, [](const auto& from, const auto& /*to*/, const auto& other) {
+        return Rational((other[0] - from[0]) / (other[1] - from[1]));
+    });
+}
+
+/// dx of an edge over dy of the one from its upper end to the third corner.
+Result take_dy_of_another_edge(const Place& place) {
+    return take_for_slope(place, [](const auto& from, const auto& to, const auto& other) {
+        return Rational((to[0] - from[0]) / (other[1] - from[1]));
+    });
 }
 
 /// y = m x + b with b = y1.
