@@ -22,6 +22,7 @@
 #include <iostream>
 #include <optional>
 #include <random>
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -137,12 +138,15 @@ std::vector<ChangedScene> scenes_changed_by(const Rule& rule, std::uint64_t firs
         if (add(scene_text_of(seed)))
             return changed;
     if (changed.empty())
-        for (const char* const folder : {"mistakes", "t3-light", "tutorial/light"})
+        for (const char* const folder : {"mistakes", "t3-light", "tutorial/light"}) {
+            std::set<std::filesystem::path> sorted; // folders list their files in any order
             for (const auto& entry : std::filesystem::directory_iterator(
                      std::string(RASTERTRACE_EXAMPLES "/") + folder))
-                if (entry.path().extension() == ".json" &&
-                    add(read_source(entry.path().string(), {}).value().text))
+                sorted.insert(entry.path());
+            for (const auto& path : sorted)
+                if (path.extension() == ".json" && add(read_source(path.string(), {}).value().text))
                     return changed;
+        }
     return changed;
 }
 
