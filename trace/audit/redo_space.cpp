@@ -181,10 +181,10 @@ void SpaceAgain::redo(const TriangulateStep& step) {
 }
 
 void SpaceAgain::redo(const MatrixStep& step) {
-    const auto rows = rows_in(step);
-    if (!rows)
+    const auto told_matrix = matrix_in(step);
+    if (!told_matrix)
         throw NotTold();
-    const Matrix<Rational> matrix{{(*rows)[0], (*rows)[1], (*rows)[2], (*rows)[3]}};
+    const Matrix<Rational>& matrix = *told_matrix;
     const auto factors = factors_in(step);
     Matrix<Rational> product = identity<Rational>();
     Matrix<Rational> sizes = product;
@@ -393,12 +393,8 @@ void SpaceAgain::redo_name(const TracedText& name, const char* what) {
 
 /// The corners of the current primitive in the world.
 std::vector<Vec<Rational, 3>> SpaceAgain::corners() const {
-    std::vector<Vec<Rational, 3>> corners;
-    for (const std::string& name : primitive_.vertices.texts()) {
-        const auto corner = numbers_.place_in(name, Space::world);
-        corners.push_back(corner ? *corner : throw NotTold());
-    }
-    return corners.size() < 3 ? throw NotTold() : corners;
+    auto corners = numbers_.corners_in(primitive_.vertices.texts(), Space::world);
+    return corners ? std::move(*corners) : throw NotTold();
 }
 
 void SpaceAgain::redo_normal(const TracedList<TracedNumber>& told, const char* what) {

@@ -180,11 +180,11 @@ public:
         std::optional<MatrixTimes> nearest;
         Rational least;
         for (const MatrixStep& step : matrices) {
-            auto rows = rows_in(step);
-            if (!rows || right.size() > rows->size())
+            const auto matrix = matrix_in(step);
+            if (!matrix || right.size() > matrix->rows.size())
                 continue;
-            rows->resize(right.size());
-            MatrixTimes product{.rows = std::move(*rows),
+            const auto* const rows = matrix->rows.data();
+            MatrixTimes product{.rows = {rows, rows + right.size()},
                                 .point = {from[0], from[1], from[2], from[3]},
                                 .factors = factors_in(step),
                                 .is_viewport = step.name == "viewport"};
@@ -450,14 +450,7 @@ private:
     }
 
     std::optional<std::vector<Vec3>> world_corners() const {
-        std::vector<Vec3> corners;
-        for (const std::string& name : primitive_.vertices) {
-            const auto corner = numbers_.place_in(name, Space::world);
-            if (!corner)
-                return std::nullopt;
-            corners.push_back(*corner);
-        }
-        return corners.size() < 3 ? std::nullopt : std::optional(std::move(corners));
+        return numbers_.corners_in(primitive_.vertices, Space::world);
     }
 
     std::optional<std::array<Vec2, 3>> corners() const {
@@ -549,9 +542,10 @@ RoundedEnd end_in_row(const Numbers& numbers, std::size_t row, const std::string
 
 } // namespace
 
-std::optional<std::vector<MatrixTimes::Row>> rows_in(const MatrixStep& step) {
-    auto rows = matrix_rows(step.rows);
-    return rows.size() == 4 ? std::optional(std::move(rows)) : std::nullopt;
+std::optional<Matrix<Rational>> matrix_in(const MatrixStep& step) {
+    const auto rows = matrix_rows(step.rows);
+    return rows.size() == 4 ? std::optional(Matrix<Rational>{{rows[0], rows[1], rows[2], rows[3]}})
+                            : std::nullopt;
 }
 
 std::vector<MatrixTimes::Factor> factors_in(const MatrixStep& step) {

@@ -9,6 +9,8 @@
 #include "formula.h"
 #include "numbers.h"
 
+#include <rastertrace/core/transform/matrix.h>
+
 #include <cstddef>
 #include <optional>
 #include <string_view>
@@ -33,8 +35,8 @@ std::optional<Form> form_of(const Numbers& numbers, std::size_t step, std::strin
 /// Whether a row, a `scanline` step, has the pixel x.
 Formula in_row(const Numbers& numbers, std::size_t row, Rational x);
 
-/// The rows of a `matrix` step; nothing if it does not tell all four, or one holds no numbers.
-std::optional<std::vector<MatrixTimes::Row>> rows_in(const MatrixStep& step);
+/// That of a `matrix` step; nothing if it does not tell all four rows, or one holds no numbers.
+std::optional<Matrix<Rational>> matrix_in(const MatrixStep& step);
 
 /// The matrices that a `matrix` step tells its matrix to be the product of; none if it does not.
 std::vector<MatrixTimes::Factor> factors_in(const MatrixStep& step);

@@ -117,4 +117,16 @@ std::optional<Vec3> Numbers::place_in(const std::string& vertex, Space space) co
     return at.size() == 3 ? std::optional(Vec3{at[0], at[1], at[2]}) : std::nullopt;
 }
 
+std::optional<std::vector<Vec3>> Numbers::corners_in(const std::vector<std::string>& names,
+                                                     Space space) const {
+    std::vector<Vec3> corners;
+    for (const std::string& name : names) {
+        const auto corner = place_in(name, space);
+        if (!corner)
+            return std::nullopt;
+        corners.push_back(*corner);
+    }
+    return corners.size() < 3 ? std::nullopt : std::optional(std::move(corners));
+}
+
 } // namespace rastertrace

@@ -20,6 +20,7 @@
 #include <string>
 #include <string_view>
 #include <utility>
+#include <vector>
 
 namespace rastertrace {
 
@@ -74,6 +75,10 @@ public:
 
     /// Where a vertex is in a space, or in the last of those before it where it is told: nothing has moved it since.
     std::optional<Vec3> place_in(const std::string& vertex, Space space) const;
+
+    /// The same of a face's corners; nothing if one is not told there, or there are fewer than three.
+    std::optional<std::vector<Vec3>> corners_in(const std::vector<std::string>& names,
+                                                Space space) const;
 
     /// The wrong number that was taken last, nullptr for none; then forgets it.
     const WrongNumber* take_used() const { return std::exchange(used_, nullptr); }

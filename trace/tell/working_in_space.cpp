@@ -43,24 +43,6 @@ std::string length_of(const Vec3& v) {
                : fmt::format("sqrt({}) = {}", text(square), six_places(nearest_double(*root)));
 }
 
-/// The corners of the primitive in a space, or the last of those before it that they have been in.
-std::optional<std::vector<Vec3>> corners_in(const Sheet& sheet, Space space) {
-    std::vector<Vec3> corners;
-    for (const std::string& name : sheet.primitive.vertices) {
-        const auto corner = sheet.numbers.place_in(name, space);
-        if (!corner)
-            return std::nullopt;
-        corners.push_back(*corner);
-    }
-    return corners.size() < 3 ? std::nullopt : std::optional(std::move(corners));
-}
-
-std::optional<Matrix<Rational>> matrix_in(const MatrixStep& step) {
-    const auto rows = rows_in(step);
-    return rows ? std::optional(Matrix<Rational>{{(*rows)[0], (*rows)[1], (*rows)[2], (*rows)[3]}})
-                : std::nullopt;
-}
-
 using Factors = std::vector<MatrixTimes::Factor>;
 
 /// The factors of a step, if their product is its matrix.
@@ -379,7 +361,7 @@ void write_light(Sheet& sheet) {
 }
 
 void write_plane_in_camera_space(Sheet& sheet, const Vec2& sample, const Rational& told) {
-    const auto corners = corners_in(sheet, Space::camera);
+    const auto corners = sheet.numbers.corners_in(sheet.primitive.vertices, Space::camera);
     const auto projection = matrix_named(sheet, "projection");
     const auto viewport = matrix_named(sheet, "viewport");
     if (!corners || !projection)
