@@ -181,7 +181,7 @@ void SpaceAgain::redo(const TriangulateStep& step) {
 }
 
 void SpaceAgain::redo(const MatrixStep& step) {
-    const auto told_matrix = matrix_in(step);
+    const auto told_matrix = exact_matrix_in(step);
     if (!told_matrix)
         throw NotTold();
     const Matrix<Rational>& matrix = *told_matrix;

@@ -167,20 +167,20 @@ public:
             return {{DividedByW{{from[0], from[1], from[2], from[3]}}}};
         if (from.empty())
             return {{TakenOver{right}}};
+        Values told_from = numbers_.right().of(before, "at");
+        for (Values* const point : {&from, &told_from})
+            as_before_matrix(*point, vertex.space == Space::screen);
         const std::vector<MatrixStep> matrices = matrices_of(vertex);
         if (matrices.empty()) {
             from.resize(std::min(from.size(), right.size()));
             return {{TakenOver{from}}};
         }
-        if (from.size() == 3)
-            from.emplace_back(1);
         if (from.size() != 4)
             return {};
-        const Values told_from = numbers_.right().of(before, "at");
         std::optional<MatrixTimes> nearest;
         Rational least;
         for (const MatrixStep& step : matrices) {
-            const auto matrix = matrix_in(step);
+            const auto matrix = exact_matrix_in(step);
             if (!matrix || right.size() > matrix->rows.size())
                 continue;
             const auto* const rows = matrix->rows.data();
@@ -389,6 +389,17 @@ public:
     }
 
 private:
+    /// A point with its w, as a matrix takes it; on the way to the screen divided by that, if no step has told so.
+    static void as_before_matrix(Values& point, bool to_screen) {
+        if (point.size() == 3)
+            point.emplace_back(1);
+        if (to_screen && point.size() == 4 && sgn(point[3]) != 0) {
+            const Rational w = point[3];
+            for (Rational& coordinate : point)
+                coordinate /= w;
+        }
+    }
+
     /// Those that lead to where a vertex is: of its mesh, if one is. Meshes without a name do not say whose a matrix is.
     std::vector<MatrixStep> matrices_of(const VertexStep& vertex) const {
         const std::string name = vertex.name.text();
@@ -542,7 +553,7 @@ RoundedEnd end_in_row(const Numbers& numbers, std::size_t row, const std::string
 
 } // namespace
 
-std::optional<Matrix<Rational>> matrix_in(const MatrixStep& step) {
+std::optional<Matrix<Rational>> exact_matrix_in(const MatrixStep& step) {
     const auto rows = matrix_rows(step.rows);
     return rows.size() == 4 ? std::optional(Matrix<Rational>{{rows[0], rows[1], rows[2], rows[3]}})
                             : std::nullopt;

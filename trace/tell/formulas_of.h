@@ -35,8 +35,8 @@ std::optional<Form> form_of(const Numbers& numbers, std::size_t step, std::strin
 /// Whether a row, a `scanline` step, has the pixel x.
 Formula in_row(const Numbers& numbers, std::size_t row, Rational x);
 
-/// That of a `matrix` step; nothing if it does not tell all four rows, or one holds no numbers.
-std::optional<Matrix<Rational>> matrix_in(const MatrixStep& step);
+/// The matrix of a `matrix` step; nothing if it does not tell all four rows, or one holds no numbers.
+std::optional<Matrix<Rational>> exact_matrix_in(const MatrixStep& step);
 
 /// The matrices that a `matrix` step tells its matrix to be the product of; none if it does not.
 std::vector<MatrixTimes::Factor> factors_in(const MatrixStep& step);

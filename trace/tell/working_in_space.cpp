@@ -49,7 +49,7 @@ using Factors = std::vector<MatrixTimes::Factor>;
 Factors factors_that_agree(const Sheet& sheet, const MatrixStep& step) {
     constexpr std::size_t most_factors = 256; // as many rotations as a scene may have
     Factors factors = factors_in(step);
-    const auto told = matrix_in(step);
+    const auto told = exact_matrix_in(step);
     if (factors.empty() || factors.size() > most_factors || !told)
         return {};
     Matrix<Rational> together = identity<Rational>();
@@ -115,7 +115,7 @@ std::optional<Product> product_so_far(const Sheet& sheet) {
     for (const std::size_t n : sheet.at.matrices()) {
         const auto step = sheet.trace().step(n).as<MatrixStep>();
         const std::string name = step.name.text();
-        const auto matrix = matrix_in(step);
+        const auto matrix = exact_matrix_in(step);
         if (!matrix || last_name == name)
             return std::nullopt;
         if (name == "viewport")
@@ -253,7 +253,7 @@ std::string newells_product(const Rational& y1, const Rational& y2, const Ration
 std::optional<Matrix<Rational>> matrix_named(const Sheet& sheet, std::string_view name) {
     for (const std::size_t n : sheet.at.matrices())
         if (const auto step = sheet.trace().step(n).as<MatrixStep>(); step.name == name)
-            return matrix_in(step);
+            return exact_matrix_in(step);
     return std::nullopt;
 }
 
