@@ -1,8 +1,8 @@
 #!/bin/sh
-# Makes the fonts of figures/font from DejaVu: the letters that bitmaps need, without hints and kerning.
+# Makes the fonts of trace/figures/font from DejaVu: the letters that bitmaps need, without hints and kerning.
 # usage: make-font.sh. Needs fonts-dejavu-core (2.37) and python3-fonttools; run by hand, the build does not need them.
 set -eu
-cd "$(dirname "$0")/../figures/font"
+cd "$(dirname "$0")/../trace/figures/font"
 
 # Latin with its accents, signs, superscripts, Greek, dashes and quotes, subscripts, arrows, and signs of mathematics.
 letters=20-7E,A0-FF,110,111,131,152,153,160,161,178,17D,17E,391-3A9,3B1-3C9

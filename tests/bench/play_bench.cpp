@@ -3,7 +3,7 @@
 // it and going to its end with keyframes, against `play/lines`, which counts the lines of the file; `play/step` is one step
 // forward, `play/jump` a step anywhere.
 
-#include "player_screen.h"
+#include "player/player_screen.h"
 #include "random_choice.h"
 #include "trace_file.h"
 

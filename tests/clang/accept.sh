@@ -32,7 +32,7 @@ accepts() { # accepts ARGUMENT...
 }
 
 # All public headers, and what most of the sources include besides, are read once.
-for include in core/include core/draw/include trace/testing/include trace/emit/include figures/include numerics/include; do
+for include in core/include core/draw/include trace/testing/include trace/emit/include trace/figures/include trace/numerics/include; do
     (cd "$include" && find rastertrace -name '*.h' | LC_ALL=C sort | sed 's/.*/#include <&>/')
 done >"$folder/headers.h"
 # Those of trace lie beside the sources.

@@ -2,9 +2,9 @@
 // The frames of the examples, as text. The worked triangle and the lines are those of the texts;
 // the fans were also drawn by an independent program of a few lines.
 
-#include "load.h"
+#include "app/load.h"
 
-#include "frame_text.h"
+#include "frames/frame_text.h"
 #include "picture.h"
 
 #include <rastertrace/testing.h>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // `rastertrace figure` as a user calls it: what it says to bad input, what it keeps, and what holds for any scene.
 
-#include "figure_file.h"
+#include "commands/figure_file.h"
 #include "program.h"
 #include "random_scene.h"
 #include "traces.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "frame_text.h"
+#include "frames/frame_text.h"
 #include "picture.h"
 #include "traces.h"
 

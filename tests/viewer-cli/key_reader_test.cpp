@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "key_reader.h"
+#include "player/key_reader.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "page.h"
+#include "app/page.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

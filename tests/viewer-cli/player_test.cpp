@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 // The player without a terminal: what keys do, and what the screen says.
 
-#include "player.h"
+#include "player/player.h"
 
 #include "effort.h"
 #include "languages.h"
 #include "picture.h"
-#include "player_screen.h"
+#include "player/player_screen.h"
 #include "random_choice.h"
 #include "random_scene.h"
 #include "traces.h"

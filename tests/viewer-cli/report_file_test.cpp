@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The files of the report, from data made by hand.
 
-#include "report_file.h"
+#include "commands/report_file.h"
 
 #include "xml_fault.h"
 

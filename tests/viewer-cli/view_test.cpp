@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // What the cells of a frame show in each view. The traces are written by hand.
-#include "frame_text.h"
-#include "load.h"
+#include "frames/frame_text.h"
+#include "app/load.h"
 #include "traces.h"
 #include <rastertrace/figures/view.h>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Prints what <gmpxx.h> answers to random questions. It is compiled twice, with GMP and with the module's own
-// wasm/gmp/gmpxx.h, and both must print the same (same_output.sh).
+// viewer-cli/page/gmp/gmpxx.h, and both must print the same (same_output.sh).
 
 #include "random_choice.h"
 

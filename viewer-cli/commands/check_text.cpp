@@ -1,0 +1,259 @@
+// SPDX-License-Identifier: MIT
+#include "commands/check_report.h"
+
+#include <rastertrace/trace/check/slips.h>
+#include <rastertrace/trace/tell/step_text.h>
+#include <rastertrace/trace/tell/working.h>
+#include <rastertrace/trace/text/language.h>
+#include <rastertrace/trace/text/text.h>
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <map>
+#include <set>
+#include <utility>
+
+namespace rastertrace {
+
+namespace {
+
+/// How many slips of a claim are named.
+constexpr std::size_t most_slips = 3;
+
+/// How much of a claim, or of a value that was claimed, is shown.
+constexpr std::size_t shown_of_claim = 100;
+
+/// How much of a right value is shown: four long fractions.
+constexpr std::size_t shown_of_expected = 200;
+
+std::string shown(std::string_view text) {
+    return shortened(printable(text), shown_of_claim);
+}
+
+std::string shown_expected(std::string_view text) {
+    return shortened(printable(as_in_working(text)), shown_of_expected);
+}
+
+/// "anna.txt:3: y=2: 0, 25/8"
+std::string place_of(const CheckedFile& file, const CheckedClaim& claim) {
+    return fmt::format("{}:{}: {}", printable(file.name), file.claim_of(claim).line,
+                       shown(file.claim_of(claim).text));
+}
+
+Words words_of(ClaimVerdict verdict) {
+    switch (verdict) {
+    case ClaimVerdict::right:
+        return {"right", "certo"};
+    case ClaimVerdict::wrong:
+        return {"wrong", "errado"};
+    case ClaimVerdict::follows:
+        return {"follows", "decorre"};
+    case ClaimVerdict::open:
+        break;
+    }
+    return {"open", "em aberto"};
+}
+
+/// In the language of steps.
+std::string_view in_words(ClaimVerdict verdict) {
+    return words_of(verdict).in(language_of_steps());
+}
+
+/// With less than the answers only `wrong` for what follows from a wrong number.
+std::string_view verdict_of(const CheckedClaim& claim, CheckTold told) {
+    return in_words(told != CheckTold::answers && is_wrong(claim.verdict) ? ClaimVerdict::wrong
+                                                                          : claim.verdict);
+}
+
+/// `; follows from line 2`, or `from its left end`, which is in the same line
+std::string origin_of(const CheckedFile& file, const CheckedField& field,
+                      std::size_t line_of_claim) {
+    const std::string origin =
+        field.follows_from == line_of_claim
+            ? said({"its {}", "de outro valor da mesma linha do arquivo ({})"},
+                   file.claims.in_words(field.follows_from_field))
+            : said({"line {}", "da linha {} do arquivo"}, field.follows_from);
+    return said({"; follows from {}{}", "; decorre {}{}"}, origin,
+                field.follows_from_rounded
+                    ? said({", which is rounded", ", de um número arredondado"})
+                    : "");
+}
+
+/// `first pixel: expected -1, found 0; follows from line 2`
+std::string field_line(const CheckedFile& file, const CheckedField& field,
+                       std::size_t line_of_claim) {
+    std::string line = "    " + difference_text(file.claims, field, shown_expected(field.expected),
+                                                shown(field.found));
+    if (field.verdict == ClaimVerdict::follows)
+        line += origin_of(file, field, line_of_claim);
+    if (!field.remark.empty())
+        line += fmt::format(" ({})", printable(field.remark));
+    return line + "\n";
+}
+
+/// The likely slips of a claim's fields, each once.
+std::string slip_lines(const CheckedClaim& claim) {
+    std::string lines;
+    std::set<std::string> named;
+    for (const CheckedField& field : claim.fields)
+        for (const LikelySlip& slip : field.slips)
+            if (named.size() < most_slips && named.insert(slip.name).second)
+                lines += said({"    likely slip {}: {}\n", "    deslize provável {}: {}\n"},
+                              slip.name, printable(slip.meaning));
+    return lines;
+}
+
+std::string indented(const std::vector<std::string>& lines, std::string_view indent) {
+    std::string text;
+    for (const std::string& line : lines)
+        text += fmt::format("{}{}\n", indent, printable(line));
+    return text;
+}
+
+/// What of a claim is wrong, and which slips are likely.
+std::string differences(const CheckedFile& file, const CheckedClaim& claim) {
+    std::string text;
+    for (const CheckedField& field : claim.fields)
+        if (is_wrong(field.verdict))
+            text += field_line(file, field, file.claim_of(claim).line);
+    return text + slip_lines(claim) + indented(claim.remarks, "    ") +
+           indented(claim.picture, "    ");
+}
+
+/// A claim that is wrong, and why. What has been worked out for another claim is not written out again.
+std::string wrong_claim(const CheckedFile& file, const CheckedClaim& claim,
+                        std::map<std::vector<std::string>, std::size_t>& line_of_working) {
+    const std::string text = place_of(file, claim) + "\n" + differences(file, claim);
+    const auto [known, is_new] =
+        line_of_working.try_emplace(claim.working, file.claim_of(claim).line);
+    if (!is_new && !claim.working.empty())
+        return text + said({"        worked out as for line {}\n",
+                            "        a conta é a da linha {} do arquivo\n"},
+                           known->second);
+    return text + indented(claim.working, "        ");
+}
+
+/// What there is to be said of a claim that is right or open; most have nothing.
+std::string remarks_in(const CheckedFile& file, const CheckedClaim& claim) {
+    std::string text;
+    for (const CheckedField& field : claim.fields)
+        if (!field.remark.empty())
+            text += fmt::format("    {}: {}, {}\n", file.claims.in_words(field.name),
+                                in_words(field.verdict), printable(field.remark));
+    return text + indented(claim.remarks, "    ");
+}
+
+/// Where a claim is wrong, by which rule, and perhaps by which formula; no number that is right.
+std::string hints(const CheckedFile& file, const CheckedClaim& claim, CheckTold told) {
+    std::string text;
+    for (const CheckedField& field : claim.fields) {
+        if (!is_wrong(field.verdict) || told == CheckTold::verdicts)
+            continue;
+        text += fmt::format("    {}{}\n", file.claims.in_words(field.name), place_in_list(field));
+        if (field.verdict == ClaimVerdict::follows)
+            text += fmt::format("        {}\n",
+                                origin_of(file, field, file.claim_of(claim).line).substr(2));
+        if (!field.rule.empty())
+            text += fmt::format("        {}\n", field.rule);
+        if (told == CheckTold::formula && !field.formula.empty())
+            text += fmt::format("        {}\n", field.formula);
+    }
+    return text;
+}
+
+std::string text_of_one(const CheckedFile& file, CheckTold told) {
+    std::string text;
+    std::map<std::vector<std::string>, std::size_t> line_of_working;
+    for (const CheckedClaim& claim : file.checked.claims) {
+        if (told != CheckTold::answers)
+            text += fmt::format("{}: {}\n", place_of(file, claim), verdict_of(claim, told)) +
+                    hints(file, claim, told);
+        else if (is_wrong(claim.verdict))
+            text += wrong_claim(file, claim, line_of_working);
+        else if (const std::string remarks = remarks_in(file, claim); !remarks.empty())
+            text += place_of(file, claim) + "\n" + remarks;
+    }
+    if (file.claims.has_decimal_comma)
+        text += said({"{}: commas are read as those of decimals: 0,25 is 1/4\n",
+                      "{}: cada vírgula é lida como a de um decimal: 0,25 é 1/4\n"},
+                     printable(file.name));
+    return text + (text.empty() ? "" : "\n") + counts_text(file.checked) + "\n";
+}
+
+/// "anna.txt: 12 right, 3 wrong; most likely truncate-for-floor\n"
+std::string line_of_file(const CheckedFile& file, CheckTold told) {
+    std::string text = printable(file.name);
+    if (!file.exercise.empty())
+        text += said({" (exercise {})", " (exercício {})"}, printable(file.exercise));
+    if (file.problem)
+        return text + said({": could not be checked\n", ": não pôde ser conferido\n"});
+    const auto& slips = file.checked.slips;
+    return fmt::format("{}: {}{}\n", text, counts_text(file.checked),
+                       told == CheckTold::answers && !slips.empty()
+                           ? said({"; most likely {}", "; o mais provável: {}"}, slips.front())
+                           : "");
+}
+
+/// The most likely slip of each sheet, and of how many sheets: the most frequent first.
+std::string frequent_slips(const std::vector<CheckedFile>& files) {
+    constexpr Words none("(no slip that is known)", "(nenhum deslize conhecido)");
+    std::map<std::string, std::size_t> counts;
+    std::size_t name_width = 0;
+    for (const CheckedFile& file : files)
+        if (file.checked.wrong + file.checked.follow > 0) {
+            const auto& slips = file.checked.slips;
+            const std::string name(slips.empty() ? none.in(language_of_steps()) : slips.front());
+            ++counts[name];
+            name_width = std::max(name_width, name.size());
+        }
+    std::vector<std::pair<std::string, std::size_t>> slips(counts.begin(), counts.end());
+    std::ranges::stable_sort(slips, std::ranges::greater(),
+                             &std::pair<std::string, std::size_t>::second);
+    std::string text;
+    for (const auto& [name, count] : slips) {
+        const std::string meaning = meaning_of(name);
+        text += fmt::format("{:<{}}  {}{}{}\n", name, name_width, count,
+                            meaning.empty() ? "" : "  ", meaning);
+    }
+    return text.empty() ? ""
+                        : said({"\nThe most likely slip of a sheet, and of how many sheets:\n",
+                                "\nO deslize mais provável de uma folha, e de quantas folhas:\n"}) +
+                              text;
+}
+
+} // namespace
+
+std::string_view name_of(ClaimVerdict verdict) {
+    return words_of(verdict).in(Language::english);
+}
+
+bool is_wrong(ClaimVerdict verdict) {
+    return verdict == ClaimVerdict::wrong || verdict == ClaimVerdict::follows;
+}
+
+std::string counts_text(const Checked& checked) {
+    const auto count_of = [](std::size_t count, const Words& one, const Words& more) {
+        return fmt::format("{} {}", count, (count == 1 ? one : more).in(language_of_steps()));
+    };
+    std::string text = count_of(checked.right, {"right", "certo"}, {"right", "certos"}) + ", " +
+                       count_of(checked.wrong, {"wrong", "errado"}, {"wrong", "errados"});
+    if (checked.follow > 0)
+        text += ", " + count_of(checked.follow, {"that follows", "que decorre"},
+                                {"that follow", "que decorrem"});
+    if (checked.open > 0)
+        text += said({", {} open", ", {} em aberto"}, checked.open);
+    return text;
+}
+
+std::string check_text(const std::vector<CheckedFile>& files, CheckTold told) {
+    if (files.size() == 1)
+        return text_of_one(files.front(), told);
+    std::string text;
+    for (const CheckedFile& file : files)
+        text += line_of_file(file, told);
+    return told == CheckTold::answers ? text + frequent_slips(files) : text;
+}
+
+} // namespace rastertrace

@@ -1,0 +1,264 @@
+// SPDX-License-Identifier: MIT
+// `rastertrace diff`: what two traces do differently.
+
+#include "app/command.h"
+#include "app/commands.h"
+#include "commands/diff_json.h"
+#include "commands/diff_report.h"
+#include "app/load.h"
+#include "app/option_values.h"
+#include "app/progress.h"
+#include "app/shared_options.h"
+
+#include <rastertrace/trace/audit/redo.h>
+#include <rastertrace/trace/compare/diff.h>
+#include <rastertrace/trace/compare/other_goldens.h>
+#include <rastertrace/trace/picture/picture_diff.h>
+#include <rastertrace/trace/tell/step_text.h>
+#include <rastertrace/trace/text/text.h>
+#include <rastertrace/trace/text/trace_layout.h>
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <filesystem>
+#include <iterator>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace rastertrace {
+
+namespace {
+
+SceneOptions options_of(const DiffCommand& command) {
+    return {.method = command.method,
+            .limits = command.input,
+            .frames = command.frames,
+            .is_quiet = command.is_quiet};
+}
+
+/// Marks, on one side, the sentences of steps that tell something else than their numbers give, as `show` does.
+void mark_wrong_sentences(Trace& trace, std::vector<DiffStep>& before,
+                          std::optional<DiffStep>& differing, std::vector<DiffStep>& after) {
+    if (trace.source().view().size() > largest_marked_trace)
+        return;
+    mark_wrong_steps(trace);
+    const auto mark = [&trace](DiffStep& step) {
+        step.sentence += what_numbers_give(trace, step.number);
+    };
+    std::for_each(before.begin(), before.end(), mark);
+    if (differing)
+        mark(*differing);
+    std::for_each(after.begin(), after.end(), mark);
+}
+
+/// What a picture shows otherwise than the trace or scene at `path` draws it, with the explanation of a pixel.
+TraceDiff diff_of_picture(const std::string& path, const Picture& picture,
+                          const std::string& picture_path, bool is_picture_first,
+                          const DiffCommand& command) {
+    PictureDiffOptions how = picture_options(command.options);
+    how.name = picture_path;
+    how.is_picture_first = is_picture_first;
+    how.background = command.background;
+    Source source = load_input(path, command.input);
+    SceneOptions options = options_of(command);
+    const bool is_drawn = !is_trace(source);
+    if (!is_drawn)
+        refuse_scene_options(source, options);
+    TraceDiff found =
+        diff_with_picture(trace_to_compare(std::move(source), path, options), picture, how);
+    const std::uint64_t differing = count_pixels(found);
+    if (differing == 0)
+        return found;
+    found.explanation = explanation_of_first_pixel(found, load_trace(path, options));
+
+    // Samples half a pixel away may explain most of it.
+    constexpr std::uint64_t explains = 4;
+    for (const std::string_view sample : {"integer", "center"}) {
+        if (!is_drawn)
+            break;
+        SceneOptions other = options;
+        other.method.emplace_back("sample", sample);
+        const TraceDiff moved = diff_with_picture(
+            trace_to_compare(load_input(path, command.input), path, other), picture, how);
+        if (const std::uint64_t left = count_pixels(moved); left * explains <= differing)
+            found.remarks.push_back(
+                said({"with --sample {}: then {}", "com --sample {}: então {}"}, sample,
+                     left == 0 ? said({"no pixels differ", "nenhum pixel difere"})
+                               : counted_differences(left, {"pixel", "pixel"})));
+    }
+    return found;
+}
+
+/// Compares two traces or scenes. Options that say how to draw are about those that are scenes.
+TraceDiff diff_of_traces(const std::string& path_a, const std::string& path_b,
+                         const DiffCommand& command) {
+    if (path_a == "-" && path_b == "-")
+        throw problem_of("standard input", "expected one of the two there, found both");
+    Source source_a = load_input(path_a, command.input);
+    Source source_b = load_input(path_b, command.input);
+    const SceneOptions options = options_of(command);
+    const bool draws_a = !is_trace(source_a);
+    const bool draws_b = !is_trace(source_b);
+    if (!draws_a && !draws_b)
+        refuse_scene_options(source_a, options);
+    Trace given = trace_to_compare(std::move(draws_a ? source_b : source_a),
+                                   draws_a ? path_b : path_a, options);
+    // A foreign trace, which says nothing of stages, may tell what the scene does not need.
+    SceneOptions other_options = options;
+    if (command.options.compares_common && draws_a != draws_b &&
+        given.header_json.find("\"stages\"") == std::string::npos)
+        std::ranges::copy(every_stage_kept(), std::back_inserter(other_options.method));
+    Trace other = trace_to_compare(std::move(draws_a ? source_a : source_b),
+                                   draws_a ? path_a : path_b, other_options);
+    Trace& a = draws_a ? other : given;
+    Trace& b = draws_a ? given : other;
+    TraceDiff found = diff(a, b, command.options);
+    if (found.first) {
+        mark_wrong_sentences(a, found.before_a, found.first->a, found.after_a);
+        mark_wrong_sentences(b, found.before_b, found.first->b, found.after_b);
+    }
+    return found;
+}
+
+/// Compares a scene with itself, drawn by another method.
+TraceDiff diff_of_methods(const DiffCommand& command) {
+    const std::string& path = command.files.front();
+    if (path == "-")
+        throw problem_of("standard input", "expected a file with --against, which reads it twice");
+    DiffCommand other = command;
+    const auto changes = value_or_throw(parse_method({"--against", command.against}));
+    other.method.insert(other.method.end(), changes.begin(), changes.end());
+    const auto trace_by = [&path](const DiffCommand& method) {
+        Source source = load_input(path, method.input);
+        if (is_trace(source))
+            refuse_scene_options(source, options_of(method));
+        return trace_to_compare(std::move(source), path, options_of(method));
+    };
+    // That the method differs is what was asked for.
+    other.options.ignored.emplace_back("header");
+    TraceDiff found = diff(trace_by(command), trace_by(other), other.options);
+    found.name_b += said({" with {}", " com {}"}, command.against);
+    return found;
+}
+
+/// Compares two files of any kind.
+TraceDiff diff_of_inputs(const std::string& path_a, const std::string& path_b,
+                         const DiffCommand& command) {
+    const auto a = picture_in_file(path_a, command.input);
+    const auto b = picture_in_file(path_b, command.input);
+    if (a && !b)
+        return diff_of_picture(path_b, *a, path_a, true, command);
+    if (b && !a)
+        return diff_of_picture(path_a, *b, path_b, false, command);
+    return diff_of_traces(path_a, path_b, command);
+}
+
+ExitStatus tell(const DiffCommand& command, const TraceDiff& found) {
+    print(command.json ? diff_json(found)
+                       : diff_in_color(diff_text(found), output_colors(command.color)));
+    for (const Problem& problem : found.damage)
+        print_error(problem);
+    if (!found.damage.empty())
+        return exit_bad_input;
+    return found.is_same ? exit_fine : exit_difference;
+}
+
+} // namespace
+
+TraceDiff diff_of_files(const DiffCommand& command) {
+    TraceDiff found = diff_of_inputs(command.files[0], command.files[1], command);
+    if (!found.is_same && found.damage.empty())
+        for (const std::string& other : other_goldens(command.files[0]))
+            if (TraceDiff accepted = diff_of_inputs(other, command.files[1], command);
+                accepted.is_same && accepted.damage.empty()) {
+                accepted.remarks.push_back(
+                    said({"{} is accepted besides {}", "{} é aceito além de {}"}, printable(other),
+                         printable(command.files[0])));
+                return accepted;
+            }
+    return found;
+}
+
+int run(const DiffCommand& command) {
+    if (!command.against.empty())
+        return tell(command, diff_of_methods(command));
+    std::error_code error;
+    if (std::filesystem::is_directory(command.files[0], error))
+        return diff_folders(command);
+    if (error && cause_of_open_error(error.value()) == Problem::Cause::system)
+        throw problem_of_system(command.files[0], "could not be read", error.value());
+    std::optional<Progress> progress(std::in_place, reading_of("diff", command.files));
+    const TraceDiff found = diff_of_files(command);
+    progress.reset();
+    return tell(command, found);
+}
+
+namespace {
+
+class DiffCommandLine final : public Command {
+public:
+    CommandAbout about() const override {
+        return {"diff", "Say what two traces do differently",
+                "rastertrace diff golden.json scene.json\n\n"
+                "Steps are found by their primitive and what they are about, numbers compared by "
+                "value.\n"
+                "Primitives are found by name and vertices, or by one of the two.\n"
+                "Of two folders, files of the same name are compared."};
+    }
+
+    void add_to(OptionList& options) override {
+        options
+            .option("traces", command_.files,
+                    "Two traces, or scenes, which are drawn first; - for standard input; or two "
+                    "folders of them",
+                    "A B")
+            .required();
+        options.option("--against", command_.against,
+                       "Compare the only scene with itself, drawn by another method, like "
+                       "scalar=double",
+                       "METHOD");
+        comparison_.add_to(options);
+        options.option("--format", format_, "How to print", "NAME").values({"text", "json"});
+        options.flag("--json", command_.json, "Short for --format json");
+        options.option("--color", color_, "Colors", "WHEN").values(color_choices);
+        options.language();
+        drawing_.add_to(options, Holds::steps);
+    }
+
+    void read() override {
+        command_.json = is_json(format_, command_.json);
+        command_.color = color_choice_of(color_);
+        command_.options = comparison_.options();
+        command_.background = comparison_.background();
+        drawing_.read_into(command_);
+        const std::size_t count = command_.files.size();
+        if (count != (command_.against.empty() ? 2 : 1))
+            throw problem_of(
+                "", fmt::format("diff: expected {}, found {}",
+                                command_.against.empty() ? "two files" : "one scene with --against",
+                                count));
+    }
+
+    int run() override { return rastertrace::run(command_); }
+
+private:
+    DiffCommand command_;
+    ComparisonOptions comparison_;
+    std::string format_;
+    std::string color_;
+    DrawingOptions drawing_;
+};
+
+} // namespace
+
+std::unique_ptr<Command> diff_command() {
+    return std::make_unique<DiffCommandLine>();
+}
+
+} // namespace rastertrace

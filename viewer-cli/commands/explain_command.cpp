@@ -1,0 +1,178 @@
+// SPDX-License-Identifier: MIT
+// `rastertrace explain`: why something is as it is.
+
+#include "app/command.h"
+#include "app/commands.h"
+#include "commands/explain_text.h"
+#include "app/load.h"
+#include "app/option_values.h"
+#include "app/shared_options.h"
+
+#include <rastertrace/trace/explain/explain.h>
+#include <rastertrace/trace/tell/step_text.h>
+#include <rastertrace/trace/text/text.h>
+
+#include <fmt/core.h>
+
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+
+namespace rastertrace {
+
+namespace {
+
+/// The trace of the scene drawn by the method that --against names.
+Trace trace_against(const ExplainCommand& command, const InputFrames& input) {
+    const auto changes = value_or_throw(parse_method({"--against", command.against}));
+    MethodOverrides method = command.method;
+    method.insert(method.end(), changes.begin(), changes.end());
+    return input.trace_by(input.first(), method);
+}
+
+/// What the trace drawn by another method answers; that it has no answer is one too.
+Explanation answer_there(const Trace& against, const Trace& trace, const Question& question) {
+    const auto same = question_for(against, trace, question);
+    if (!same)
+        return {.answer = said({"there is no such step", "não há esse passo"})};
+    auto answer = explain(against, *same);
+    return answer ? std::move(answer.value())
+                  : Explanation{.answer = said({"no answer: {}", "sem resposta: {}"},
+                                               answer.problem().message)};
+}
+
+/// Answers the question, and once more with the trace drawn by another method, if there is one.
+ExitStatus tell(const ExplainCommand& command, const Trace& trace, const Trace* against = nullptr) {
+    const Explanation explanation = value_or_throw(explain(trace, command.question));
+    std::optional<OtherAnswer> other;
+    if (against != nullptr)
+        other = {command.against, answer_there(*against, trace, command.question),
+                 first_difference(trace, *against, command.question)};
+    if (command.json) {
+        print(explanation_json(explanation, other));
+    } else {
+        print(shortened(printable(trace.title), 79) + "\n");
+        print(explanation_text(explanation));
+        if (other)
+            print(other_answer_text(*other));
+    }
+    return report_damage(trace);
+}
+
+} // namespace
+
+int run(const ExplainCommand& command) {
+    const SceneOptions options{.method = command.method,
+                               .limits = command.input,
+                               .frames = command.frames,
+                               .tells_steps = true};
+    if (!command.against.empty()) {
+        InputFrames input(command.trace, options);
+        const Trace against = trace_against(command, input);
+        return tell(command, input.trace(input.first()), &against);
+    }
+    return tell(command, load_trace(command.trace, options));
+}
+
+namespace {
+
+/// 4,2, or (4, 2) as it is printed.
+std::optional<Pixel> pixel_in(std::string_view text) {
+    text = without_blanks(text);
+    if (text.starts_with('(') && text.ends_with(')'))
+        text = text.substr(1, text.size() - 2);
+    const auto words = split_at(text, ',');
+    const auto x = whole_number<int>(without_blanks(words.front()));
+    const auto y =
+        words.size() == 2 ? whole_number<int>(without_blanks(words.back())) : std::nullopt;
+    return x && y ? std::optional(Pixel{*x, *y}) : std::nullopt;
+}
+
+class ExplainCommandLine final : public Command {
+public:
+    CommandAbout about() const override {
+        return {
+            "explain", "Say why a pixel, a row, a face, ... is as it is",
+            "rastertrace explain examples/t0-fill/first-triangle.json --pixel 4,2\n\n"
+            "Of a pixel: who drew it, and what kept all others out, with the numbers. --against\n"
+            "rounding=truncate asks the same under another method, and tells the first decision\n"
+            "that differs."};
+    }
+
+    void add_to(OptionList& options) override {
+        options.option("trace", command_.trace, trace_input, "TRACE").required();
+        OptionList what = options.one_of("What is asked", "One of these", true);
+        what.option("--pixel", pixel_, "Who drew it, and why others did not", "X,Y");
+        what.option("--scanline", row_, "Both ends of the row", "Y");
+        const auto add_text = [&](const char* name, const char* meaning, const char* type) {
+            return what.option(name, texts_[name], meaning, type);
+        };
+        add_text("--face", "How it is turned, lit and clipped, and what is seen of it", "NAME")
+            .names_of(NamesOf::faces);
+        add_text("--vertex", "Where it is, from space to space", "NAME")
+            .names_of(NamesOf::vertices);
+        add_text("--edge", "How it is set up, and the rows that end at it", "NAME")
+            .names_of(NamesOf::edges);
+        add_text("--pair", "Who has each pixel along the edge of two triangles", "NAME,NAME")
+            .names_of(NamesOf::triangles);
+        add_text("--step", "One step: a number, or like \"scanline y=2\"", "STEP");
+        options.option("--against", command_.against,
+                       "Ask the same of the scene drawn by another method, like "
+                       "rounding=truncate,sample=center",
+                       "METHOD");
+        options.option("--format", format_, "How to print", "NAME").values({"text", "json"});
+        options.flag("--json", command_.json, "Short for --format json");
+        options.language();
+        drawing_.add_to(options, Holds::steps);
+    }
+
+    void read() override {
+        command_.json = is_json(format_, command_.json);
+        command_.question = explain_question();
+        drawing_.read_into(command_);
+    }
+
+    int run() override { return rastertrace::run(command_); }
+
+private:
+    /// What `explain` is asked.
+    Question explain_question() const {
+        if (!pixel_.empty()) {
+            const auto pixel = pixel_in(pixel_);
+            if (!pixel)
+                refuse_value("--pixel", "a pixel as x,y, like 4,2", pixel_);
+            return {.about = Topic::pixel, .pixel = *pixel};
+        }
+        if (!row_.empty()) {
+            const auto y = whole_number<int>(row_);
+            if (!y)
+                refuse_value("--scanline", "the y of a row, like 2", row_);
+            return {.about = Topic::scanline, .pixel = {0, *y}};
+        }
+        for (const Topic topic :
+             {Topic::face, Topic::vertex, Topic::edge, Topic::pair, Topic::step}) {
+            const auto text = texts_.find("--" + std::string(name_of(topic)));
+            if (text != texts_.end() && !text->second.empty())
+                return {.about = topic, .text = text->second};
+        }
+        return {};
+    }
+
+    ExplainCommand command_;
+    std::string pixel_;
+    std::string row_;
+    std::map<std::string, std::string> texts_; ///< --face, --vertex, ...
+    std::string format_;
+    DrawingOptions drawing_;
+};
+
+} // namespace
+
+std::unique_ptr<Command> explain_command() {
+    return std::make_unique<ExplainCommandLine>();
+}
+
+} // namespace rastertrace

@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: MIT
+#include "commands/explain_text.h"
+
+#include <rastertrace/trace/tell/step_text.h>
+#include <rastertrace/trace/text/language.h>
+#include <rastertrace/trace/text/text.h>
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <map>
+#include <string_view>
+#include <vector>
+
+namespace rastertrace {
+
+namespace {
+
+std::string lines_below(const std::vector<std::string>& lines, std::size_t indent) {
+    std::string text;
+    for (const std::string& line : lines)
+        text += std::string(indent, ' ') + line + "\n";
+    return text;
+}
+
+/// How wide a column is: as its widest cell.
+template <typename Item>
+std::size_t width_of(const std::vector<Item>& items, std::string Item::*cell,
+                     std::string_view title) {
+    std::size_t width = columns_in(title);
+    for (const Item& item : items)
+        width = std::max(width, columns_in(printable(item.*cell)));
+    return width;
+}
+
+/// What a pixel showed (Try::before), in the language of steps.
+std::string shown_text(const std::string& shown) {
+    constexpr std::string_view background = "background ";
+    if (shown.starts_with(background))
+        return said({"background {}", "fundo {}"}, shown.substr(background.size()));
+    return shown == "empty" ? said({"empty", "vazio"}) : shown;
+}
+
+/// One line for each step; what the pixel shows before and after, if the steps are about one.
+std::string table_of(std::vector<Try> tries) {
+    for (Try& one : tries) {
+        one.before = shown_text(one.before);
+        one.after = shown_text(one.after);
+    }
+    const bool has_pixels =
+        std::any_of(tries.begin(), tries.end(), [](const Try& one) { return !one.before.empty(); });
+    const std::string title_before = said({"before", "antes"});
+    const std::string title_after = said({"after", "depois"});
+    const std::size_t before = width_of(tries, &Try::before, title_before);
+    const std::size_t after = width_of(tries, &Try::after, title_after);
+    constexpr std::size_t indent = 6;
+    std::string text;
+    if (has_pixels)
+        text += fmt::format("{}{}  {}\n", padded(said({"step", "passo"}), indent),
+                            padded(title_before, before), title_after);
+    const bool is_of_several = std::any_of(tries.begin(), tries.end(), [&tries](const Try& one) {
+        return one.primitive != tries.front().primitive;
+    });
+    const std::size_t primitive = width_of(tries, &Try::primitive, "");
+    for (const Try& one : tries) {
+        text += fmt::format("{:>4}  ", one.number);
+        if (has_pixels)
+            text += fmt::format("{}  {}  ", padded(one.before, before), padded(one.after, after));
+        if (is_of_several)
+            text += padded(printable(one.primitive), primitive) + "  ";
+        text += one.sentence + "\n" + lines_below(one.working, indent);
+    }
+    return text;
+}
+
+std::string why_not_text(std::vector<WhyNot> why_not) {
+    std::string rest;
+    if (why_not.size() > most_why_not_told) {
+        std::stable_sort(why_not.begin(), why_not.end(), was_nearer_to_drawing);
+        std::map<std::string, std::size_t> count;
+        for (std::size_t i = most_why_not_told; i < why_not.size(); ++i)
+            ++count[why_not[i].reason];
+        std::vector<std::string> counts;
+        for (const auto& [reason, number] : count)
+            counts.push_back(fmt::format("{} {}", number, in_language_of_steps(reason)));
+        rest = said({"  and {} more: {}\n", "  e mais {}: {}\n"},
+                    why_not.size() - most_why_not_told, joined(counts, ", "));
+        why_not.resize(most_why_not_told);
+    }
+    for (WhyNot& one : why_not)
+        one.reason = in_language_of_steps(one.reason);
+    const std::size_t name = width_of(why_not, &WhyNot::primitive, "");
+    const std::size_t reason = width_of(why_not, &WhyNot::reason, "");
+    std::string text;
+    for (const WhyNot& one : why_not)
+        text += fmt::format("  {}  {}  {}\n", padded(printable(one.primitive), name),
+                            padded(one.reason, reason), one.sentence) +
+                lines_below(one.working, 6);
+    return text + rest;
+}
+
+std::string pixels_text(const std::vector<PixelAlongEdge>& pixels) {
+    const std::string both = said({" and ", " e "});
+    std::string text;
+    for (const PixelAlongEdge& one : pixels) {
+        text += fmt::format("({}, {})  {}\n", one.pixel.x, one.pixel.y,
+                            !one.is_told         ? said({"not told", "sem resposta"})
+                            : one.owners.empty() ? said({"neither", "nenhum"})
+                                                 : printable(joined(one.owners, both)));
+        text += lines_below(one.why, 6);
+    }
+    return text;
+}
+
+/// What has been found, below the answer.
+std::string details_text(const Explanation& explanation) {
+    std::string text;
+    if (!explanation.lacks.empty())
+        text += "\n" + lines_below(explanation.lacks, 0);
+    if (!explanation.tries.empty())
+        text += "\n" + table_of(explanation.tries);
+    if (!explanation.why_not.empty())
+        text +=
+            said({"\nnot drawn by\n", "\nnão desenhado por\n"}) + why_not_text(explanation.why_not);
+    if (!explanation.pixels.empty())
+        text += "\n" + pixels_text(explanation.pixels);
+    return text;
+}
+
+std::string step_text(const std::string& who, const std::optional<Try>& step) {
+    return step ? said({"  {}  step {}: {}\n", "  {}  passo {}: {}\n"}, who, step->number,
+                       step->sentence)
+                : said({"  {}  no such step\n", "  {}  não há esse passo\n"}, who);
+}
+
+} // namespace
+
+std::string explanation_text(const Explanation& explanation) {
+    return fmt::format("{}: {}\n", explanation.question, explanation.answer) +
+           details_text(explanation);
+}
+
+std::string other_answer_text(const OtherAnswer& other) {
+    const std::string method = printable(other.method);
+    std::string text =
+        said({"\nwith {}: {}\n", "\ncom {}: {}\n"}, method, other.explanation.answer) +
+        details_text(other.explanation);
+    if (!other.difference)
+        return text +
+               said({"\nno decision about it differs\n", "\nnenhuma decisão sobre isso difere\n"});
+    const std::string here = padded(said({"as it is", "como é"}), columns_in(method));
+    return text +
+           said({"\nthe first decision that differs\n", "\na primeira decisão que difere\n"}) +
+           step_text(here, other.difference->one) +
+           step_text(padded(method, columns_in(here)), other.difference->other);
+}
+
+} // namespace rastertrace

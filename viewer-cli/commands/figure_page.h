@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// `rastertrace figure -o FILE.html`: a page to click through.
+
+#include "app/commands.h"
+
+namespace rastertrace {
+
+/// Writes the page of all frames of the input. Throws a Problem.
+ExitStatus write_page(const FigureCommand& command);
+
+} // namespace rastertrace

@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: MIT
+// `rastertrace help`: what a command does, for people, for `man` and for shells.
+
+#include "app/command.h"
+#include "app/completion.h"
+#include "commands/conventions_text.h"
+#include "app/load.h"
+#include "app/option_values.h"
+
+#include <rastertrace/trace/text/output.h>
+
+namespace rastertrace {
+
+namespace {
+
+class HelpCommandLine final : public Command {
+public:
+    explicit HelpCommandLine(const std::vector<CommandGroup>& groups) : groups_(groups) {}
+
+    CommandAbout about() const override {
+        return {
+            "help", "Explain a command, or the conventions",
+            "rastertrace help show\n"
+            "rastertrace help conventions\n\n"
+            "`help conventions` lists whose rules a scene can be drawn by, and what they set.\n\n"
+            "Completions, for the shell that you have:\n"
+            "  bash: eval \"$(rastertrace help --completion bash)\"  in ~/.bashrc\n"
+            "  zsh:  eval \"$(rastertrace help --completion zsh)\"   in ~/.zshrc\n"
+            "  fish: rastertrace help --completion fish | source   in config.fish"};
+    }
+
+    void add_to(OptionList& options) override {
+        options.option("command", command_,
+                       "The command, or conventions; all commands if none is given", "COMMAND");
+        options.flag("--man", is_man_, "Print its page of the manual, for man -l -");
+        options
+            .option("--completion", shell_, "Print what a shell has to read to complete words",
+                    "SHELL")
+            .values(completed_shells());
+    }
+
+    std::size_t count_plain_words(std::span<const char* const> words) const override {
+        for (std::size_t i = 0; i < words.size(); ++i)
+            if (words[i] == std::string_view("--"))
+                return words.size() - i;
+        return 0;
+    }
+
+    void take_plain_words(std::span<const char* const> words) override {
+        completes_ = !words.empty();
+        words_.assign(words.begin() + (completes_ ? 1 : 0), words.end());
+    }
+
+    void read() override { value_of<std::size_t>("--completion", shell_, completed_shells()); }
+
+    int run() override {
+        if (completes_)
+            for (const std::string& one : completions(words_, groups_))
+                print(one + "\n");
+        else if (!shell_.empty())
+            print(completion_script(shell_));
+        else if (command_.empty())
+            print(is_man_ ? man_page(groups_) : help_text(groups_));
+        else if (command_ == "conventions" && !is_man_)
+            print(conventions_text());
+        else if (const CommandTable& table = table_of(command_, groups_); is_man_)
+            print(man_page(table));
+        else
+            print(help_text(table, HelpLength::whole));
+        return exit_fine;
+    }
+
+private:
+    const std::vector<CommandGroup>& groups_;
+    std::string command_;
+    std::string shell_;
+    std::vector<std::string> words_; ///< behind --: a shell asks what the last of them can become
+    bool is_man_ = false;
+    bool completes_ = false;
+};
+
+} // namespace
+
+std::unique_ptr<Command> help_command(const std::vector<CommandGroup>& groups) {
+    return std::make_unique<HelpCommandLine>(groups);
+}
+
+} // namespace rastertrace

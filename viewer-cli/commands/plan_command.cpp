@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: MIT
+// rastertrace plan: which stages a scene needs, and why.
+
+#include "app/command.h"
+#include "app/commands.h"
+#include "app/load.h"
+#include "app/shared_options.h"
+
+#include <rastertrace/core/draw/plan/plan.h>
+#include <rastertrace/trace/text/conventions.h>
+#include <rastertrace/trace/text/method_names.h>
+#include <rastertrace/trace/text/pipeline_names.h>
+#include <rastertrace/trace/text/stage_name.h>
+#include <rastertrace/trace/text/text.h>
+
+#include <fmt/core.h>
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace rastertrace {
+
+namespace {
+
+/// What leaving a stage out saves: "2097152 bytes, 9 steps, up to 1234 pixels".
+std::string as_text(const Savings& saved) {
+    std::string text;
+    const auto add = [&text](std::uint64_t count, std::string_view before, std::string_view noun) {
+        if (count > 0)
+            text += fmt::format("{}{}{}", text.empty() ? "" : ", ", before, counted(count, noun));
+    };
+    add(saved.bytes, "", "byte");
+    add(saved.steps, "", "step");
+    add(saved.pixels, "up to ", "pixel");
+    return text;
+}
+
+/// What a scene's convention sets in it, and what is unusual about that.
+std::string note_on(const ConventionRow& convention, const Scene& scene) {
+    std::string sets;
+    for (const auto& [key, value] : convention.method)
+        if (find_method_key(key)->get(scene.method) == value)
+            sets += fmt::format("{}{} {}", sets.empty() ? "" : ", ", key, value);
+    return fmt::format("{}: {}; viewport {}; unusual: {}", convention.what, sets,
+                       name_of(scene.viewport), convention.unusual);
+}
+
+std::string as_text(const Scene& scene, const Plan& plan) {
+    std::string text = shortened(printable(scene.title), 79) + "\n";
+    text += fmt::format("{:<12} {:<9} {}\n", "stage", "plan", "why; what it saves");
+    for (const StageDecision& decision : plan.stages.decisions) {
+        const std::string saved = as_text(decision.saved);
+        text += fmt::format("{:<12} {:<9} {}{}\n",
+                            fmt::format("{}{}{}", name_of(decision.stage),
+                                        decision.plane.empty() ? "" : " ", decision.plane),
+                            decision.is_kept ? "kept" : "left out", decision.why,
+                            saved.empty() ? "" : "; saves " + saved);
+    }
+    if (const ConventionRow* const row = row_of(scene.method.convention))
+        text += fmt::format("{:<12} {:<9} {}\n", "convention", row->name, note_on(*row, scene));
+    return text;
+}
+
+std::string as_json(const Scene& scene, const Plan& plan) {
+    std::string text = fmt::format(R"({{"title":{},"stages":[)", json_quoted(scene.title));
+    std::string_view separator;
+    for (const StageDecision& decision : plan.stages.decisions) {
+        text += fmt::format(R"({}{{"stage":"{}",)", separator, name_of(decision.stage));
+        if (!decision.plane.empty())
+            text += fmt::format(R"("plane":"{}",)", decision.plane);
+        text += fmt::format(R"("kept":{},"why":{},"saves":{{"bytes":{},"steps":{},"pixels":{}}}}})",
+                            decision.is_kept, json_quoted(decision.why), decision.saved.bytes,
+                            decision.saved.steps, decision.saved.pixels);
+        separator = ",";
+    }
+    text += "],\"rules\":[";
+    if (const ConventionRow* const row = row_of(scene.method.convention))
+        text += fmt::format(R"({{"rule":"convention","value":"{}","note":{}}})", row->name,
+                            json_quoted(note_on(*row, scene)));
+    return text + "]}\n";
+}
+
+} // namespace
+
+int run(const PlanCommand& command) {
+    auto [scene, plan, remarks] =
+        load_scene(command.scene,
+                   {.method = command.method, .limits = command.input, .frames = command.frames});
+    scene.title = shown_title(scene.title, command.scene);
+    print(command.json ? as_json(scene, plan) : as_text(scene, plan));
+    return exit_fine;
+}
+
+namespace {
+
+class PlanCommandLine final : public Command {
+public:
+    CommandAbout about() const override {
+        return {"plan", "Say which stages of drawing a scene needs, and why",
+                "rastertrace plan examples/t4-pipeline/behind-the-eye.json"};
+    }
+
+    void add_to(OptionList& options) override {
+        options.option("scene", command_.scene, "A scene; - for standard input", "SCENE")
+            .required();
+        options.flag("--json", command_.json, "Print JSON");
+        drawing_.add_to(options, Holds::no_steps);
+    }
+
+    void read() override { drawing_.read_into(command_); }
+
+    int run() override { return rastertrace::run(command_); }
+
+private:
+    PlanCommand command_;
+    DrawingOptions drawing_;
+};
+
+} // namespace
+
+std::unique_ptr<Command> plan_command() {
+    return std::make_unique<PlanCommandLine>();
+}
+
+} // namespace rastertrace
