@@ -88,8 +88,7 @@ private:
     }
 
     bool truncates(const JsonValue& round) const {
-        constexpr auto names = names_of(round_words);
-        const std::vector<std::string_view> known(names.begin(), names.end());
+        const std::vector<std::string_view> known(round_words.begin(), round_words.end());
         if (std::find(known.begin(), known.end(), round.text) == known.end())
             json_.fail_expecting(round, R"("nearest" or "truncate")",
                                  did_you_mean(round.text, known, "\""));

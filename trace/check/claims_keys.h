@@ -2,7 +2,7 @@
 #pragma once
 
 // The keys and words of a claims file in JSON, beside the fields of its claims (claim_fields.h). The reader allows
-// these and no others, and the schema of claims is written from them.
+// these and no others; docs/claims.schema.json has each.
 //
 //     json.allow_keys(root, claims_keys);
 
@@ -13,24 +13,13 @@
 
 namespace rastertrace {
 
-inline constexpr std::array claims_keys{
-    schema_key,
-    JsonKey{"scene", "text", "The scene that the claims are about, from the folder of this file"},
-    JsonKey{"round", "round",
-            "With \"truncate\", decimals that are cut off count as right, not only rounded ones"},
-    JsonKey{"claims", "claims", "What was worked out, in any order", true},
-};
+inline constexpr auto claims_keys =
+    std::to_array<std::string_view>({schema_key, "scene", "round", "claims"});
 
-inline constexpr std::array round_words{
-    JsonWord{"nearest", "decimals have to be rounded"},
-    JsonWord{"truncate", "decimals may be rounded or cut off"},
-};
+inline constexpr auto round_words = std::to_array<std::string_view>({"nearest", "truncate"});
 
 /// Of a claim about the picture; all others are steps with fields left out.
-inline constexpr std::array picture_keys{
-    JsonKey{"picture", "picture",
-            "Rows of the picture, top row first: # plotted, . empty, ? left open", true},
-};
+inline constexpr auto picture_keys = std::to_array<std::string_view>({"picture"});
 
 /// What a row of a picture consists of.
 inline constexpr std::string_view picture_marks = ".#?";

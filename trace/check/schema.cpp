@@ -1,23 +1,32 @@
 // SPDX-License-Identifier: MIT
 #include "schema.h"
 
-#include "schema_claims.h"
-#include "schema_trace.h"
-
-#include <rastertrace/trace/scene/schema_scene.h>
+#include <cstddef>
 
 namespace rastertrace {
 
+// The files docs/*.schema.json, as the build has put them into the program (cmake/embed.cmake).
+std::string scene_schema_json();
+std::string trace_schema_json();
+std::string claims_schema_json();
+
+namespace {
+
+struct SchemaRow {
+    std::string_view name;
+    std::string (*text)();
+};
+constexpr std::array<SchemaRow, schema_kinds.size()> rows{
+    {{"scene", scene_schema_json}, {"trace", trace_schema_json}, {"claims", claims_schema_json}}};
+
+const SchemaRow& row_of(SchemaKind kind) {
+    return rows[static_cast<std::size_t>(kind)];
+}
+
+} // namespace
+
 std::string_view name_of(SchemaKind kind) {
-    switch (kind) {
-    case SchemaKind::scene:
-        return "scene";
-    case SchemaKind::trace:
-        return "trace";
-    case SchemaKind::claims:
-        break;
-    }
-    return "claims";
+    return row_of(kind).name;
 }
 
 std::optional<SchemaKind> schema_kind_named(std::string_view name) {
@@ -29,21 +38,13 @@ std::optional<SchemaKind> schema_kind_named(std::string_view name) {
 
 std::vector<std::string_view> schema_kind_names() {
     std::vector<std::string_view> names;
-    for (const SchemaKind kind : schema_kinds)
-        names.push_back(name_of(kind));
+    for (const SchemaRow& row : rows)
+        names.push_back(row.name);
     return names;
 }
 
 std::string schema_of(SchemaKind kind) {
-    switch (kind) {
-    case SchemaKind::scene:
-        return scene_schema();
-    case SchemaKind::trace:
-        return trace_schema();
-    case SchemaKind::claims:
-        break;
-    }
-    return claims_schema();
+    return row_of(kind).text();
 }
 
 } // namespace rastertrace

@@ -2,7 +2,7 @@
 #pragma once
 
 // JSON Schemas (draft 07) of the files that people write: what an editor needs to complete keys, to say what they
-// mean, and to mark what is wrong. They are written from the tables that the readers use.
+// mean, and to mark what is wrong. They stand in docs.
 //
 //     schema_of(SchemaKind::scene);  // {"$schema": "http://json-schema.org/draft-07/schema#", ...
 //

@@ -2,7 +2,6 @@
 #include "header_check.h"
 
 #include "field_type.h"
-#include "trace_keys.h"
 
 #include <fmt/core.h>
 
@@ -56,11 +55,11 @@ std::string_view expected_instead(const JsonValue& value, std::string_view form)
 
 } // namespace
 
-std::vector<WrongForm> wrong_forms(const JsonValue& object, std::span<const JsonKey> keys) {
+std::vector<WrongForm> wrong_forms(const JsonValue& object, std::span<const HeaderKey> keys) {
     if (object.kind != Kind::object)
         return {{object.begin, fmt::format("expected an object, found {}", described(object))}};
     std::vector<WrongForm> found;
-    for (const JsonKey& key : keys) {
+    for (const HeaderKey& key : keys) {
         const auto value = object.find(key.name);
         if (!value && key.is_required)
             found.push_back(

@@ -5,8 +5,9 @@
 //
 //     wrong_forms(header, header_keys);  // {12, "expected a string, found 5"}
 
+#include "trace_keys.h"
+
 #include <rastertrace/trace/text/json_document.h>
-#include <rastertrace/trace/text/json_key.h>
 
 #include <cstddef>
 #include <span>
@@ -23,6 +24,6 @@ struct WrongForm {
 
 /// The known keys whose values have another form than the table says, and those that are missing. Unknown keys are
 /// allowed, and so are the values that the reader refuses anyway.
-std::vector<WrongForm> wrong_forms(const JsonValue& object, std::span<const JsonKey> keys);
+std::vector<WrongForm> wrong_forms(const JsonValue& object, std::span<const HeaderKey> keys);
 
 } // namespace rastertrace

@@ -7,7 +7,6 @@
 //     fields_of(StepKind::scanline);  // y, left, right, from, ...
 
 #include <rastertrace/core/raster/steps.h>
-#include <rastertrace/trace/text/json_key.h>
 #include <rastertrace/trace/text/language.h>
 
 #include <array>

@@ -354,7 +354,7 @@ private:
     }
 
     /// What nobody reads because it is not as the format says.
-    void note_wrong_forms(const JsonValue& object, std::span<const JsonKey> keys,
+    void note_wrong_forms(const JsonValue& object, std::span<const HeaderKey> keys,
                           std::size_t before = 0) {
         if (care_ == Care::none)
             return;

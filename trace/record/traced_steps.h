@@ -2,7 +2,7 @@
 #pragma once
 
 // The steps as a trace tells them: those of core/raster/steps.h, with what a trace holds in their fields. Reading, writing,
-// conversion, comparison, tables and schema follow their tables; what a step means is told in docs/trace-format.md.
+// conversion, comparison and tables follow their tables; what a step means is told in docs/trace-format.md.
 //
 //     const ScanlineStep row = trace.step(n).as<ScanlineStep>();
 //     for (Index x = row.from; x <= row.to; ++x)

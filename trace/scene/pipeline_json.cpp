@@ -29,7 +29,7 @@ constexpr std::size_t most_model_bits = 32768;
 Numbers3 axis_in(const JsonReader& json, const JsonValue& value) {
     constexpr std::string_view expected = R"("x", "y", "z" or an axis [x, y, z])";
     for (std::size_t i = 0; i < axis_words.size(); ++i)
-        if (value.kind == JsonValue::Kind::string && value.text == axis_words[i].name) {
+        if (value.kind == JsonValue::Kind::string && value.text == axis_words[i]) {
             Numbers3 axis{0, 0, 0};
             axis[i] = 1;
             return axis;
@@ -258,7 +258,7 @@ Projection read_projection(const JsonReader& json, const JsonValue& value) {
     case ProjectionType::clip_space:
         json.allow_keys(value, clip_space_keys);
         if (const auto z = value.find("z"))
-            projection.z_from_zero = place_of_word(json, *z, names_of(z_range_words)) == 1;
+            projection.z_from_zero = place_of_word(json, *z, z_range_words) == 1;
         break;
     case ProjectionType::none:
         json.allow_keys(value, no_projection_keys);
@@ -293,7 +293,7 @@ Viewport read_viewport(const JsonReader& json, const JsonValue& value) {
         viewport.pixels =
             static_cast<PixelRange>(place_of_word(json, *pixels, pixel_range_names()));
         if (const auto y = value.find("y"))
-            viewport.is_y_down = place_of_word(json, *y, names_of(viewport_y_words)) == 1;
+            viewport.is_y_down = place_of_word(json, *y, viewport_y_words) == 1;
         if (const auto depths = value.find("depth_range"))
             viewport.depths = depth_range_in(json, *depths);
         return viewport;

@@ -350,8 +350,7 @@ private:
         if (const auto color = mesh.find("color"))
             face.color = color_in(*color);
         if (const auto draw = mesh.find("draw")) {
-            constexpr auto names = names_of(draw_words);
-            const std::vector<std::string_view> known(names.begin(), names.end());
+            const std::vector<std::string_view> known(draw_words.begin(), draw_words.end());
             if (std::find(known.begin(), known.end(), draw->text) == known.end())
                 json_.fail_expecting(*draw, "triangles, polygons, outlines or hidden-lines",
                                      did_you_mean(draw->text, known, "\""));
@@ -1338,8 +1337,8 @@ bool is_scene(const Source& source) {
     JsonScanner fields(document);
     while (fields.next_field())
         // A title may stand in any file.
-        for (const JsonKey& key : scene_keys)
-            if (fields.key() == key.name && key.name != schema_key.name && key.name != "title")
+        for (const std::string_view key : scene_keys)
+            if (fields.key() == key && key != schema_key && key != "title")
                 return true;
     return fields.failed();
 }

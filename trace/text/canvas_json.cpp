@@ -18,9 +18,7 @@ namespace rastertrace {
 
 namespace {
 
-constexpr std::array origins{JsonWord{"center", "(0, 0) is in the middle, y points up"},
-                             JsonWord{"bottom-left", "(0, 0) is the lower left pixel, y points up"},
-                             JsonWord{"top-left", "(0, 0) is the upper left pixel, y points down"}};
+constexpr auto origins = std::to_array<std::string_view>({"center", "bottom-left", "top-left"});
 
 /// The whole number from 1 to the largest side that a value is, if it is one.
 std::optional<int> side_in(const JsonValue& value) {
@@ -37,10 +35,10 @@ std::optional<int> side_in(const JsonValue& value) {
 } // namespace
 
 std::string_view name_of(Origin origin) {
-    return origins[static_cast<std::size_t>(origin)].name;
+    return origins[static_cast<std::size_t>(origin)];
 }
 
-std::span<const JsonWord> origin_words() {
+std::span<const std::string_view> origin_words() {
     return origins;
 }
 
@@ -71,14 +69,14 @@ Result<CanvasJson> read_canvas_json(const Source& source, const JsonValue& value
         } else if (key.text == "origin") {
             bool known = false;
             for (std::size_t i = 0; i < origins.size(); ++i)
-                if (item.kind == JsonValue::Kind::string && item.text == origins[i].name) {
+                if (item.kind == JsonValue::Kind::string && item.text == origins[i]) {
                     canvas.origin = static_cast<Origin>(i);
                     known = true;
                 }
             if (!known)
-                return expecting(item, fmt::format("one of {}", joined(names_of(origins), ", ")));
+                return expecting(item, fmt::format("one of {}", joined(origins, ", ")));
         } else {
-            const auto known = names_of(canvas_keys);
+            const std::vector<std::string_view> known(canvas_keys.begin(), canvas_keys.end());
             Problem problem = expecting(key, fmt::format("a key out of {}", joined(known, ", ")));
             problem.hint = hint_for_key(key.text, known);
             return problem;

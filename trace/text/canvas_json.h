@@ -4,7 +4,6 @@
 // The "canvas" of scenes and of trace headers.
 
 #include "json_document.h"
-#include "json_key.h"
 #include "problem.h"
 
 #include <rastertrace/core/raster/canvas.h>
@@ -17,12 +16,7 @@
 
 namespace rastertrace {
 
-inline constexpr std::array canvas_keys{
-    JsonKey{"width", "side", "Columns of pixels"},
-    JsonKey{"height", "side", "Rows of pixels"},
-    JsonKey{"origin", "origin",
-            "Where (0, 0) is, and which way y points: up, but down for top-left"},
-};
+inline constexpr auto canvas_keys = std::to_array<std::string_view>({"width", "height", "origin"});
 
 /// A canvas as it was written: a size may be missing.
 struct CanvasJson {
@@ -42,7 +36,7 @@ std::optional<std::string> fault_of_size(const Canvas& canvas);
 /// The word of a scene's canvas for it: center, bottom-left or top-left.
 std::string_view name_of(Origin origin);
 
-/// All three words, and what they mean.
-std::span<const JsonWord> origin_words();
+/// All three words.
+std::span<const std::string_view> origin_words();
 
 } // namespace rastertrace

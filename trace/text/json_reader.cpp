@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "json_reader.h"
 
+#include "json_key.h"
+
 #include "method_names.h"
 #include "number_fault.h"
 #include "text.h"
@@ -24,14 +26,6 @@ std::string hint_for_key(std::string_view key, const std::vector<std::string_vie
                        near.empty() ? "" : "; ", near);
 }
 
-std::vector<std::string_view> names_of(std::span<const JsonKey> keys) {
-    std::vector<std::string_view> names;
-    for (const JsonKey& key : keys)
-        if (key.name != schema_key.name)
-            names.push_back(key.name);
-    return names;
-}
-
 void JsonReader::fail(std::size_t offset, std::string message, std::string hint) const {
     throw problem_at(source, offset, std::move(message), std::move(hint));
 }
@@ -41,26 +35,15 @@ void JsonReader::fail_expecting(const JsonValue& value, std::string_view expecte
     fail(value, fmt::format("expected {}, found {}", expected, described(value)), std::move(hint));
 }
 
-void JsonReader::allow_keys(const JsonValue& value,
-                            const std::vector<std::string_view>& known) const {
-    allow_keys(value, known, {});
-}
-
-void JsonReader::allow_keys(const JsonValue& value, std::span<const JsonKey> keys) const {
-    const bool takes_schema = std::any_of(
-        keys.begin(), keys.end(), [](const JsonKey& key) { return key.name == schema_key.name; });
-    allow_keys(value, names_of(keys), takes_schema ? schema_key.name : std::string_view());
-    if (const auto schema = takes_schema ? value.find(schema_key.name) : std::nullopt)
-        string_in(*schema, "the path of a schema in quotes");
-}
-
-void JsonReader::allow_keys(const JsonValue& value, const std::vector<std::string_view>& known,
-                            std::string_view untold) const {
+void JsonReader::allow_keys(const JsonValue& value, std::span<const std::string_view> keys) const {
+    std::vector<std::string_view> known(keys.begin(), keys.end());
+    const bool takes_schema = std::erase(known, schema_key) > 0;
     if (value.kind != JsonValue::Kind::object)
         fail_expecting(value, fmt::format("an object with the keys {}", joined(known, ", ")));
     for (const auto& [key, member] : value.members())
-        if (std::find(known.begin(), known.end(), key.text) == known.end() &&
-            (untold.empty() || key.text != untold))
+        if (takes_schema && key.text == schema_key)
+            string_in(member, "the path of a schema in quotes");
+        else if (std::find(known.begin(), known.end(), key.text) == known.end())
             fail_expecting(key, fmt::format("a key out of {}", joined(known, ", ")),
                            hint_for_key(key.text, known));
 }

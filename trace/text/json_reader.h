@@ -8,7 +8,6 @@
 //     const Number width = json.number_in(value);  // throws a Problem
 
 #include "json_document.h"
-#include "json_key.h"
 #include "problem.h"
 
 #include <rastertrace/core/draw/scene/transforms.h>
@@ -25,9 +24,6 @@ namespace rastertrace {
 /// What may help with a key that is none of `known`: where it belongs, or one that is near.
 std::string hint_for_key(std::string_view key, const std::vector<std::string_view>& known);
 
-/// What the keys of a table are called, but for "$schema".
-std::vector<std::string_view> names_of(std::span<const JsonKey> keys);
-
 /// Reads values of one source. What is wrong is thrown as a Problem.
 struct JsonReader {
     const Source& source;
@@ -42,11 +38,9 @@ struct JsonReader {
     [[noreturn]] void fail_expecting(const JsonValue& value, std::string_view expected,
                                      std::string hint = {}) const;
 
-    /// Fails unless the value is an object that has no other keys.
-    void allow_keys(const JsonValue& value, const std::vector<std::string_view>& known) const;
-
-    /// The same with those of a table. "$schema", if it is one, is a text, and is not told among the others.
-    void allow_keys(const JsonValue& value, std::span<const JsonKey> keys) const;
+    /// Fails unless the value is an object that has no other keys. "$schema", if it is one, is a text, and is not told
+    /// among the others.
+    void allow_keys(const JsonValue& value, std::span<const std::string_view> keys) const;
 
     /// The value under a key that must be there.
     JsonValue member(const JsonValue& object, std::string_view key) const;
@@ -61,10 +55,6 @@ struct JsonReader {
 
     /// [x, y, z].
     Numbers3 numbers3_in(const JsonValue& value, std::string_view expected) const;
-
-private:
-    void allow_keys(const JsonValue& value, const std::vector<std::string_view>& known,
-                    std::string_view untold) const;
 };
 
 } // namespace rastertrace

@@ -21,132 +21,66 @@ namespace {
 template <typename Enum> struct Word {
     Enum value;
     std::string_view word;
-    std::string_view meaning; ///< one line for people
 };
-template <typename Enum> Word(Enum, std::string_view, std::string_view) -> Word<Enum>;
-
-constexpr std::string_view meaning_of(LineMethod line) {
-    switch (line) {
-    case LineMethod::naive:
-        return "y = m x + b in every step";
-    case LineMethod::dda:
-        return "y += m in every step";
-    case LineMethod::bresenham:
-        return "whole numbers only: d says whether the next step is straight or diagonal";
-    case LineMethod::diamond_exit:
-        return "graphics hardware: the pixels whose diamonds the line leaves";
-    }
-    not_an_enumerator();
-}
-
-constexpr std::string_view meaning_of(Fill fill) {
-    switch (fill) {
-    case Fill::scanline:
-        return "row by row, from the long edge to the two short ones; shared edges are drawn twice";
-    case Fill::two_halves:
-        return "cut at the middle vertex: the lower half upward, then the upper half";
-    case Fill::barycentric:
-        return "every pixel of the box whose three weights are not negative";
-    case Fill::top_left:
-        return "edge functions; each sample on a shared edge belongs to one triangle";
-    case Fill::fan:
-        return "a line from each pixel of an edge to the third vertex; leaves holes";
-    }
-    not_an_enumerator();
-}
+template <typename Enum> Word(Enum, std::string_view) -> Word<Enum>;
 
 /// The names that stand in the rows of algorithms.
 template <typename Enum, std::size_t count>
 constexpr std::array<Word<Enum>, count> words_of(const std::array<Enum, count>& all) {
     std::array<Word<Enum>, count> words{};
     for (std::size_t i = 0; i < count; ++i)
-        words[i] = {all[i], traits_of(all[i]).name, meaning_of(all[i])};
+        words[i] = {all[i], traits_of(all[i]).name};
     return words;
 }
 constexpr auto lines = words_of(all_lines);
 constexpr auto fills = words_of(all_fills);
 
 constexpr std::array scalars{
-    Word{ScalarKind::single_precision, "float", "IEEE 754 binary32"},
-    Word{ScalarKind::double_precision, "double", "IEEE 754 binary64"},
-    Word{ScalarKind::fixed, "fixed", "vertices are snapped to 1/256 pixel, then all is exact"},
-    Word{ScalarKind::adaptive, "adaptive",
-         "doubles where intervals of them decide everything about a primitive, else exact numbers"},
-    Word{ScalarKind::exact, "exact", "fractions: nothing is rounded but to a pixel"}};
-constexpr std::array starts{
-    Word{LineStart::first, "first", "the end that the scene names first"},
-    Word{LineStart::low, "low", "the end with the lower coordinate along the major axis"}};
-constexpr std::array end_pixels{
-    Word{EndPixels::both, "both", "the pixels of both ends"},
-    Word{EndPixels::first, "first", "only that of the end from which it is drawn"}};
-constexpr std::array fill_rules{
-    Word{FillRule::even_odd, "even-odd", "where the polygon runs around an odd number of times"},
-    Word{FillRule::non_zero, "non-zero", "where the polygon runs around at all"}};
-constexpr std::array passes{Word{1, "1", "from AB to C"}, Word{2, "2", "also from AC to B"},
-                            Word{3, "3", "also from BC to A"}};
-constexpr std::array roundings{
-    Word{Rounding::floor, "floor", "both ends down"},
-    Word{Rounding::nearest, "nearest", "both ends to the nearest; a half goes as ties says"},
-    Word{Rounding::truncate, "truncate", "both ends toward zero, as int(x)"},
-    Word{Rounding::inside, "inside", "ceil(left) to floor(right)"},
-    Word{Rounding::half_open, "half-open", "ceil(left) to ceil(right) - 1; not of lines"}};
-constexpr std::array tie_rules{
-    Word{Ties::start, "start", "down; of a line, to the side that it comes from"},
-    Word{Ties::up, "up", "up"}, Word{Ties::away, "away", "away from zero"},
-    Word{Ties::even, "even", "to the even number"},
-    Word{Ties::step, "step", "of lines only: to the side that the line goes to"}};
-constexpr std::array samples{
-    Word{Sample::integer, "integer", "the pixel's integer point"},
-    Word{Sample::center, "center", "half a pixel from the integer point, in x and in y"}};
-constexpr std::array horizontal_edges{
-    Word{HorizontalEdge::top, "top", "the top edge, as in Direct3D"},
-    Word{HorizontalEdge::bottom, "bottom", "the bottom edge, as in OpenGL by Mesa"}};
-constexpr std::array row_rules{
-    Word{RowRule::closed, "closed", "both"},
-    Word{RowRule::half_open, "half-open",
-         "a triangle has not that of its lowest vertex, a polygon not that of its largest y"}};
-constexpr std::array lerps{
-    Word{LerpForm::direct, "direct", "x = x1 + a (y - y1) on every row"},
-    Word{LerpForm::incremental, "incremental", "x += a, after the first row that is drawn"}};
-constexpr std::array snaps{Word{Snap::none, "none", "they stay where they are"},
-                           Word{Snap::floor, "floor", "down to whole numbers"},
-                           Word{Snap::truncate, "truncate", "to whole numbers, toward zero"},
-                           Word{Snap::nearest, "nearest", "to the nearest whole numbers"}};
-constexpr std::array culls{
-    Word{Cull::none, "none", "all are drawn"},
-    Word{Cull::back, "back", "those that are not seen from their front"},
-    Word{Cull::front, "front", "those that are not seen from their back"},
-    Word{Cull::both, "both", "all of them"},
-    Word{Cull::light, "light", "those turned from the light: a mistake, to be shown"}};
-constexpr std::array depth_kinds{
-    Word{Depth::none, "none", "what is drawn last stays"},
-    Word{Depth::painter, "painter", "sorted, the farthest is drawn first"},
-    Word{Depth::linear_z, "linear-z", "a buffer of distances: wrong in a perspective"},
-    Word{Depth::inverse_z, "inverse-z", "a buffer of 1/distance"},
-    Word{Depth::ndc_z, "ndc-z", "a buffer of z after the division by w"}};
-constexpr std::array compares{Word{DepthCompare::automatic, "auto", "what is nearer passes"},
-                              Word{DepthCompare::less, "less", "a smaller depth passes"},
-                              Word{DepthCompare::greater, "greater", "a larger depth passes"}};
-constexpr std::array depth_places{
-    Word{DepthAt::pixel, "pixel", "where the edges meet the row"},
-    Word{DepthAt::rounded_ends, "rounded-ends", "at the row's first and last pixel"}};
-constexpr std::array painter_keys{
-    Word{PainterKey::nearest, "nearest", "that of the nearest vertex"},
-    Word{PainterKey::farthest, "farthest", "that of the farthest vertex"},
-    Word{PainterKey::mean, "mean", "the mean of all vertices"}};
-constexpr std::array shades{
-    Word{Shade::flat, "flat", "the primitive's color"},
-    Word{Shade::faces, "faces", "one of twelve fixed colors for each primitive"},
-    Word{Shade::interpolate, "interpolate", "mixed from the vertices, as colors mix in space"},
-    Word{Shade::affine, "affine", "mixed from the vertices, as on a flat picture"},
-    Word{Shade::lambert, "lambert", "the primitive's color times normal . light"}};
-constexpr std::array color_lerps{
-    Word{ColorLerp::space, "space", "the place on the line in space, in a perspective"},
-    Word{ColorLerp::axis, "axis", "the steps along the major axis"},
-    Word{ColorLerp::distance, "distance", "the distance from the line's far end"}};
-constexpr std::array color_roundings{
-    Word{ColorRounding::nearest, "nearest", "the nearest level; a half goes up"},
-    Word{ColorRounding::truncate, "truncate", "the level below"}};
+    Word{ScalarKind::single_precision, "float"}, Word{ScalarKind::double_precision, "double"},
+    Word{ScalarKind::fixed, "fixed"}, Word{ScalarKind::adaptive, "adaptive"},
+    Word{ScalarKind::exact, "exact"}};
+constexpr std::array starts{Word{LineStart::first, "first"}, Word{LineStart::low, "low"}};
+constexpr std::array end_pixels{Word{EndPixels::both, "both"}, Word{EndPixels::first, "first"}};
+constexpr std::array fill_rules{Word{FillRule::even_odd, "even-odd"},
+                                Word{FillRule::non_zero, "non-zero"}};
+constexpr std::array passes{Word{1, "1"}, Word{2, "2"}, Word{3, "3"}};
+constexpr std::array roundings{Word{Rounding::floor, "floor"}, Word{Rounding::nearest, "nearest"},
+                               Word{Rounding::truncate, "truncate"},
+                               Word{Rounding::inside, "inside"},
+                               Word{Rounding::half_open, "half-open"}};
+constexpr std::array tie_rules{Word{Ties::start, "start"}, Word{Ties::up, "up"},
+                               Word{Ties::away, "away"}, Word{Ties::even, "even"},
+                               Word{Ties::step, "step"}};
+constexpr std::array samples{Word{Sample::integer, "integer"}, Word{Sample::center, "center"}};
+constexpr std::array horizontal_edges{Word{HorizontalEdge::top, "top"},
+                                      Word{HorizontalEdge::bottom, "bottom"}};
+constexpr std::array row_rules{Word{RowRule::closed, "closed"},
+                               Word{RowRule::half_open, "half-open"}};
+constexpr std::array lerps{Word{LerpForm::direct, "direct"},
+                           Word{LerpForm::incremental, "incremental"}};
+constexpr std::array snaps{Word{Snap::none, "none"}, Word{Snap::floor, "floor"},
+                           Word{Snap::truncate, "truncate"}, Word{Snap::nearest, "nearest"}};
+constexpr std::array culls{Word{Cull::none, "none"}, Word{Cull::back, "back"},
+                           Word{Cull::front, "front"}, Word{Cull::both, "both"},
+                           Word{Cull::light, "light"}};
+constexpr std::array depth_kinds{Word{Depth::none, "none"}, Word{Depth::painter, "painter"},
+                                 Word{Depth::linear_z, "linear-z"},
+                                 Word{Depth::inverse_z, "inverse-z"}, Word{Depth::ndc_z, "ndc-z"}};
+constexpr std::array compares{Word{DepthCompare::automatic, "auto"},
+                              Word{DepthCompare::less, "less"},
+                              Word{DepthCompare::greater, "greater"}};
+constexpr std::array depth_places{Word{DepthAt::pixel, "pixel"},
+                                  Word{DepthAt::rounded_ends, "rounded-ends"}};
+constexpr std::array painter_keys{Word{PainterKey::nearest, "nearest"},
+                                  Word{PainterKey::farthest, "farthest"},
+                                  Word{PainterKey::mean, "mean"}};
+constexpr std::array shades{Word{Shade::flat, "flat"}, Word{Shade::faces, "faces"},
+                            Word{Shade::interpolate, "interpolate"}, Word{Shade::affine, "affine"},
+                            Word{Shade::lambert, "lambert"}};
+constexpr std::array color_lerps{Word{ColorLerp::space, "space"}, Word{ColorLerp::axis, "axis"},
+                                 Word{ColorLerp::distance, "distance"}};
+constexpr std::array color_roundings{Word{ColorRounding::nearest, "nearest"},
+                                     Word{ColorRounding::truncate, "truncate"}};
 
 bool always(const Scene&) {
     return true;
@@ -250,10 +184,8 @@ MethodKey key(
                          },
                      .otherwise = otherwise,
                      .in_force = in_force};
-    for (const auto& word : words) {
+    for (const auto& word : words)
         result.values.push_back(word.word);
-        result.meanings.push_back(word.meaning);
-    }
     return result;
 }
 
@@ -303,10 +235,8 @@ static MethodKey convention_key() {
             },
         .otherwise = [](const Scene&) { return std::string(); },
         .in_force = [](const Scene& scene) { return scene.method.convention != Convention::none; }};
-    for (const ConventionRow& row : convention_rows()) {
+    for (const ConventionRow& row : convention_rows())
         key.values.push_back(row.name);
-        key.meanings.push_back(row.what);
-    }
     return key;
 }
 
@@ -334,10 +264,8 @@ static MethodKey mistake_key() {
                   .otherwise = [](const Scene&) { return std::string(); },
                   .in_force = [](const Scene& scene) { return !scene.method.mistakes.empty(); },
                   .told_as = "a name that `rastertrace diagnose --list` lists, or several: a,b"};
-    for (const Mistake& mistake : mistakes()) {
+    for (const Mistake& mistake : mistakes())
         key.values.push_back(mistake.name);
-        key.meanings.push_back(mistake.says.english);
-    }
     return key;
 }
 

@@ -30,7 +30,6 @@ struct MethodKey {
     std::string (*otherwise)(const Scene&); ///< what holds where nothing was said
     bool (*in_force)(const Scene&);         ///< false if the picture cannot depend on it
     std::string_view told_as = {};          ///< in the place of values that are too many to list
-    std::vector<std::string_view> meanings = {}; ///< of each of the values: one line for people
 
     /// Its values: `up, down`.
     std::string listed() const;

@@ -5,12 +5,9 @@
 //
 //     stage_named("depth");  // Stage::depth
 
-#include "json_key.h"
-
 #include <rastertrace/core/draw/scene/stage.h>
 
 #include <optional>
-#include <span>
 #include <string_view>
 #include <vector>
 
@@ -22,8 +19,7 @@ std::string_view name_of(Stage stage);
 /// The stage of that name, if there is one.
 std::optional<Stage> stage_named(std::string_view name);
 
-/// All names, in the order in which the stages run, and what each does.
-std::span<const JsonWord> stage_words();
+/// All names, in the order in which the stages run.
 std::vector<std::string_view> stage_names();
 
 } // namespace rastertrace
