@@ -22,7 +22,11 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
 
+#include <algorithm>
+#include <cctype>
+#include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <map>
@@ -36,26 +40,91 @@
 namespace rastertrace {
 namespace {
 
-/// The placeholders of a pattern in order; of {inside?in:out} only what is asked.
+/// The placeholders of a pattern in order, without numbers; of {inside?in:out} only what is asked.
 std::vector<std::string> placeholders_of(std::string_view pattern) {
     std::vector<std::string> names;
     for (std::size_t open = pattern.find('{'); open != std::string_view::npos;
          open = pattern.find('{', open + 1)) {
         const std::string_view name = pattern.substr(open + 1, pattern.find('}', open) - open - 1);
-        names.emplace_back(name.substr(0, name.find('?')));
+        const bool is_place = name.find_first_not_of("0123456789") == std::string_view::npos;
+        names.emplace_back(is_place ? "" : name.substr(0, name.find('?')));
     }
     return names;
 }
 
-TEST(Language, TheTableOfStepsHasASentenceInEach) {
-    for (const std::string_view name : step_kind_names()) {
-        const Words& sentence = row_of(*step_kind_named(name)).sentence;
-        for (const std::string_view code : language_codes()) {
-            const std::string_view told = sentence.in(*language_with_code(code));
-            EXPECT_FALSE(told.empty()) << name;
-            EXPECT_EQ(placeholders_of(told), placeholders_of(sentence.in(Language::english)))
-                << name << " in " << code;
+const std::filesystem::path sources = std::filesystem::path(RASTERTRACE_EXAMPLES) / "..";
+
+std::map<std::string, std::string> portuguese_catalogue() {
+    std::ifstream file(sources / "trace/text/languages/pt.json");
+    return nlohmann::json::parse(file);
+}
+
+/// A text that stands in a source, and what stands before it.
+struct Literal {
+    std::string before;
+    std::string text;
+};
+
+/// All texts of a source; those with nothing between are one.
+std::vector<Literal> literals_in(const std::string& source) {
+    std::vector<Literal> found;
+    std::string before; ///< of code, without blanks
+    bool goes_on = false;
+    for (std::size_t i = 0; i < source.size(); ++i) {
+        if (source.compare(i, 2, "//") == 0) {
+            i = std::min(source.find('\n', i), source.size());
+        } else if (source.compare(i, 3, "R\"(") == 0) {
+            i = source.find(")\"", i) + 1;
+            goes_on = false;
+        } else if (source[i] == '\'' && (before.empty() || std::isalnum(static_cast<unsigned char>(
+                                                               before.back())) == 0)) {
+            i += source[i + 1] == '\\' ? 3 : 2; // a letter
+        } else if (source[i] == '"') {
+            const std::size_t begin = i++;
+            while (source[i] != '"')
+                i += source[i] == '\\' ? 2 : 1;
+            const auto text =
+                nlohmann::json::parse(source.substr(begin, i + 1 - begin), nullptr, false);
+            if (!goes_on)
+                found.push_back({before, {}});
+            if (text.is_string())
+                found.back().text += text.get<std::string>();
+            goes_on = true;
+            before += '"';
+        } else if (std::isspace(static_cast<unsigned char>(source[i])) == 0) {
+            before = (before + source[i]).substr(before.size() < 20 ? 0 : 1);
+            goes_on = false;
         }
+    }
+    return found;
+}
+
+TEST(Language, TheCatalogueHasWhatIsSaidAndNothingElse) {
+    const auto catalogue = portuguese_catalogue();
+    std::set<std::string> texts;
+    std::size_t said = 0;
+    for (const std::string_view layer : {"core", "trace", "viewer-cli"})
+        for (const auto& entry : std::filesystem::recursive_directory_iterator(sources / layer)) {
+            if (entry.path().extension() != ".cpp" && entry.path().extension() != ".h")
+                continue;
+            std::ifstream file(entry.path());
+            for (const Literal& one : literals_in({std::istreambuf_iterator<char>(file), {}})) {
+                texts.insert(one.text);
+                const bool is_told = one.before.ends_with("said(") || one.before.ends_with("told(");
+                said += is_told ? 1 : 0;
+                EXPECT_TRUE(!is_told || catalogue.contains(one.text))
+                    << entry.path() << ": " << one.text;
+            }
+        }
+    EXPECT_GT(said, 400U);
+    for (const auto& [english, portuguese] : catalogue) {
+        const std::string_view words(english);
+        EXPECT_TRUE(texts.contains(english) ||
+                    texts.contains(english.substr(0, english.find("##trace"))))
+            << english;
+        EXPECT_THAT(placeholders_of(portuguese), testing::UnorderedElementsAreArray(placeholders_of(
+                                                     words.substr(0, words.find("##")))))
+            << english;
     }
 }
 

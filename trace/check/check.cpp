@@ -138,8 +138,7 @@ private:
         CheckedClaim checked{.claim = i, .step = subject.step};
         if (subject.is_left_out)
             checked.remarks.push_back(
-                said({"steps were left out of the trace: it may be one of these",
-                      "passos foram deixados de fora do rastro: pode ser um deles"}));
+                said("steps were left out of the trace: it may be one of these"));
         else if (!subject.absence.empty())
             checked.remarks.push_back(subject.absence);
         name_snapped_place(meant, subject);
@@ -198,8 +197,7 @@ private:
         if (decides && exact && decided != exact) {
             // A value that is still open is not given away.
             if (!has_open(field))
-                checked.remark = said({"the scene's `{}` has {}, exact arithmetic {}",
-                                       "`{}`, da cena, dá {}; a aritmética exata, {}"},
+                checked.remark = said("the scene's `{}` has {}, exact arithmetic {}",
                                       truth_.decided().trace().method.word_of("scalar"),
                                       as_written(field, checked.expected),
                                       as_written(field, joined(*exact, ", ")));
@@ -217,7 +215,7 @@ private:
         else if (!comparison.is_right && !comparison.is_open)
             note_count(field, right, checked);
         if (!comparison.is_right && field.name == "culled" && subject.decided_step == 0)
-            claim.remarks.push_back(said({"the scene culls nothing", "a cena não elimina nada"}));
+            claim.remarks.push_back(said("the scene culls nothing"));
         if (comparison.is_open)
             checked.verdict = ClaimVerdict::open;
         else if (!comparison.is_right)
@@ -254,8 +252,7 @@ private:
         for (const Formula& formula : formulas_of(*other, other->exact->right(), field.name))
             if (is_at_tie(formula)) {
                 checked.remark =
-                    said({"by the sines and roots as doubles; without rounding it is a tie",
-                          "pelos senos e raízes como doubles; sem arredondar, é um empate"});
+                    said("by the sines and roots as doubles; without rounding it is a tie");
                 return;
             }
     }
@@ -290,13 +287,12 @@ private:
         if (!comparison.is_right)
             return;
         const std::string digits =
-            said_count(static_cast<std::uint64_t>(comparison.places), {"digit", "casa"});
+            said_count(static_cast<std::uint64_t>(comparison.places), "digit");
         if (comparison.fit == Fit::rounded)
-            checked.remark = said({"rounded to {}", "arredondado para {}"}, digits);
+            checked.remark = said("rounded to {}", digits);
         if (comparison.fit != Fit::truncated)
             return;
-        checked.remark = said(
-            {"cut off behind {}, not rounded", "cortado depois de {}, não arredondado"}, digits);
+        checked.remark = said("cut off behind {}, not rounded", digits);
         // A root has to be shortened, one way or the other.
         comparison.is_right = claims_.truncates || has_root;
     }
@@ -312,8 +308,7 @@ private:
             ++first_wrong;
         if (first_wrong == count) {
             if (count < right.size())
-                checked.remark = said({"the first {} of {}", "só o começo, {} de {}"},
-                                      count / width, right.size() / width);
+                checked.remark = said("the first {} of {}", count / width, right.size() / width);
             return;
         }
         if (first_wrong == right.size()) {
@@ -354,13 +349,10 @@ private:
             const auto before = typed_value(field.values[i - 1]);
             const auto after = typed_value(field.values[i]);
             if (before && after && line->next(before->value) != after->value)
-                return said({"number {} does not follow from the one before it",
-                             "o número {} não decorre do anterior"},
-                            i + 1);
+                return said("number {} does not follow from the one before it", i + 1);
         }
         return place + 1 < field.values.size() && line != nullptr
-                   ? said(
-                         {"what stands behind it follows from it", "o que vem depois decorre dele"})
+                   ? said("what stands behind it follows from it")
                    : "";
     }
 
@@ -374,10 +366,10 @@ private:
         const bool lacks_z =
             field.name == "at" && count == 2 && right.size() == 3 && right[2] == "0";
         if (field.is_list && count != belong && !lacks_z)
-            checked.remark = belong == 1 ? said({"{}, where 1 belongs", "{}, onde cabe 1"},
-                                                said_count(count, {"value", "número"}))
-                                         : said({"{}, where {} belong", "{}, onde cabem {}"},
-                                                said_count(count, {"value", "número"}), belong);
+            checked.remark =
+                belong == 1
+                    ? said("{}, where 1 belongs", said_count(count, "value##counted"))
+                    : said("{}, where {} belong", said_count(count, "value##counted"), belong);
     }
 
     /// Remembers what is claimed of a number, and tells if somebody claims two things of one.
@@ -393,8 +385,7 @@ private:
         const Said here{values_said(field, values), line, is_right};
         const auto [place, is_new] = claimed_.try_emplace(name, here);
         const Said& first = place->second;
-        const std::string remark =
-            said({"contradicts line {}", "contradiz a linha {} do arquivo"}, first.line);
+        const std::string remark = said("contradicts line {}", first.line);
         // Two roundings of one number are no contradiction.
         if (!is_new && first.contradicts(here) && first.line != line &&
             !(first.is_right && is_right) &&
@@ -566,7 +557,7 @@ Checked check(const Truth& truth, const Claims& claims) {
 }
 
 std::string place_in_list(const CheckedField& field) {
-    return field.place == 0 ? "" : said({", number {}", ", número {}"}, field.place);
+    return field.place == 0 ? "" : said(", number {}", field.place);
 }
 
 std::string difference_text(const Claims& claims, const CheckedField& field,
@@ -577,9 +568,8 @@ std::string difference_text(const Claims& claims, const CheckedField& field,
         const bool is_of_json = !claims.is_table && (value == "true" || value == "false");
         return is_of_json ? value : word_for_value(field.name, value);
     };
-    return said({"{}{}: expected {}, found {}", "{}{}: esperado {}, encontrado {}"},
-                claims.in_words(field.name), place_in_list(field), as_written(expected),
-                as_written(found));
+    return said("{}{}: expected {}, found {}", claims.in_words(field.name), place_in_list(field),
+                as_written(expected), as_written(found));
 }
 
 } // namespace rastertrace

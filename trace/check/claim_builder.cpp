@@ -16,27 +16,26 @@ namespace {
 
 /// The words for true and false that only a table of claims has; of those that mean the same, the first is said.
 constexpr auto words_of_table =
-    std::to_array<VerdictWord>({{"on", "plotted", "true", {"on", "desenhado"}},
+    std::to_array<VerdictWord>({{"on", "plotted", "true", "on"},
                                 {"drawn", "plotted", "true"},
                                 {"plotted", "plotted", "true"},
                                 {"filled", "plotted", "true"},
                                 {"black", "plotted", "true"},
                                 {"yes", "plotted", "true"},
-                                {"off", "plotted", "false", {"off", "não desenhado"}},
+                                {"off", "plotted", "false", "off"},
                                 {"empty", "plotted", "false"},
                                 {"blank", "plotted", "false"},
                                 {"white", "plotted", "false"},
                                 {"no", "plotted", "false"},
-                                {"visible", "visible", "true", {"visible", "visível"}},
+                                {"visible", "visible", "true", "visible"},
                                 {"seen", "visible", "true"},
-                                {"hidden", "visible", "false", {"hidden", "escondido"}},
-                                {"passes", "pass", "true", {"passes", "passa"}},
-                                {"fails", "pass", "false", {"fails", "falha"}}});
+                                {"hidden", "visible", "false", "hidden"},
+                                {"passes", "pass", "true", "passes"},
+                                {"fails", "pass", "false", "fails"}});
 
 /// Values that are no verdict: `none` and `one` for a step that is missing or claimed, `outside` for a pixel that a
 /// primitive does not reach.
-constexpr std::array words_for_no_value{Words("none", "nenhum"), Words("one", "um"),
-                                        Words("outside", "fora")};
+constexpr std::array words_for_no_value{Words("none"), Words("one"), Words("outside")};
 
 /// The first word for which that holds, those of tables first; or nullptr.
 template <typename Holds> const VerdictWord* find_verdict_word(const Holds& holds) {

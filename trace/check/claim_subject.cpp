@@ -399,13 +399,10 @@ private:
                 rows.push_back(index_.trace().step(n).as<ScanlineStep>().y);
             if (!rows.empty()) {
                 const auto [low, high] = std::minmax_element(rows.begin(), rows.end());
-                return said({"there is no such row: rows are y={} to {}",
-                             "não há essa linha: as linhas são y={} a {}"},
-                            *low, *high);
+                return said("there is no such row: rows are y={} to {}", *low, *high);
             }
         }
-        return said({"the trace has no such step `{}`", "o rastro não tem esse passo `{}`"},
-                    name_of(kind_));
+        return said("the trace has no such step `{}`", name_of(kind_));
     }
 
     const Claim& claim_;

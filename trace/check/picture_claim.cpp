@@ -102,8 +102,8 @@ CheckedClaim check_picture(const Claim& claim, const Claims& claims, const StepI
     CheckedField field{.name = "picture"};
     if (extra + missing > 0) {
         field.verdict = checked.verdict = ClaimVerdict::wrong;
-        field.expected = said({"the picture", "a imagem"});
-        field.found = said({"{} too many, {} missing", "{} a mais, {} a menos"}, extra, missing);
+        field.expected = said("the picture");
+        field.found = said("{} too many, {} missing", extra, missing);
     } else {
         field.verdict = is_open ? ClaimVerdict::open : ClaimVerdict::right;
         checked.picture.clear();

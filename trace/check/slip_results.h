@@ -43,7 +43,7 @@ private:
 
 /// Words of a slip that is a known mistake of programs, too (mistakes.h): they are that one's.
 struct AsMistake {
-    constexpr operator Words() const { return {{}, {}}; }
+    constexpr operator Words() const { return ""; }
     constexpr operator std::string_view() const { return {}; }
 };
 inline constexpr AsMistake as_mistake;

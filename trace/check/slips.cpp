@@ -102,8 +102,7 @@ std::vector<SlipResult> slope_rounded_first(const Formula& formula) {
     for (unsigned digits = 0; slope && digits <= most_digits; ++digits) {
         const Rational rounded = rounded_to_digits(*slope, digits);
         const std::string detail =
-            digits == 0 ? said({"to a whole number", "para um número inteiro"})
-                        : said({"to {}", "para {}"}, said_count(digits, {"digit", "casa"}));
+            digits == 0 ? said("to a whole number") : said("to {}", said_count(digits, "digit"));
         results.add({lerp->d1 + rounded * (lerp->i - lerp->i1)}, detail);
         results.add({lerp->d2 + rounded * (lerp->i - lerp->i2)}, detail);
     }
@@ -596,7 +595,7 @@ std::vector<SlipResult> edge_the_other_way(const Formula& formula) {
     return results.take();
 }
 
-constexpr Words scenes_own_rule("the scene's own rule", "a regra da cena");
+constexpr Words scenes_own_rule("the scene's own rule");
 
 constexpr Slip other_slips[] = {
     {"truncate-for-floor", as_mistake, as_mistake, as_mistake, 150,
@@ -608,148 +607,56 @@ constexpr Slip other_slips[] = {
     {"half-open-for-floor", as_mistake, as_mistake, as_mistake, 80,
      instead_of_floor<Rounding::half_open>},
     {"dx-dy-inverted", as_mistake, as_mistake, as_mistake, 70, dx_dy_inverted},
-    {"dy-dx-inverted",
-     {"(x2 - x1) / (y2 - y1)", "(x2 - x1) / (y2 - y1)"},
-     {"(y2 - y1) / (x2 - x1)", "(y2 - y1) / (x2 - x1)"},
-     "steep edges lie flat, flat ones are steep",
-     70,
-     dy_dx_inverted},
-    {"edge-the-other-way",
-     {"a sample on an edge decided the other way",
-      "uma amostra sobre uma aresta decidida do outro modo"},
-     scenes_own_rule,
-     "pixels on edges are missing, or drawn twice",
-     800,
-     edge_the_other_way},
-    {"byte-cast",
-     {"cutting a level off to a whole number, or rounding it",
-      "cortar um nível até um número inteiro, ou arredondá-lo"},
-     scenes_own_rule,
-     as_mistake,
-     40,
-     byte_cast},
-    {"color-by-distance",
-     {"the color by the distance, or by the steps on the screen",
-      "a cor pela distância, ou pelos passos na tela"},
-     scenes_own_rule,
-     as_mistake,
-     20,
-     color_by_other_share},
-    {"z-for-inverse-z",
-     {"z itself, or z in a straight line", "o próprio z, ou z em linha reta"},
-     {"1/z in a straight line", "1/z em linha reta"},
-     as_mistake,
-     60,
-     z_for_inverse_z},
+    {"dy-dx-inverted", "(x2 - x1) / (y2 - y1)", "(y2 - y1) / (x2 - x1)",
+     "steep edges lie flat, flat ones are steep", 70, dy_dx_inverted},
+    {"edge-the-other-way", "a sample on an edge decided the other way", scenes_own_rule,
+     "pixels on edges are missing, or drawn twice", 800, edge_the_other_way},
+    {"byte-cast", "cutting a level off to a whole number, or rounding it", scenes_own_rule,
+     as_mistake, 40, byte_cast},
+    {"color-by-distance", "the color by the distance, or by the steps on the screen",
+     scenes_own_rule, as_mistake, 20, color_by_other_share},
+    {"z-for-inverse-z", "z itself, or z in a straight line", "1/z in a straight line", as_mistake,
+     60, z_for_inverse_z},
     {"start-and-step-exchanged", as_mistake, as_mistake, as_mistake, 20, start_and_step_exchanged},
-    {"y-for-z",
-     {"z in the place of y", "z no lugar de y"},
-     {"y", "y"},
-     "what points away points up",
-     20,
-     y_for_z},
+    {"y-for-z", "z in the place of y", "y", "what points away points up", 20, y_for_z},
     {"view-turned-round", as_mistake, as_mistake, as_mistake, 40, view_turned_round},
-    {"cosine-of-dot-only",
-     {"the dot product alone", "só o produto escalar"},
-     {"the dot product divided by both lengths",
-      "o produto escalar dividido pelos dois comprimentos"},
-     as_mistake,
-     30,
-     cosine_of_dot_only},
-    {"normal-for-view",
-     {"the normal once more", "a normal outra vez"},
-     {"the view", "a visão"},
-     "no face is turned away",
-     10,
+    {"cosine-of-dot-only", "the dot product alone", "the dot product divided by both lengths",
+     as_mistake, 30, cosine_of_dot_only},
+    {"normal-for-view", "the normal once more", "the view", "no face is turned away", 10,
      normal_for_view},
     {"corner-for-center", as_mistake, as_mistake, as_mistake, 40, corner_for_center},
-    {"corner-for-centroid",
-     {"a corner", "um vértice"},
-     {"the centroid", "o baricentro"},
-     "faces near the silhouette are culled wrongly",
-     15,
-     corner_for_centroid},
-    {"not-divided",
-     {"leaving out a division", "deixar de fora uma divisão"},
-     {"dividing", "dividir"},
-     "numbers that are too large",
-     30,
+    {"corner-for-centroid", "a corner", "the centroid",
+     "faces near the silhouette are culled wrongly", 15, corner_for_centroid},
+    {"not-divided", "leaving out a division", "dividing", "numbers that are too large", 30,
      not_divided},
-    {"only-z-divided",
-     {"dividing z alone by w, or x and y alone", "dividir só z por w, ou só x e y"},
-     {"dividing x, y and z by w", "dividir x, y e z por w"},
-     "the picture has no perspective, or the depths have none",
-     15,
-     only_z_divided},
-    {"slope-rounded-first",
-     {"rounding the slope before it was used", "arredondar a inclinação antes de usá-la"},
-     {"rounding at the end", "arredondar no fim"},
-     "the further from the start, the further off",
-     40,
-     slope_rounded_first},
-    {"neighbor-row",
-     {"taking the row or column beside", "tomar a linha ou coluna ao lado"},
-     {"this one", "esta"},
-     "the table is moved by one row",
-     20,
-     neighbor_row},
-    {"sign",
-     {"losing or adding a minus", "perder ou acrescentar um sinal de menos"},
-     {"keeping each sign", "manter cada sinal"},
-     "mirrored",
-     60,
-     sign},
-    {"term-dropped",
-     {"leaving out a term of the sum", "deixar de fora um termo da soma"},
-     {"all terms", "todos os termos"},
-     "moved by a constant",
-     20,
+    {"only-z-divided", "dividing z alone by w, or x and y alone", "dividing x, y and z by w",
+     "the picture has no perspective, or the depths have none", 15, only_z_divided},
+    {"slope-rounded-first", "rounding the slope before it was used", "rounding at the end",
+     "the further from the start, the further off", 40, slope_rounded_first},
+    {"neighbor-row", "taking the row or column beside", "this one", "the table is moved by one row",
+     20, neighbor_row},
+    {"sign", "losing or adding a minus", "keeping each sign", "mirrored", 60, sign},
+    {"term-dropped", "leaving out a term of the sum", "all terms", "moved by a constant", 20,
      term_dropped},
     {"slope-of-zero", as_mistake, as_mistake, as_mistake, 25, slope_of_zero},
-    {"three-corners",
-     {"three corners of a polygon", "três vértices de um polígono"},
-     {"all of its corners", "todos os seus vértices"},
-     "the normal of a bent face leans",
-     150,
-     three_corners},
-    {"c-minus-a",
-     {"another corner", "outro vértice"},
-     {"the edge's own corner", "o vértice da própria aresta"},
-     "the edge of another pair of vertices",
-     15,
-     c_minus_a},
-    {"pixel-for-end",
-     {"the pixel", "o pixel"},
-     {"the exact end of the row", "o extremo exato da linha"},
-     "whole numbers where fractions belong",
-     18,
-     pixel_for_end},
+    {"three-corners", "three corners of a polygon", "all of its corners",
+     "the normal of a bent face leans", 150, three_corners},
+    {"c-minus-a", "another corner", "the edge's own corner", "the edge of another pair of vertices",
+     15, c_minus_a},
+    {"pixel-for-end", "the pixel", "the exact end of the row",
+     "whole numbers where fractions belong", 18, pixel_for_end},
     {"integer-division", as_mistake, as_mistake, as_mistake, 20, integer_division},
-    {"coordinates-exchanged",
-     {"two coordinates exchanged", "duas coordenadas trocadas"},
-     {"x, y, z in this order", "x, y, z nesta ordem"},
-     "mirrored at a diagonal",
-     15,
-     coordinates_exchanged},
-    {"angle-for-cosine",
-     {"the angle", "o ângulo"},
-     {"its cosine", "seu cosseno"},
-     "numbers beyond 1",
-     15,
-     angle_for_cosine},
-    {"another-rounding",
-     {"another rule for rounding", "outra regra de arredondamento"},
-     {"the scene's own", "a da cena"},
-     "ends one pixel beside",
-     30,
-     another_rounding},
+    {"coordinates-exchanged", "two coordinates exchanged", "x, y, z in this order",
+     "mirrored at a diagonal", 15, coordinates_exchanged},
+    {"angle-for-cosine", "the angle", "its cosine", "numbers beyond 1", 15, angle_for_cosine},
+    {"another-rounding", "another rule for rounding", "the scene's own", "ends one pixel beside",
+     30, another_rounding},
 };
 
 std::string meaning_of(const Words& done, const Words& instead_of, std::string_view detail) {
     const Language language = language_of_steps();
-    return said({"{}{}{}{} instead of {}", "{}{}{}{}, e não {}"}, done.in(language),
-                detail.empty() ? "" : " (", detail, detail.empty() ? "" : ")",
-                instead_of.in(language));
+    return said("{}{}{}{} instead of {}", done.in(language), detail.empty() ? "" : " (", detail,
+                detail.empty() ? "" : ")", instead_of.in(language));
 }
 
 } // namespace
@@ -762,10 +669,9 @@ std::string meaning_of(std::string_view name) {
     if (const Slip* const slip = find_slip(name))
         return meaning_of(*slip);
     const Mistake* const mistake = find_mistake(name);
-    return mistake == nullptr ? ""
-           : mistake->is_rule()
-               ? std::string(words_of(mistake->says).in(language_of_steps()))
-               : meaning_of(words_of(mistake->says), words_of(mistake->should), {});
+    return mistake == nullptr   ? ""
+           : mistake->is_rule() ? std::string(Words(mistake->says).in(language_of_steps()))
+                                : meaning_of(Words(mistake->says), Words(mistake->should), {});
 }
 
 std::span<const Slip> slips() {
@@ -776,9 +682,9 @@ std::span<const Slip> slips() {
         for (Slip& row : rows)
             if (const Mistake* const mistake = find_mistake(row.name)) {
                 if (row.done.in(Language::english).empty())
-                    row.done = words_of(mistake->says);
+                    row.done = Words(mistake->says);
                 if (row.instead_of.in(Language::english).empty())
-                    row.instead_of = words_of(mistake->should);
+                    row.instead_of = Words(mistake->should);
                 if (row.symptom.empty())
                     row.symptom = mistake->symptom;
             }

@@ -126,12 +126,12 @@ std::vector<SlipResult> factors_exchanged(const Formula& formula) {
         std::vector<Factor> factors = times->factors;
         std::swap(factors[i - 1], factors[i]);
         results.add(product_of(factors, *times),
-                    said({"{} before {}", "{} antes de {}"}, factors[i].name, factors[i - 1].name));
+                    said("{} before {}", factors[i].name, factors[i - 1].name));
     }
     // Of two, that is the same. A viewport's are in one order in all texts.
     if (times != nullptr && times->factors.size() > 2 && !times->is_viewport) {
         std::vector<Factor> factors(times->factors.rbegin(), times->factors.rend());
-        results.add(product_of(factors, *times), said({"all of them", "todas"}));
+        results.add(product_of(factors, *times), said("all of them"));
     }
     return results.take();
 }
@@ -158,26 +158,14 @@ std::vector<SlipResult> size_for_last_pixel(const Formula& formula) {
 
 constexpr Slip matrix_slips[] = {
     {"turned-the-other-way", as_mistake, as_mistake, as_mistake, 30, turned_the_other_way},
-    {"degrees-for-radians",
-     {"the number of degrees taken for radians", "o número de graus tomado por radianos"},
-     {"degrees", "graus"},
-     "the angle seems to be any",
-     30,
-     degrees_for_radians},
+    {"degrees-for-radians", "the number of degrees taken for radians", "degrees",
+     "the angle seems to be any", 30, degrees_for_radians},
     {"factors-exchanged", as_mistake, as_mistake, as_mistake, 30, factors_exchanged},
     {"size-for-last-pixel", as_mistake, as_mistake, as_mistake, 30, size_for_last_pixel},
-    {"complement-of-angle",
-     {"the sine, as of 90 degrees less the angle", "o seno, como de 90 graus menos o ângulo"},
-     {"the cosine of the angle", "o cosseno do ângulo"},
-     "bright where it should be dark, turned by 90 degrees less the angle",
-     5,
-     complement_of_angle},
-    {"rows-for-columns",
-     {"the columns of the matrix taken for rows", "as colunas da matriz tomadas por linhas"},
-     {"its rows", "suas linhas"},
-     "turned the other way, and moved nowhere",
-     20,
-     rows_for_columns},
+    {"complement-of-angle", "the sine, as of 90 degrees less the angle", "the cosine of the angle",
+     "bright where it should be dark, turned by 90 degrees less the angle", 5, complement_of_angle},
+    {"rows-for-columns", "the columns of the matrix taken for rows", "its rows",
+     "turned the other way, and moved nowhere", 20, rows_for_columns},
 };
 
 } // namespace

@@ -134,8 +134,7 @@ void WrongExplainer::explain_exchanged_ends(const Subject& subject, CheckedClaim
                               share_slip(slips_of_left, slips_of_right);
     if (!is_explained)
         return;
-    claim.remarks.push_back(
-        said({"left and right are exchanged", "esquerda e direita estão trocadas"}));
+    claim.remarks.push_back(said("left and right are exchanged"));
     left->checked->slips = std::move(slips_of_left);
     right->checked->slips = std::move(slips_of_right);
 }

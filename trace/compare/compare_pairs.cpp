@@ -48,10 +48,8 @@ void TraceComparison::compare_pairs() {
     const bool is_one_order = std::find(stays.begin(), stays.end(), false) == stays.end() &&
                               std::find(in_a.begin(), in_a.end(), nowhere) == in_a.end();
     if (!is_one_order && compared_.tells_all_primitives())
-        remarks_.push_back(said({"the primitives are not the same in the same order: from there "
-                                 "on the traces were read twice",
-                                 "as primitivas não são as mesmas na mesma ordem: dali em diante "
-                                 "os rastros foram lidos duas vezes"}));
+        remarks_.push_back(said("the primitives are not the same in the same order: from there "
+                                "on the traces were read twice"));
 
     // Both lists together: what only one has, what has moved, and what is in the same order in both.
     const auto is_broken = [&](std::size_t in_list_a, std::size_t in_list_b) {

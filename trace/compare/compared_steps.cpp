@@ -150,28 +150,23 @@ std::vector<std::string> ComparedSteps::remarks() const {
         for (const std::string_view kind : step_kind_names())
             if (tells(a_, kind) && tells(b_, kind))
                 kinds.push_back(kind);
-        remarks.push_back(said({"compared: only steps of {}, which both traces tell",
-                                "comparado: só passos {}, que ambos os rastros contam"},
-                               joined(kinds, ", ")));
+        remarks.push_back(
+            said("compared: only steps of {}, which both traces tell", joined(kinds, ", ")));
     }
     if (common_) {
         std::vector<std::string> kinds;
         std::copy_if(common_->begin(), common_->end(), std::back_inserter(kinds),
                      [this](const std::string& kind) { return has_kind(kind); });
-        remarks.push_back(said({"compared: only the fields that both traces have, of {}",
-                                "comparado: só os campos que ambos os rastros têm, de {}"},
-                               joined(kinds, ", ")));
+        remarks.push_back(
+            said("compared: only the fields that both traces have, of {}", joined(kinds, ", ")));
     }
     if (const auto part = region())
-        remarks.push_back(said({"compared: only what is about the pixels from ({}, {}) to ({}, {})",
-                                "comparado: só o que trata dos pixels de ({}, {}) a ({}, {})"},
+        remarks.push_back(said("compared: only what is about the pixels from ({}, {}) to ({}, {})",
                                part->x0, part->y0, part->x1, part->y1));
     for (const std::string& name :
          std::set<std::string>{a_.left_out.primitive, b_.left_out.primitive})
         if (!name.empty())
-            remarks.push_back(said({"compared: only the steps of primitive {}",
-                                    "comparado: só os passos da primitiva {}"},
-                                   printable(name)));
+            remarks.push_back(said("compared: only the steps of primitive {}", printable(name)));
     return remarks;
 }
 

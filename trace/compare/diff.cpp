@@ -89,7 +89,7 @@ void expect_compared_steps(const Trace& a, const Trace& b, const DiffOptions& op
 TraceDiff same_bytes(TraceDiff found, const Trace& a, const Trace& b) {
     found.is_same = found.is_same_bytes = true;
     if (are_one_file(a, b))
-        found.remarks.push_back(said({"both are the same file", "ambos são o mesmo arquivo"}));
+        found.remarks.push_back(said("both are the same file"));
     if (a.cut_short) {
         const std::string what =
             "expected the rest of the trace, found the end of the file: the trace is truncated";

@@ -32,13 +32,10 @@ struct DifferenceRow {
     Words words;
 };
 constexpr std::array difference_rows{
-    DifferenceRow{&PictureDifference::only_a, &Consequences::only_a, {"only in a", "só em a"}},
-    DifferenceRow{&PictureDifference::only_b, &Consequences::only_b, {"only in b", "só em b"}},
-    DifferenceRow{
-        &PictureDifference::colors, &Consequences::colors, {"in another color", "em outra cor"}},
-    DifferenceRow{&PictureDifference::owners,
-                  &Consequences::owners,
-                  {"of another primitive", "de outra primitiva"}},
+    DifferenceRow{&PictureDifference::only_a, &Consequences::only_a, "only in a"},
+    DifferenceRow{&PictureDifference::only_b, &Consequences::only_b, "only in b"},
+    DifferenceRow{&PictureDifference::colors, &Consequences::colors, "in another color"},
+    DifferenceRow{&PictureDifference::owners, &Consequences::owners, "of another primitive"},
 };
 
 /// Longer JSON is cut.
@@ -48,11 +45,9 @@ constexpr std::size_t longest_value = 60;
 std::string value_text(const std::string& json) {
     if (json.starts_with("{\"stage\""))
         return fmt::format("{} ({})",
-                           value_of_stage(json, "kept") == "true"
-                               ? said({"kept", "mantida"})
-                               : said({"left out", "deixada de fora"}),
+                           value_of_stage(json, "kept") == "true" ? said("kept") : said("left out"),
                            printable(value_of_stage(json, "why").text()));
-    return json.empty() ? said({"none", "nada"})
+    return json.empty() ? said("none##nothing")
                         : shortened(printable(plain_text(json)), longest_value);
 }
 
@@ -62,18 +57,16 @@ std::string distance_text(double distance) {
 
 /// `left: -1/4 in a, -1/2 in b, 0.25 apart`.
 std::string field_text(const FieldDifference& field) {
-    std::string text = said({"{}: {} in a, {} in b", "{}: {} em a, {} em b"}, printable(field.name),
-                            value_text(field.a), value_text(field.b));
+    std::string text = said("{}: {} in a, {} in b", printable(field.name), value_text(field.a),
+                            value_text(field.b));
     if (field.distance)
-        text += said({", {} apart", ", {} de distância"}, distance_text(*field.distance));
+        text += said(", {} apart", distance_text(*field.distance));
     return text;
 }
 
 std::string step_line(char side, char mark, const DiffStep& step) {
-    const std::string line =
-        step.line == 0 ? "" : said({" (line {})", " (linha {} do arquivo)"}, step.line);
-    return said({"{} {} step {}{}: {}\n", "{} {} passo {}{}: {}\n"}, side, mark, step.number, line,
-                step.sentence);
+    const std::string line = step.line == 0 ? "" : said(" (line {})", step.line);
+    return said("{} {} step {}{}: {}\n", side, mark, step.number, line, step.sentence);
 }
 
 std::string steps_of(char side, const std::vector<DiffStep>& before,
@@ -84,7 +77,7 @@ std::string steps_of(char side, const std::vector<DiffStep>& before,
     if (step)
         text += step_line(side, '>', *step);
     else
-        text += said({"{} > no such step\n", "{} > não há esse passo\n"}, side);
+        text += said("{} > no such step\n", side);
     for (const DiffStep& one : after)
         text += step_line(side, ' ', one);
     return text;
@@ -100,30 +93,24 @@ std::string pixels_named(const std::vector<Pixel>& pixels) {
 std::string first_text(const TraceDiff& found) {
     const StepDifference& first = *found.first;
     // In color, lines that begin with `a ` are those of a.
-    std::string text = said(
-        {"\nthe first difference{}{}\n", "\nprimeira diferença{}{}\n"},
-        first.primitive.empty() ? "" : said({", in {}", ", em {}"}, printable(first.primitive)),
-        first.is_moved
-            ? said({": a {} that has moved", ": um {} que mudou de lugar"}, printable(first.kind))
-            : "");
+    std::string text =
+        said("\nthe first difference{}{}\n",
+             first.primitive.empty() ? "" : said(", in {}", printable(first.primitive)),
+             first.is_moved ? said(": a {} that has moved", printable(first.kind)) : "");
     text += steps_of('a', found.before_a, first.a, found.after_a);
     text += steps_of('b', found.before_b, first.b, found.after_b);
     for (const FieldDifference& field : first.fields)
         text += "    " +
                 (first.kind == "primitive" && field.name == "name" && !field.a.empty() &&
                          !field.b.empty()
-                     ? said({"renamed: {} in a is {} in b", "com outro nome: {} em a é {} em b"},
-                            value_text(field.a), value_text(field.b))
+                     ? said("renamed: {} in a is {} in b", value_text(field.a), value_text(field.b))
                      : field_text(field)) +
                 "\n";
 
     const Consequences& led_to = found.led_to;
     if (led_to.count == 0)
-        return text + (found.picture
-                           ? said({"    it changes no pixel\n", "    não muda nenhum pixel\n"})
-                           : "");
-    text += said({"    {} because of it\n", "    {} por causa dela\n"},
-                 counted_differences(led_to.count, {"pixel", "pixel"}));
+        return text + (found.picture ? said("    it changes no pixel\n") : "");
+    text += said("    {} because of it\n", counted_differences(led_to.count, "pixel"));
     for (const DifferenceRow& row : difference_rows)
         if (const std::vector<Pixel>& pixels = led_to.*row.led_to; !pixels.empty())
             text += fmt::format("        {}:{}\n", row.words.in(language_of_steps()),
@@ -136,8 +123,7 @@ std::string fields_text(const std::vector<FieldSummary>& fields) {
     for (const FieldSummary& field : fields) {
         std::string part = fmt::format("{} {}", printable(field.name), field.count);
         if (field.largest)
-            part +=
-                said({" (by at most {})", " (por no máximo {})"}, distance_text(*field.largest));
+            part += said(" (by at most {})", distance_text(*field.largest));
         parts.push_back(std::move(part));
     }
     return joined(parts, ", ");
@@ -148,9 +134,8 @@ std::string count_text(std::size_t count) {
 }
 
 std::string kinds_text(const std::vector<KindDifference>& kinds) {
-    const std::array<std::string, 4> titles{
-        said({"changed", "mudados"}), said({"only a", "só em a"}), said({"only b", "só em b"}),
-        said({"moved", "movidos"})};
+    const std::array<std::string, 4> titles{said("changed"), said("only a"), said("only b"),
+                                            said("moved")};
     std::size_t width = columns_in(heading_of_kinds());
     for (const KindDifference& kind : kinds)
         width = std::max(width, columns_in(printable(kind.kind)));
@@ -177,8 +162,8 @@ std::string grid_text(const PictureDifference& picture,
     };
     for (std::size_t row = 0; row < picture.rows.size(); ++row)
         label = std::max(label, y_of(row).size());
-    std::string text = said({"{}  x = {} to {}\n", "{}  x = {} a {}\n"}, std::string(label, ' '),
-                            picture.left, picture.left + static_cast<int>(columns) - 1);
+    std::string text = said("{}  x = {} to {}\n", std::string(label, ' '), picture.left,
+                            picture.left + static_cast<int>(columns) - 1);
     for (std::size_t row = 0; row < picture.rows.size(); ++row) {
         text += fmt::format("{:>{}}  ", y_of(row), label);
         for (std::size_t i = 0; i < grids.size(); ++i)
@@ -205,34 +190,32 @@ std::string names_text(const std::vector<std::string>& names) {
 
 std::string picture_text(const PictureDifference& picture) {
     if (picture.rows.empty())
-        return said({"\nthe pictures are alike\n", "\nas imagens são iguais\n"});
+        return said("\nthe pictures are alike\n");
     std::vector<std::string> counts;
     for (const DifferenceRow& row : difference_rows)
         if (const std::uint64_t count = picture.*row.count; count > 0)
-            counts.push_back(fmt::format("{} {}", said_count(count, {"pixel", "pixel"}),
+            counts.push_back(fmt::format("{} {}", said_count(count, "pixel"),
                                          row.words.in(language_of_steps())));
     std::string text = fmt::format("\n{}{}\n", heading_of_pictures(), joined(counts, ", "));
     text += grid_text(picture, {&picture.rows});
-    text += said({"# in both, ! only in a, ? only in b, ~ in both, but otherwise\n",
-                  "# em ambas, ! só em a, ? só em b, ~ em ambas, mas de outro modo\n"});
+    text += said("# in both, ! only in a, ? only in b, ~ in both, but otherwise\n");
     if (!picture.names.empty()) {
         std::vector<const std::vector<std::string>*> grids{&picture.faces_a, &picture.faces_b};
         std::erase_if(grids, [](const auto* faces) { return faces->empty(); });
         const std::string one = picture.faces_a.empty() ? "b" : "a";
-        text += said({"\nwho drew them, {}\n", "\nquem os desenhou, {}\n"},
-                     grids.size() > 1 ? said({"a and b", "a e b"}) : one);
+        text += said("\nwho drew them, {}\n", grids.size() > 1 ? said("a and b") : one);
         text += grid_text(picture, grids);
         text += names_text(picture.names);
         if (picture.names.size() == primitive_letters.size())
-            text += said({"# another one\n", "# outra\n"});
+            text += said("# another one\n");
     }
     if (picture.is_cut)
-        text += said({"(a part of the canvas)\n", "(uma parte da tela)\n"});
+        text += said("(a part of the canvas)\n");
     return text;
 }
 
 std::string header_text(const TraceDiff& found) {
-    std::string text = said({"\nthe header\n", "\no cabeçalho\n"});
+    std::string text = said("\nthe header\n");
     for (const FieldDifference& field : found.header)
         text += "    " + field_text(field) + "\n";
     for (const FieldDifference& field : found.end)
@@ -263,16 +246,15 @@ std::uint64_t count_pixels(const TraceDiff& found) {
 }
 
 std::string counted_differences(std::uint64_t count, const Words& what) {
-    return said_count(count, what) +
-           (count == 1 ? said({" differs", " difere"}) : said({" differ", " diferem"}));
+    return said_count(count, what) + (count == 1 ? said(" differs") : said(" differ"));
 }
 
 std::string heading_of_kinds() {
-    return said({"steps", "passos"});
+    return said("steps");
 }
 
 std::string heading_of_pictures() {
-    return said({"the pictures: ", "as imagens: "});
+    return said("the pictures: ");
 }
 
 std::string diff_text(const TraceDiff& found) {
@@ -280,18 +262,17 @@ std::string diff_text(const TraceDiff& found) {
         fmt::format("a: {}\nb: {}\n", printable(found.name_a), printable(found.name_b));
     if (found.is_same)
         return text + remarks_text(found) +
-               (found.is_same_bytes ? said({"the same, byte for byte\n", "iguais, byte a byte\n"})
-                : found.damage.empty()
-                    ? said({"the same\n", "iguais\n"})
-                    : said({"the same, as far as they go\n", "iguais, até onde vão\n"}));
+               (found.is_same_bytes    ? said("the same, byte for byte\n")
+                : found.damage.empty() ? said("the same\n")
+                                       : said("the same, as far as they go\n"));
 
     text += remarks_text(found);
     const std::uint64_t steps = count_steps(found);
     const bool has_header = !found.header.empty() || !found.end.empty();
     if (steps > 0)
-        text += counted_differences(steps, {"step", "passo"}) + "\n";
+        text += counted_differences(steps, "step") + "\n";
     else if (has_header) // else only the pictures differ
-        text += said({"no step differs\n", "nenhum passo difere\n"});
+        text += said("no step differs\n");
     if (has_header)
         text += header_text(found);
     if (found.first)

@@ -117,9 +117,8 @@ void TraceComparison::run() {
     if (!compare_in_order())
         compare_pairs();
     if (is_cut_off())
-        remarks_.push_back(said({"what follows the place where a trace breaks off was not compared",
-                                 "o que vem depois do ponto em que um rastro se interrompe não foi "
-                                 "comparado"}));
+        remarks_.push_back(
+            said("what follows the place where a trace breaks off was not compared"));
 }
 
 std::vector<Problem> TraceComparison::damage() const {

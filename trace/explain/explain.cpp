@@ -3,8 +3,8 @@
 
 #include "explanation.h"
 
-#include <rastertrace/trace/tell/selector.h>
 #include <rastertrace/trace/tell/describe.h>
+#include <rastertrace/trace/tell/selector.h>
 #include <rastertrace/trace/tell/step_text.h>
 #include <rastertrace/trace/tell/working.h>
 #include <rastertrace/trace/text/color_text.h>
@@ -21,13 +21,8 @@ namespace rastertrace {
 
 namespace {
 
-constexpr std::array<Words, 7> topics{{{"pixel", "pixel"},
-                                       {"scanline", "linha"},
-                                       {"face", "face"},
-                                       {"vertex", "vértice"},
-                                       {"edge", "aresta"},
-                                       {"pair", "par"},
-                                       {"step", "passo"}}};
+constexpr std::array<Words, 7> topics{
+    {"pixel", "scanline", "face", "vertex", "edge", "pair", "step"}};
 
 const Words& words_for(Topic topic) {
     return topics[static_cast<std::size_t>(topic)];
@@ -59,10 +54,10 @@ Explanation explain_step(const Trace& trace, const std::string& selector) {
     Explanation explanation{.tries = tries_of(trace, {step.value()})};
     Replay replay(trace);
     replay.go_to(step.value());
-    explanation.answer = said({"step {} of {}", "passo {} de {}"}, step.value(), trace.size());
+    explanation.answer = said("step {} of {}", step.value(), trace.size());
     if (replay.primitive() != 0)
         explanation.answer +=
-            said({", of {}", ", de {}"}, printable(name_in(trace.step(replay.primitive())).text()));
+            said(", of {}", printable(name_in(trace.step(replay.primitive())).text()));
     return explanation;
 }
 

@@ -68,14 +68,12 @@ bool is_face(const StepOf& primitive) {
 
 /// An answer that counts steps: not all of them are there if the trace lacks some.
 std::string counted_in(const Explanation& explanation, const std::string& answer) {
-    return explanation.lacks.empty()
-               ? answer
-               : said({"as far as the trace goes: {}", "até onde o rastro vai: {}"}, answer);
+    return explanation.lacks.empty() ? answer : said("as far as the trace goes: {}", answer);
 }
 
 /// The answer of a trace that does not tell it.
 std::string no_answer() {
-    return said({"not told", "sem resposta"});
+    return said("not told");
 }
 
 /// What has become of a triangle or an outline. Pixels are counted once, however often they were written.
@@ -125,27 +123,21 @@ std::map<std::string, Fate> fates_in(const Trace& trace, const std::vector<std::
 
 std::string text_of(const Fate& fate, bool lacks_depths) {
     if (!fate.skipped.empty() && fate.plotted.empty() && fate.hidden.empty())
-        return said({"not drawn: {}", "não se desenha: {}"},
-                    printable(in_language_of_steps(fate.skipped)));
+        return said("not drawn: {}##face", printable(in_language_of_steps(fate.skipped)));
     if (!fate.is_painted)
-        return said({"not painted: it only hides what lies behind it, at {}",
-                     "não se pinta: só esconde o que está atrás, em {}"},
-                    said_count(fate.passed.size(), {"pixel", "pixel"}));
+        return said("not painted: it only hides what lies behind it, at {}",
+                    said_count(fate.passed.size(), "pixel"));
     const std::string hidden =
-        lacks_depths ? ""
-                     : said({", {} hidden by what is nearer", ", {} atrás do que está mais perto"},
-                            fate.hidden.size());
-    return said({"{} plotted{}, {} seen at the end", "desenha {}{}, {} à vista no fim"},
-                said_count(fate.plotted.size(), {"pixel", "pixel"}), hidden, fate.seen);
+        lacks_depths ? "" : said(", {} hidden by what is nearer", fate.hidden.size());
+    return said("{} plotted{}, {} seen at the end", said_count(fate.plotted.size(), "pixel"),
+                hidden, fate.seen);
 }
 
 /// Why no step tests whether a face is turned away.
 std::string why_not_tested(const Trace& trace) {
     const std::string cull = trace.method.word_of("cull");
-    return cull.empty() || cull == "none"
-               ? said({"no face is tested: the method does not cull",
-                       "nenhuma face é testada: o método não elimina faces"})
-               : said({"it was skipped before it was tested", "foi omitida antes de ser testada"});
+    return cull.empty() || cull == "none" ? said("no face is tested: the method does not cull")
+                                          : said("it was skipped before it was tested");
 }
 
 /// Who has pixels in a row without being filled row by row: lines, and the sides of outlines.
@@ -167,19 +159,14 @@ std::set<std::string> passing_through(const Trace& trace, int y) {
 std::string why_no_row(const Trace& trace, int y) {
     const Fill fill = trace.method.triangles.fill;
     if (fill == Fill::barycentric || fill == Fill::fan)
-        return said(
-            {"no primitive has rows: {} goes {}", "nenhuma primitiva tem linhas: {} vai {}"},
-            traits_of(fill).name,
-            fill == Fill::fan
-                ? said({"line by line", "segmento a segmento"})
-                : said({"through every pixel of a box", "por todos os pixels de uma caixa"}));
+        return said("no primitive has rows: {} goes {}", traits_of(fill).name,
+                    fill == Fill::fan ? said("line by line")
+                                      : said("through every pixel of a box"));
     const auto lines = passing_through(trace, y);
     if (lines.empty())
-        return said({"no primitive has this row", "nenhuma primitiva tem esta linha"});
-    return said({"no filled triangle has this row; {} with pixels in it {} no rows",
-                 "nenhum triângulo preenchido tem esta linha; {} com pixels nela {} linhas"},
-                said_count(lines.size(), {"line", "segmento"}),
-                lines.size() == 1 ? said({"has", "não tem"}) : said({"have", "não têm"}));
+        return said("no primitive has this row");
+    return said("no filled triangle has this row; {} with pixels in it {} no rows",
+                said_count(lines.size(), "line"), lines.size() == 1 ? said("has") : said("have"));
 }
 
 } // namespace
@@ -198,9 +185,8 @@ Explanation explain_scanline(const Trace& trace, int y) {
         explanation.tries[i].primitive = owners[i];
     explanation.lacks = what_lacks(trace, {StepKind::scanline});
     if (!owners.empty())
-        explanation.answer =
-            counted_in(explanation, said({"{} with this row", "{} com esta linha"},
-                                         said_count(owners.size(), {"primitive", "primitiva"})));
+        explanation.answer = counted_in(
+            explanation, said("{} with this row", said_count(owners.size(), "primitive")));
     else
         explanation.answer = explanation.lacks.empty() ? why_no_row(trace, y) : no_answer();
     return explanation;
@@ -317,8 +303,8 @@ Explanation explain_vertex(const Trace& trace, const std::string& name) {
     const bool has_places = !placed.empty();
     if (has_places) {
         const auto last = trace.step(placed.back()).as<VertexStep>();
-        place = said({"{} space: {}", "espaço {}: {}"}, in_language_of_steps(last.space.text()),
-                     point(last.at.texts()));
+        place =
+            said("{} space: {}", in_language_of_steps(last.space.text()), point(last.at.texts()));
     }
 
     // Where no matrix moves a vertex, the primitives say where it is.
@@ -330,9 +316,8 @@ Explanation explain_vertex(const Trace& trace, const std::string& name) {
         for (std::size_t i = 0; i < primitive.vertices.size(); ++i) {
             is_corner = is_corner || primitive.vertices[i] == name;
             if (primitive.vertices[i] == name && place.empty() && i < primitive.positions.size())
-                place = said({"{}, as it was typed: no matrix moves it",
-                              "{}, como foi digitado: nenhuma matriz o move"},
-                             point(primitive.positions[i]));
+                place =
+                    said("{}, as it was typed: no matrix moves it", point(primitive.positions[i]));
         }
         return is_corner;
     });
@@ -350,7 +335,7 @@ namespace {
 /// Why no step is about an edge that a primitive has.
 std::string why_not_set_up(const Trace& trace, const std::set<std::string>& spellings) {
     std::set<std::string> owners;
-    std::string why = said({"no step is about it", "nenhum passo trata dela"});
+    std::string why = said("no step is about it");
     for_each_step(trace, [&](const StepOf& one) {
         if (one.kind == StepKind::primitive) {
             const PrimitiveText primitive = primitive_in(one.step);
@@ -364,9 +349,8 @@ std::string why_not_set_up(const Trace& trace, const std::set<std::string>& spel
         const auto skip = one.step.as<SkipStep>();
         const std::string name = skip.name ? skip.name.text() : one.primitive;
         if (owners.contains(name))
-            why = said({"no edge is set up: {} is {}{}", "nenhuma aresta é preparada: {} é {}{}"},
-                       printable(name),
-                       skip.why == SkipReason::culled ? "" : said({"skipped, ", "omitido, "}),
+            why = said("no edge is set up: {} is {}{}", printable(name),
+                       skip.why == SkipReason::culled ? "" : said("skipped, "),
                        printable(in_language_of_steps(skip.why.text())));
     });
     return why;
@@ -430,8 +414,7 @@ Explanation explain_edge(const Trace& trace, const std::string& name) {
         explanation.answer = explanation.tries.front().sentence;
     else
         explanation.answer =
-            counted_in(explanation, rows > 0 ? said({"{} with this end", "{} com este extremo"},
-                                                    said_count(rows, {"row", "linha"}))
+            counted_in(explanation, rows > 0 ? said("{} with this end", said_count(rows, "row"))
                                              : why_not_set_up(trace, spellings));
     return explanation;
 }

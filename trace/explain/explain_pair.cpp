@@ -250,7 +250,7 @@ PixelAlongEdge pixel_of(const Trace& excerpt, const Pair& pair, Pixel pixel) {
                          [&name](const WhyNot& one) { return one.primitive == name; });
         if (why_not == story.why_not.end()) {
             found.owners.push_back(name);
-            found.why.push_back(said({"{} has it", "{} o tem"}, name));
+            found.why.push_back(said("{} has it", name));
             continue;
         }
         if (why_not->reason == "hidden")
@@ -283,13 +283,12 @@ Explanation explain_pair(const Trace& trace, const std::string& names) {
         else
             ++only[owners.front() == pair.names[0] ? 0 : 1];
     }
-    explanation.answer = printable(
-        said({"edge {}: {} along it, {} of {}, {} of {}, {} of both, {} of neither",
-              "aresta {}: {} ao longo dela, {} de {}, {} de {}, {} de ambos, {} de nenhum"},
-             pair.edge, said_count(explanation.pixels.size(), {"pixel", "pixel"}), only[0],
-             pair.names[0], only[1], pair.names[1], both, none));
+    explanation.answer =
+        printable(said("edge {}: {} along it, {} of {}, {} of {}, {} of both, {} of neither",
+                       pair.edge, said_count(explanation.pixels.size(), "pixel"), only[0],
+                       pair.names[0], only[1], pair.names[1], both, none));
     if (untold > 0)
-        explanation.answer += said({", {} not told", ", {} sem resposta"}, untold);
+        explanation.answer += said(", {} not told", untold);
     explanation.lacks = what_lacks(trace, {StepKind::primitive, StepKind::pixel, StepKind::depth});
     return explanation;
 }

@@ -160,8 +160,8 @@ private:
             std::vector<std::string> corners = vertices_of(primitive);
             std::sort(corners.begin(), corners.end());
             const auto test = trace_.step(face).as<FaceStep>();
-            const std::string text = said({"{} (normal . view = {})", "{} (normal . visão = {})"},
-                                          test.name.text(), test.dot.text());
+            const std::string text =
+                said("{} (normal . view = {})", test.name.text(), test.dot.text());
             for (std::size_t from = 0; from < corners.size(); ++from)
                 for (std::size_t to = from + 1; to < corners.size(); ++to) {
                     std::string& faces = faces_of_side_[{corners[from], corners[to]}];
@@ -171,9 +171,7 @@ private:
         std::sort(ends.begin(), ends.end());
         const auto found =
             ends.size() == 2 ? faces_of_side_.find({ends[0], ends[1]}) : faces_of_side_.end();
-        return found == faces_of_side_.end()
-                   ? ""
-                   : said({"culled with {}", "eliminado com {}"}, found->second);
+        return found == faces_of_side_.end() ? "" : said("culled with {}", found->second);
     }
 
     /// The primitive that a clip or skip step is about: that of an outline may come after its first part.
@@ -221,17 +219,13 @@ private:
             return answer_of_drawn();
         const auto& why_not = explanation_.why_not;
         if (!explanation_.lacks.empty())
-            return said({"no step of the trace draws it, but not all steps are there",
-                         "nenhum passo do rastro o desenha, mas faltam passos"});
+            return said("no step of the trace draws it, but not all steps are there");
         if (why_not.empty())
-            return said({"not drawn: there is no primitive", "não desenhado: não há primitiva"});
+            return said("not drawn: there is no primitive");
         if (!covering_.empty())
             return answer_of_covered();
-        return why_not.size() == 1
-                   ? said({"not drawn: {}", "não desenhado: {}"}, in_words(why_not.front()))
-                   : said({"not drawn by any of {} primitives",
-                           "não desenhado por nenhuma de {} primitivas"},
-                          why_not.size());
+        return why_not.size() == 1 ? said("not drawn: {}", in_words(why_not.front()))
+                                   : said("not drawn by any of {} primitives", why_not.size());
     }
 
     /// Of a pixel that primitives cover, none of which has drawn it.
@@ -239,39 +233,36 @@ private:
         const bool all_fail = std::all_of(covering_.begin(), covering_.end(),
                                           [](const WhyNot& why) { return why.reason == "hidden"; });
         if (all_fail)
-            return said({"not drawn: every primitive that covers it fails the depth test",
-                         "não desenhado: toda primitiva que o cobre falha no teste de "
-                         "profundidade"});
+            return said("not drawn: every primitive that covers it fails the depth test");
         constexpr std::size_t most_named = 3;
         std::vector<std::string> named;
         for (const WhyNot& why : covering_)
             if (named.size() < most_named)
                 named.push_back(in_words(why));
         const std::size_t rest = covering_.size() - named.size();
-        return said({"not drawn: {}{}", "não desenhado: {}{}"}, joined(named, ", "),
-                    rest > 0 ? said({", and {} more", ", e mais {}"}, rest) : "");
+        return said("not drawn: {}{}", joined(named, ", "),
+                    rest > 0 ? said(", and {} more", rest) : "");
     }
 
     std::string answer_of_drawn() const {
         if (painters_.empty())
-            return said({"drawn at step {}", "desenhado no passo {}"}, last_drawn_);
-        std::string text = said({"drawn by {} at step {}", "desenhado por {} no passo {}"},
-                                printable(painters_.back()), last_drawn_);
+            return said("drawn at step {}", last_drawn_);
+        std::string text = said("drawn by {} at step {}", printable(painters_.back()), last_drawn_);
         std::vector<std::string> before(painters_.begin(), painters_.end() - 1);
         std::reverse(before.begin(), before.end());
         if (!before.empty())
-            text += said({", over {}", ", sobre {}"}, printable(joined(before, ", ")));
+            text += said(", over {}", printable(joined(before, ", ")));
         return text;
     }
 
     static std::string in_words(const WhyNot& why) {
         const std::string name = printable(why.primitive);
-        return why.reason == "elsewhere" ? said({"{} is elsewhere", "{} está em outro lugar"}, name)
-               : why.reason == "outside" ? said({"{} does not cover it", "{} não o cobre"}, name)
-               : why.reason == "unknown" ? said({"{} does not draw it", "{} não o desenha"}, name)
+        return why.reason == "elsewhere" ? said("{} is elsewhere", name)
+               : why.reason == "outside" ? said("{} does not cover it", name)
+               : why.reason == "unknown" ? said("{} does not draw it", name)
                : why.reason == "unpainted"
-                   ? said({"{} is not painted", "{} não é pintado"}, name)
-                   : said({"{} is {}", "{} é {}"}, name, in_language_of_steps(why.reason));
+                   ? said("{} is not painted", name)
+                   : said("{} is {}", name, in_language_of_steps(why.reason));
     }
 
     const Trace& trace_;

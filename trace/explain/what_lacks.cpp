@@ -12,9 +12,7 @@ namespace {
 
 std::string region_text(const Trace& trace) {
     const auto& [x0, y0, x1, y1] = *trace.left_out.region;
-    return said({"the trace has only what is about x {} to {}, y {} to {}",
-                 "o rastro só tem o que trata de x {} a {}, y {} a {}"},
-                x0, x1, y0, y1);
+    return said("the trace has only what is about x {} to {}, y {} to {}", x0, x1, y0, y1);
 }
 
 bool is_in_region(const Trace& trace, const Pixel& pixel) {
@@ -30,20 +28,14 @@ std::vector<std::string> what_lacks(const Trace& trace, std::initializer_list<St
     const bool has_depths = !trace.method.word_of("depth").empty();
     for (const StepKind kind : kinds)
         if (trace.lacks(kind) && (kind != StepKind::depth || has_depths))
-            lacks.push_back(
-                said({"{} steps were left out of the trace", "os passos {} ficaram fora do rastro"},
-                     name_of(kind)));
+            lacks.push_back(said("{} steps were left out of the trace", name_of(kind)));
     if (trace.left_out.region && !(pixel && is_in_region(trace, *pixel)))
-        lacks.push_back(
-            region_text(trace) +
-            (pixel ? said({": the pixel lies outside", ": o pixel está fora disso"}) : ""));
+        lacks.push_back(region_text(trace) + (pixel ? said(": the pixel lies outside") : ""));
     if (!trace.left_out.primitive.empty())
         lacks.push_back(
-            said({"the trace has only the steps of {}", "o rastro só tem os passos de {}"},
-                 printable(trace.left_out.primitive)));
+            said("the trace has only the steps of {}", printable(trace.left_out.primitive)));
     if (!trace.end)
-        lacks.push_back(said({"the trace is truncated: what came later is not known",
-                              "o rastro está truncado: não se sabe o que veio depois"}));
+        lacks.push_back(said("the trace is truncated: what came later is not known"));
     return lacks;
 }
 
@@ -51,10 +43,8 @@ std::string why_steps_may_lack(const Trace& trace, bool is_last) {
     if (trace.left_out.region)
         return region_text(trace);
     if (!trace.end)
-        return is_last ? said({"the trace is truncated", "o rastro está truncado"}) : "";
-    return trace.damage.empty() ? ""
-                                : said({"the trace is damaged, and steps of it may be missing",
-                                        "o rastro está danificado, e podem faltar passos"});
+        return is_last ? said("the trace is truncated") : "";
+    return trace.damage.empty() ? "" : said("the trace is damaged, and steps of it may be missing");
 }
 
 } // namespace rastertrace

@@ -56,7 +56,7 @@ std::vector<LineSteps> lines_of(const Trace& trace, const PrimitiveSteps& steps)
         const auto ends = primitive.positions.size() == 2
                               ? ends_at({primitive.positions[0], primitive.positions[1], {0, 1}})
                               : std::nullopt;
-        return {{said({"the line", "o segmento"}), steps.first, steps.last, ends,
+        return {{said("the line"), steps.first, steps.last, ends,
                  is_x_major_line(step.as<PrimitiveStep>().octant, ends)}};
     }
     for (std::size_t n = steps.first; n <= steps.last; ++n) {
@@ -82,37 +82,30 @@ Pixel pixel_at(const Vec2& point, const SampleOffset<Rational>& offset) {
 /// The line has no pixel in the column, or the row: it ends before, or there its last pixel is left out.
 PlaceOnLine beyond_ends(const Trace& trace, const LineSteps& line, Pixel pixel) {
     if (!line.ends)
-        return {.text =
-                    said({"no step says where {} is", "nenhum passo diz onde {} está"}, line.name),
-                .is_known = false};
+        return {.text = said("no step says where {} is", line.name), .is_known = false};
     const auto& [from, to] = *line.ends;
     const auto offset = told_samples(trace).lines;
     const Rational at = line.is_x_major ? offset.x_of(pixel.x) : offset.y_of(pixel.y);
     const auto [low, high] =
         std::minmax(line.is_x_major ? from.x : from.y, line.is_x_major ? to.x : to.y);
     const std::string_view axis = line.is_x_major ? "x" : "y";
-    const std::string goes = said({"{} goes from {} = {} to {}", "{} vai de {} = {} a {}"},
-                                  line.name, axis, text(low), text(high));
+    const std::string goes =
+        said("{} goes from {} = {} to {}", line.name, axis, text(low), text(high));
     const Rational gap = at < low ? Rational(low - at) : Rational(at - high);
     if (sgn(gap) > 0)
-        return {said({"{}: {} = {} lies beyond it, by {}", "{}: {} = {} fica além, por {}"}, goes,
-                     axis, text(at), text(gap)),
-                gap};
+        return {said("{}: {} = {} lies beyond it, by {}", goes, axis, text(at), text(gap)), gap};
     if (trace.method.others.line == LineMethod::diamond_exit)
-        return {said({"{}, and does not leave the diamond of a pixel at {} = {}{}",
-                      "{}, e não sai do losango de nenhum pixel em {} = {}{}"},
-                     goes, axis, text(at), by_convention(trace)),
+        return {said("{}, and does not leave the diamond of a pixel at {} = {}{}", goes, axis,
+                     text(at), by_convention(trace)),
                 Rational(0)};
     if (trace.method.others.ends == EndPixels::first)
         for (const Pixel& end : {pixel_at(to, offset), pixel_at(from, offset)})
             if ((line.is_x_major ? end.x : end.y) == (line.is_x_major ? pixel.x : pixel.y))
-                return {said({"the last pixel of {}, ({}, {}), is left out (ends: first)",
-                              "{}: seu último pixel, ({}, {}), fica de fora (ends: first)"},
-                             line.name, end.x, end.y),
+                return {said("the last pixel of {}, ({}, {}), is left out (ends: first)", line.name,
+                             end.x, end.y),
                         Rational(std::abs(line.is_x_major ? end.y - pixel.y : end.x - pixel.x))};
-    return {.text = said({"{}; no step of the trace says where it is at {} = {}",
-                          "{}; nenhum passo do rastro diz onde está em {} = {}"},
-                         goes, axis, text(at)),
+    return {.text =
+                said("{}; no step of the trace says where it is at {} = {}", goes, axis, text(at)),
             .is_known = false};
 }
 
@@ -142,31 +135,29 @@ PlaceOnLine place_of(const Trace& trace, const LineSteps& line, Pixel pixel) {
     const Index wanted = line.is_x_major ? pixel.x : pixel.y;
     const Index asked = line.is_x_major ? pixel.y : pixel.x;
     const std::string where =
-        said({"in {} {} = {}", "na {} {} = {}"},
-             line.is_x_major ? said({"column", "coluna"}) : said({"row", "linha"}), major, wanted);
+        said("in {} {} = {}", line.is_x_major ? said("column") : said("row"), major, wanted);
     for (std::size_t n = line.first; n <= line.last; ++n) {
         const auto kind = trace.kind_of(n);
         const StepView step = trace.step(n);
         const bool is_fragment = kind == StepKind::pixel || kind == StepKind::depth;
         if (is_fragment && major_in(step) == wanted) {
             const Index at = minor_in(step).value_or(0);
-            return {said({"{} {} is at {} = {}, not {}", "{} {} está em {} = {}, não em {}"}, where,
-                         line.name, minor, place_in(trace, line, n, at), asked),
+            return {said("{} {} is at {} = {}, not {}", where, line.name, minor,
+                         place_in(trace, line, n, at), asked),
                     Rational(std::abs(at - asked))};
         }
         if (kind == StepKind::reject && reaches(step.as<RejectStep>(), line.is_x_major, wanted))
-            return {said({"{} {} is off the canvas", "{} {} está fora da tela"}, where, line.name)};
+            return {said("{} {} is off the canvas", where, line.name)};
     }
     return beyond_ends(trace, line, pixel);
 }
 
 std::string no_step_says_what_became_of_it() {
-    return said({"no step of the trace says what became of it",
-                 "nenhum passo do rastro diz o que foi feito dele"});
+    return said("no step of the trace says what became of it");
 }
 
 std::string no_step_says_where_it_is() {
-    return said({"no step of the trace says where it is", "nenhum passo do rastro diz onde está"});
+    return said("no step of the trace says where it is");
 }
 
 WhyNot of_point(const Trace& trace, const PrimitiveSteps& steps, Pixel pixel) {
@@ -177,9 +168,8 @@ WhyNot of_point(const Trace& trace, const PrimitiveSteps& steps, Pixel pixel) {
     if (!place || is_in_pixel)
         return {.reason = "unknown", .sentence = no_step_says_what_became_of_it()};
     const auto drawn = find_step(trace, steps, StepKind::pixel);
-    const std::string at =
-        said({"it is at ({}, {})", "está em ({}, {})"}, in_sentence(primitive.positions[0][0]),
-             in_sentence(primitive.positions[0][1]));
+    const std::string at = said("it is at ({}, {})", in_sentence(primitive.positions[0][0]),
+                                in_sentence(primitive.positions[0][1]));
     if (!drawn)
         return {.reason = "elsewhere", .sentence = at};
     const auto [x, y, color] = drawn->as<PixelStep>();
@@ -203,10 +193,9 @@ WhyNot of_circle(const Trace& trace, const PrimitiveSteps& steps, Pixel pixel) {
         return {.reason = "unknown", .sentence = no_step_says_what_became_of_it()};
     return {.reason = "elsewhere",
             .sentence =
-                said({"it lies {} from ({}, {}), and the square of the pixel's distance is {}: {}",
-                      "fica a {} de ({}, {}), e o quadrado da distância do pixel é {}: {}"},
+                said("it lies {} from ({}, {}), and the square of the pixel's distance is {}: {}",
                      text(r), text(center->x), text(center->y), text(square),
-                     is_inside ? said({"inside", "dentro"}) : said({"outside", "fora"})),
+                     is_inside ? said("inside") : said("outside")),
             .distance = std::abs(std::sqrt(nearest_double(square)) - nearest_double(r))};
 }
 
@@ -220,8 +209,7 @@ WhyNot why_elsewhere(const Trace& trace, const PrimitiveSteps& steps, Pixel pixe
         return of_circle(trace, steps, pixel);
     if (trace.lacks(StepKind::pixel))
         return {.reason = "unknown",
-                .sentence = said({"the trace has no pixel steps, which would say where it is",
-                                  "o rastro não tem passos pixel, que diriam onde está"})};
+                .sentence = said("the trace has no pixel steps, which would say where it is")};
     WhyNot why{.reason = "elsewhere"};
     bool is_known = true;
     std::vector<std::string> places;

@@ -41,17 +41,14 @@ WhyNot why_skipped(const Trace& trace, const PrimitiveSteps& steps) {
     const std::string reason(reason_of_skip(steps.skip));
     if (reason == "culled")
         return {.reason = reason,
-                .sentence =
-                    steps.face.empty()
-                        ? said({"culled; the trace has no face step, which would say why",
-                                "eliminado; o rastro não tem o passo face, que diria por quê"})
-                        : steps.face};
+                .sentence = steps.face.empty()
+                                ? said("culled; the trace has no face step, which would say why")
+                                : steps.face};
     if (reason == "clipped")
         return {.reason = reason,
                 .sentence = fmt::format("{}: {}", in_language_of_steps(steps.skip),
                                         steps.clips.empty()
-                                            ? said({"all of it lies outside one plane of the view",
-                                                    "tudo está fora de um plano da vista"})
+                                            ? said("all of it lies outside one plane of the view")
                                             : joined(steps.clips, "; "))};
     const std::string why(in_language_of_steps(steps.skip));
     const std::string corners = corners_text(primitive_in(trace.step(steps.first)));
@@ -62,14 +59,10 @@ WhyNot why_skipped(const Trace& trace, const PrimitiveSteps& steps) {
 /// A primitive that clipping has cut into parts, none of which has drawn the pixel.
 WhyNot why_clipped(const PrimitiveSteps& steps) {
     const std::string clips =
-        steps.clips.empty() ? said({"cut by a plane of the view", "cortado por um plano da vista"})
-                            : joined(steps.clips, "; ");
+        steps.clips.empty() ? said("cut by a plane of the view") : joined(steps.clips, "; ");
     if (!steps.may_lack.empty())
         return not_told(steps, clips);
-    return {.reason = "clipped",
-            .sentence = said({"{}; no part that is left has the pixel",
-                              "{}; nenhuma parte que resta tem o pixel"},
-                             clips)};
+    return {.reason = "clipped", .sentence = said("{}; no part that is left has the pixel", clips)};
 }
 
 } // namespace

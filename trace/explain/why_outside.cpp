@@ -64,7 +64,7 @@ double distance_from_line(const Rational& area, const Vec2& from, const Vec2& to
 std::string made_by_clipping(const std::string& edge) {
     const std::size_t colon = edge.find(':');
     return colon != std::string::npos && edge.find(':', colon + 1) != std::string::npos
-               ? said({", which clipping has made,", ", feita pelo recorte,"})
+               ? said(", which clipping has made,")
                : "";
 }
 
@@ -87,15 +87,12 @@ std::optional<WhyNot> by_edge_function(const Case& c) {
         farthest =
             WhyNot{.reason = "outside",
                    .sentence = sgn(value) == 0
-                                   ? said({"E of {} at {} = {}: it is no {} or left edge{}",
-                                           "E de {} em {} = {}: não é aresta {} nem esquerda{}"},
-                                          edge, text(c.sample), function->at(c.sample),
-                                          has_bottom_rule(c.trace) ? said({"bottom", "inferior"})
-                                                                   : said({"top", "superior"}),
+                                   ? said("E of {} at {} = {}: it is no {} or left edge{}", edge,
+                                          text(c.sample), function->at(c.sample),
+                                          has_bottom_rule(c.trace) ? said("bottom") : said("top"),
                                           by_convention(c.trace))
-                                   : said({"E of {}{} at {} = {}, {} px beyond it",
-                                           "E de {}{} em {} = {}, {} px além dela"},
-                                          edge, made_by_clipping(edge), text(c.sample),
+                                   : said("E of {}{} at {} = {}, {} px beyond it", edge,
+                                          made_by_clipping(edge), text(c.sample),
                                           function->at(c.sample), six_places(distance)),
                    .distance = distance};
     }
@@ -109,29 +106,22 @@ WhyNot beyond_end(const Case& c, std::size_t n, bool is_left) {
     const Rational gap = !end      ? Rational(0)
                          : is_left ? Rational(*end - c.sample.x)
                                    : Rational(c.sample.x - *end);
-    const std::string side = is_left ? said({"before", "antes"}) : said({"beyond", "além"});
+    const std::string side = is_left ? said("before") : said("beyond");
     const std::string where =
-        !end            ? said({"lies {} that pixel", "fica {} desse pixel"}, side)
-        : sgn(gap) > 0  ? said({"lies {} it by {}", "fica {1} {0}"}, side, text(gap))
-        : sgn(gap) == 0 ? said({"lies on it, and the rule leaves it out{}",
-                                "fica sobre ele, e a regra o deixa de fora{}"},
-                               by_convention(c.trace))
-                        : said({"lies {} within it, and the rule leaves it out",
-                                "fica {} para dentro, e a regra o deixa de fora"},
-                               text(abs(gap)));
+        !end            ? said("lies {} that pixel", side)
+        : sgn(gap) > 0  ? said("lies {} it by {}", side, text(gap))
+        : sgn(gap) == 0 ? said("lies on it, and the rule leaves it out{}", by_convention(c.trace))
+                        : said("lies {} within it, and the rule leaves it out", text(abs(gap)));
     const std::string edge = told.edge.text();
     const std::string name = !edge.empty() ? edge
-                             : is_left     ? said({"left end", "o extremo esquerdo"})
-                                           : said({"right end", "o extremo direito"});
-    WhyNot why =
-        outside(said({"{}{} {} row y={} at x = {}{} -> {}; x = {} {}",
-                      "{}{} {} a linha y={} em x = {}{} -> {}; x = {} {}"},
-                     name, made_by_clipping(edge),
-                     is_left ? said({"begins", "começa"}) : said({"ends", "termina"}), told.y,
-                     in_sentence(told.x.text()), rule_of_end(c.trace, told, c.primitive().kind),
-                     told.pixel, text(c.sample.x), where) +
-                    what_numbers_give(c.trace, n),
-                gap);
+                             : is_left     ? said("left end##subject")
+                                           : said("right end##subject");
+    WhyNot why = outside(
+        said("{}{} {} row y={} at x = {}{} -> {}; x = {} {}", name, made_by_clipping(edge),
+             is_left ? said("begins") : said("ends"), told.y, in_sentence(told.x.text()),
+             rule_of_end(c.trace, told, c.primitive().kind), told.pixel, text(c.sample.x), where) +
+            what_numbers_give(c.trace, n),
+        gap);
     for (const std::string& line : c.steps.working)
         if (line.starts_with(told.name() + " "))
             why.working.push_back(line);
@@ -152,7 +142,7 @@ std::string winding_there(const Case& c) {
         for (std::size_t i = 0; i < std::min(x.size(), winding.size()); ++i)
             if (const auto at = x[i].exact(); at && *at <= c.sample.x)
                 there = winding[i];
-        return said({"; the winding number there is {}", "; ali o número de voltas é {}"}, there);
+        return said("; the winding number there is {}", there);
     }
     return {};
 }
@@ -172,10 +162,8 @@ std::optional<WhyNot> by_row(const Case& c) {
         const Index gap = std::max(row.from - c.pixel.x, c.pixel.x - row.to);
         if (gap <= 0)
             return WhyNot{.reason = "unknown",
-                          .sentence = said({"row y={} has the pixels {} to {}, but no step of the "
-                                            "trace says what became of this one",
-                                            "a linha y={} tem os pixels {} a {}, mas nenhum passo "
-                                            "do rastro diz o que foi feito deste"},
+                          .sentence = said("row y={} has the pixels {} to {}, but no step of the "
+                                           "trace says what became of this one",
                                            c.pixel.y, row.from, row.to)};
         if (nearest != 0 && gap >= least)
             continue;
@@ -218,21 +206,15 @@ std::optional<WhyNot> by_rows(const Case& c) {
         return std::nullopt;
     const bool is_above = canvas.row_of(c.pixel.y) < canvas.row_of(*top);
     const bool is_below = canvas.row_of(c.pixel.y) > canvas.row_of(*bottom);
-    const std::string rows =
-        *top == *bottom ? said({"its only row, y={}", "sua única linha, y={}"}, *top)
-                        : said({"its rows, y={} to {}", "suas linhas, y={} a {}"}, *top, *bottom);
+    const std::string rows = *top == *bottom ? said("its only row, y={}", *top)
+                                             : said("its rows, y={} to {}", *top, *bottom);
     if (!is_above && !is_below)
         return WhyNot{.reason = "unknown",
-                      .sentence =
-                          said({"row y={} is missing among {}", "a linha y={} falta entre {}"},
-                               c.pixel.y, rows)};
+                      .sentence = said("row y={} is missing among {}", c.pixel.y, rows)};
     if (!c.steps.may_lack.empty())
-        return not_told(c.steps, said({"the trace does not have row y={} of it",
-                                       "o rastro não tem a linha y={} dele"},
-                                      c.pixel.y));
+        return not_told(c.steps, said("the trace does not have row y={} of it", c.pixel.y));
     const std::string lies =
-        said({"row y={} lies {} {}", "a linha y={} fica {} {}"}, c.pixel.y,
-             is_above ? said({"above", "acima de"}) : said({"below", "abaixo de"}), rows);
+        said("row y={} lies {} {}", c.pixel.y, is_above ? said("above") : said("below"), rows);
     const auto& corners = c.corners();
     if (!corners)
         return WhyNot{.reason = "outside", .sentence = lies};
@@ -240,15 +222,11 @@ std::optional<WhyNot> by_rows(const Case& c) {
     const Rational distance = abs(c.sample.y - (*corners)[corner].y);
     const bool is_left_out =
         is_below && sgn(distance) == 0 && c.trace.method.triangles.rows == RowRule::half_open;
-    const std::string left_out = is_left_out
-                                     ? said({", and half-open rows leave out the lowest{}",
-                                             ", e linhas half-open deixam de fora a mais baixa{}"},
-                                            by_convention(c.trace))
-                                     : "";
-    return outside(said({"{}: its {} corner, {}, is at y = {}{}",
-                         "{}: seu vértice mais {}, {}, está em y = {}{}"},
-                        lies, is_above ? said({"highest", "alto"}) : said({"lowest", "baixo"}),
-                        c.primitive().vertices[corner],
+    const std::string left_out =
+        is_left_out ? said(", and half-open rows leave out the lowest{}", by_convention(c.trace))
+                    : "";
+    return outside(said("{}: its {} corner, {}, is at y = {}{}", lies,
+                        is_above ? said("highest") : said("lowest"), c.primitive().vertices[corner],
                         in_sentence(c.primitive().positions[corner][1]), left_out),
                    distance);
 }
@@ -275,14 +253,12 @@ std::optional<WhyNot> by_weight(const Case& c) {
         }
         const auto& corners = c.corners();
         if (!worst || !corners)
-            return WhyNot{.reason = "outside",
-                          .sentence = said({"its sample lies outside", "sua amostra está fora"})};
+            return WhyNot{.reason = "outside", .sentence = said("its sample lies outside")};
         const auto& from = (*corners)[(*worst + 1) % 3];
         const auto& to = (*corners)[(*worst + 2) % 3];
         const double distance = distance_from_line(doubled_area(from, to, c.sample), from, to);
         return WhyNot{.reason = "outside",
-                      .sentence = said({"at {} the weight of {} is {} < 0: beyond {}, by {} px",
-                                        "em {} o peso de {} é {} < 0: além de {}, por {} px"},
+                      .sentence = said("at {} the weight of {} is {} < 0: beyond {}, by {} px",
                                        text(c.sample), c.primitive().vertices[*worst],
                                        in_sentence(weights[*worst].text()),
                                        side_across(c.primitive(), *worst), six_places(distance)),
@@ -309,8 +285,7 @@ std::optional<WhyNot> by_box(const Case& c) {
     const Rational dy = beyond(c.sample.y, low, high);
     if (sgn(dx) == 0 && sgn(dy) == 0)
         return std::nullopt;
-    return outside(said({"{} lies beyond the box around it, x {} to {}, y {} to {}, by {}",
-                         "{} fica além da caixa em volta, x {} a {}, y {} a {}, por {}"},
+    return outside(said("{} lies beyond the box around it, x {} to {}, y {} to {}, by {}",
                         text(c.sample), text(left), text(right), text(low), text(high),
                         text(std::max(dx, dy))),
                    std::max(dx, dy));
@@ -328,14 +303,12 @@ WhyNot unknown(const Case& c) {
     for (const StepKind kind : {StepKind::edge, StepKind::scanline, StepKind::sample})
         if (c.trace.lacks(kind))
             lacking.emplace_back(name_of(kind));
-    const std::string none =
-        said({"no step of the trace says why", "nenhum passo do rastro diz por quê"});
+    const std::string none = said("no step of the trace says why");
     if (lacking.empty() && !c.steps.may_lack.empty())
         return not_told(c.steps, none);
     return {.reason = "unknown",
             .sentence = lacking.empty() ? none
-                                        : said({"the trace has no {} steps, which would say why",
-                                                "o rastro não tem passos {}, que diriam por quê"},
+                                        : said("the trace has no {} steps, which would say why",
                                                joined(lacking, ", "))};
 }
 
@@ -344,9 +317,7 @@ WhyNot unknown(const Case& c) {
 WhyNot why_outside(const Trace& trace, const PrimitiveSteps& steps, Pixel pixel) {
     const PrimitiveStep& told = steps.told;
     if (told.painted.is_false())
-        return {.reason = "unpainted",
-                .sentence = said(
-                    {"it only hides what lies behind it", "só esconde o que está atrás dele"})};
+        return {.reason = "unpainted", .sentence = said("it only hides what lies behind it")};
     const auto& offset = steps.samples->of(told.kind);
     const Case c{trace, steps, pixel, {offset.x_of(pixel.x), offset.y_of(pixel.y)}};
     for (const auto rule : {by_edge_function, by_row, by_weight, by_rows, by_box})
@@ -354,8 +325,7 @@ WhyNot why_outside(const Trace& trace, const PrimitiveSteps& steps, Pixel pixel)
             return *std::move(why);
     if (is_fan(c) && !trace.lacks(StepKind::pixel) && steps.may_lack.empty())
         return {.reason = "outside",
-                .sentence = said({"no line of the fan passes through the pixel",
-                                  "nenhum segmento do leque passa pelo pixel"})};
+                .sentence = said("no line of the fan passes through the pixel")};
     return unknown(c);
 }
 

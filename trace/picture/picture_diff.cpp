@@ -52,19 +52,17 @@ struct Placement {
         std::vector<std::string> parts;
         const auto add_move = [&parts](int by, const Words& forward, const Words& backward) {
             if (by != 0)
-                parts.push_back(
-                    said({"moved {} {}", "movida {} {}"},
-                         said_count(static_cast<unsigned>(std::abs(by)), {"pixel", "pixel"}),
-                         (by > 0 ? forward : backward).in(language_of_steps())));
+                parts.push_back(said("moved {} {}",
+                                     said_count(static_cast<unsigned>(std::abs(by)), "pixel"),
+                                     (by > 0 ? forward : backward).in(language_of_steps())));
         };
-        add_move(right, {"to the right", "para a direita"}, {"to the left", "para a esquerda"});
-        add_move(down, {"down", "para baixo"}, {"up", "para cima"});
+        add_move(right, "to the right", "to the left");
+        add_move(down, "down", "up");
         if (is_upside_down)
-            parts.push_back(said({"turned upside down", "virada de cabeça para baixo"}));
+            parts.push_back(said("turned upside down"));
         if (is_mirrored)
-            parts.push_back(
-                said({"mirrored left to right", "espelhada da esquerda para a direita"}));
-        return joined(parts, said({" and ", " e "}));
+            parts.push_back(said("mirrored left to right"));
+        return joined(parts, said(" and "));
     }
 };
 
@@ -114,12 +112,9 @@ public:
         constexpr std::uint64_t explains = 4;
         if (fewest * explains > differing)
             return "";
-        return said({"{} {}: then {}", "{} {}: então {}"},
-                    options_.is_picture_first ? said({"a is b,", "a é b,"})
-                                              : said({"b is a,", "b é a,"}),
+        return said("{} {}: then {}", options_.is_picture_first ? said("a is b,") : said("b is a,"),
                     best.text(),
-                    fewest == 0 ? said({"nothing differs", "nada difere"})
-                                : counted_differences(fewest, {"pixel", "pixel"}));
+                    fewest == 0 ? said("nothing differs") : counted_differences(fewest, "pixel"));
     }
 
     bool has_colors() const { return has_colors_; }
@@ -235,12 +230,10 @@ TraceDiff diff_with_picture(const Trace& trace, const Picture& picture,
     const std::uint64_t differing = count_pixels(found);
     found.is_same = differing == 0;
     if (!held.has_colors())
-        found.remarks.push_back(said({"compared: what is drawn, without colors",
-                                      "comparado: o que é desenhado, sem cores"}));
+        found.remarks.push_back(said("compared: what is drawn, without colors"));
     if (const Color background = held.background(); background != no_color)
         found.remarks.push_back(
-            said({"{}: what is {} is not drawn", "{}: o que é {} não é desenhado"},
-                 is_first ? 'a' : 'b', to_text(background)));
+            said("{}: what is {} is not drawn", is_first ? 'a' : 'b', to_text(background)));
     if (!found.is_same)
         if (std::string remark = held.placement_remark(differing); !remark.empty())
             found.remarks.push_back(std::move(remark));

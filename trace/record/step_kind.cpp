@@ -11,88 +11,67 @@ namespace {
 // clang-format off
 const std::array<StepRow, step_kinds> table{{
     {StepKind::triangulate, "a face that is not convex has been cut into triangles",
-     {"{@face} is not convex; its normal {normal} is largest in {drops}, which is dropped; ears: {@ears}",
-      "{@face} não é convexa; sua normal {normal} é maior em {drops}, que é descartada; orelhas: {@ears}"}},
+     "{@face} is not convex; its normal {normal} is largest in {drops}, which is dropped; ears: {@ears}"},
 
     {StepKind::matrix, "a transform is set up",
-     {"{#name} matrix{@of_object}{@factors}:{@rows}",
-      "matriz de {#name}{@of_object}{@factors}:{@rows}"}},
+     "{#name} matrix{@of_object}{@factors}:{@rows}"},
 
     {StepKind::vertex, "a vertex enters a space",
-     {"vertex {name} in {#space} space: {@place}{@snapped}",
-      "vértice {name} no espaço {#space}: {@place}{@snapped}"}},
+     "vertex {name} in {#space} space: {@place}{@snapped}"},
 
     {StepKind::order, "the painter has sorted the faces",
-     {"the painter draws, farthest first:{@farthest_first}",
-      "o pintor desenha, do mais distante ao mais próximo:{@farthest_first}"}},
+     "the painter draws, farthest first:{@farthest_first}"},
 
     {StepKind::primitive, "a primitive begins",
-     {"{#kind} {name}{@corners}{@radius}{@octant}{@painted}",
-      "{#kind} {name}{@corners}{@radius}{@octant}{@painted}"}},
+     "{#kind} {name}{@corners}{@radius}{@octant}{@painted}"},
 
     {StepKind::face, "a face is tested",
-     {"face {@primitive}: normal {normal} . {@toward} {view} = {dot}{@cosine}: {culled?culled:drawn}",
-      "face {@primitive}: normal {normal} . {@toward} {view} = {dot}{@cosine}: {culled?eliminada:desenhada}"}},
+     "face {@primitive}: normal {normal} . {@toward} {view} = {dot}{@cosine}: {culled?culled:drawn}"},
 
     {StepKind::light, "a face is lit",
-     {"light on {@primitive}: normal {normal} . light {light} = {dot}, intensity {@intensity}, color {color}{@level}",
-      "luz em {@primitive}: normal {normal} . luz {light} = {dot}, intensidade {@intensity}, cor {color}{@level}"}},
+     "light on {@primitive}: normal {normal} . light {light} = {dot}, intensity {@intensity}, color {color}{@level}"},
 
     {StepKind::clip, "a primitive meets a plane with a vertex outside it",
-     {"{name} clipped at the {#plane} plane: {@inside} vertices inside, {out} left",
-      "{name} recortado no plano {#plane}: {@inside} vértices dentro, restam {out}"}},
+     "{name} clipped at the {#plane} plane: {@inside} vertices inside, {out} left"},
 
     {StepKind::edge, "an edge is set up, or a side is about to be drawn",
-     {"{@edge}",
-      "{@edge}"}},
+     "{@edge}"},
 
     {StepKind::half, "a half of a `two-halves` fill begins",
-     {"{#half} half: {@rows_of_half}",
-      "metade {#half}: {@rows_of_half}"}},
+     "{#half} half: {@rows_of_half}"},
 
     {StepKind::ray, "a line of the fan begins",
-     {"a line begins at ({x}, {y}){@line_to}",
-      "um segmento começa em ({x}, {y}){@line_to}"}},
+     "a line begins at ({x}, {y}){@line_to}"},
 
     {StepKind::crossings, "a row of a polygon meets its edges",
-     {"row y={y}{@crossings}: inside where the winding number is {@fill_rule}",
-      "linha y={y}{@crossings}: dentro onde o número de voltas é {@fill_rule}"}},
+     "row y={y}{@crossings}: inside where the winding number is {@fill_rule}"},
 
     {StepKind::scanline, "the two ends of a row are known",
-     {"scanline y={y}{@samples}   {@left_end}   {@right_end}{@depths_of_row}{@empty}",
-      "linha y={y}{@samples}   {@left_end}   {@right_end}{@depths_of_row}{@empty}"}},
+     "scanline y={y}{@samples}   {@left_end}   {@right_end}{@depths_of_row}{@empty}"},
 
     {StepKind::along, "a `naive`, `dda` or `diamond-exit` line is at a step of its major axis",
-     {"{@along} = {@slope_form}{value}{@rule_of_line} -> {pixel}",
-      "{@along} = {@slope_form}{value}{@rule_of_line} -> {pixel}"}},
+     "{@along} = {@slope_form}{value}{@rule_of_line} -> {pixel}"},
 
     {StepKind::decide, "Bresenham chooses",
-     {"at ({x}, {y}): d = {d} {@sign_of_d} to {move}{@next_d}",
-      "em ({x}, {y}): d = {d} {@sign_of_d} para {move}{@next_d}"}},
+     "at ({x}, {y}): d = {d} {@sign_of_d} to {move}{@next_d}"},
 
     {StepKind::sample, "`barycentric` tests a pixel",
-     {"sample of ({x}, {y}):{@weights}: {inside?none is negative, inside:one is negative, outside}",
-      "amostra de ({x}, {y}):{@weights}: {inside?nenhum é negativo, dentro:um é negativo, fora}"}},
+     "sample of ({x}, {y}):{@weights}: {inside?none is negative, inside:one is negative, outside}"},
 
     {StepKind::depth, "a pixel meets the depth buffer",
-     {"depth at ({x}, {y}): {depth} against {@against}: {pass?passes:fails}{@depth_rule}",
-      "profundidade em ({x}, {y}): {depth} contra {@against}: {pass?passa:falha}{@depth_rule}"}},
+     "depth at ({x}, {y}): {depth} against {@against}: {pass?passes:fails}{@depth_rule}"},
 
     {StepKind::pixel, "a pixel is plotted",
-     {"pixel ({x}, {y}){@color}{@reason}{@drawn_over}",
-      "pixel ({x}, {y}){@color}{@reason}{@drawn_over}"}},
+     "pixel ({x}, {y}){@color}{@reason}{@drawn_over}"},
 
     {StepKind::reject, "pixels are dropped",
-     {"{@dropped}: dropped, {#why}",
-      "{@dropped}: não se desenha, {#why}"}},
+     "{@dropped}: dropped, {#why}"},
 
     {StepKind::skip, "a primitive draws nothing",
-     {"{@kind} {@primitive}: skipped, {#why}",
-      "{@kind} {@primitive}: omitido, {#why}"}},
+     "{@kind} {@primitive}: skipped, {#why}"},
 
     {StepKind::undecided, "with `adaptive`: intervals of doubles leave a decision about the next primitive open",
-     {"{@what_is_open}; drawn in exact numbers",
-      "{@what_is_open}; desenhado com números exatos"}},
+     "{@what_is_open}; drawn in exact numbers"},
 }};
 // clang-format on
 

@@ -294,7 +294,7 @@ std::string Variations::label(std::size_t frame, Language language) const {
     std::vector<std::string> numbers;
     for (const Varying& one : varying_)
         numbers.push_back(fmt::format("{} {}", name_of(one), short_text(one.values[frame - 1])));
-    return fmt::format("{} {} {}: {}", frame, Words("of", "de").in(language), count(),
+    return fmt::format("{} {} {}: {}", frame, Words("of").in(language), count(),
                        joined(numbers, ", "));
 }
 

@@ -37,8 +37,7 @@ std::string name_of_primitive(const Context& context) {
     if (const std::string name = name_in(context.step).text(); !name.empty())
         return name;
     return context.replay.primitive() == 0
-               ? said({"of step {}", "do passo {}"},
-                      context.replay.trace().number_of(context.replay.step()))
+               ? said("of step {}", context.replay.trace().number_of(context.replay.step()))
                : context.primitive.name;
 }
 
@@ -64,11 +63,8 @@ std::string corners(const Context& context) {
             text += fmt::format(" {}", colors[i]);
     }
     if (primitive.positions.empty())
-        text +=
-            is_clipped(context.replay)
-                ? said({": not all of it can be seen, it is clipped",
-                        ": nem tudo se pode ver, é recortado"})
-                : said({": the trace does not tell where it is", ": o rastro não diz onde está"});
+        text += is_clipped(context.replay) ? said(": not all of it can be seen, it is clipped")
+                                           : said(": the trace does not tell where it is");
     return text;
 }
 
@@ -86,8 +82,7 @@ std::string place(const Context& context) {
     if (vertex.space == Space::canonical && from.size() == 4)
         return fmt::format("{} = {}",
                            quotient(point({from[0], from[1], from[2]}), in_sentence(from[3])), at);
-    return said({"{}, from {} {}", "{}, a partir do espaço {} {}"}, at,
-                in_language_of_steps(before.space.text()), point(from));
+    return said("{}, from {} {}", at, in_language_of_steps(before.space.text()), point(from));
 }
 
 std::string farthest_first(const Context& context) {
@@ -96,7 +91,7 @@ std::string farthest_first(const Context& context) {
     const auto distances = order.distances.texts();
     std::string text;
     for (std::size_t i = 0; i < names.size(); ++i)
-        text += said({"{} {} at {}", "{} {} a {}"}, i == 0 ? "" : ",", names[i],
+        text += said("{} {} at {}", i == 0 ? "" : ",", names[i],
                      i < distances.size() ? in_sentence(distances[i]) : "?");
     return text;
 }
@@ -116,17 +111,11 @@ std::string edge_function(const Trace& trace, const EdgeStep& step,
     const std::string y = ends ? minus(in_formula(ends->from[1])) : "- y1";
     const std::string rule =
         step.top_left.is_true() && has_bottom_rule(trace)
-            ? said({"bottom or left: samples where E = 0 belong to the triangle",
-                    "inferior ou esquerda: as amostras onde E = 0 são do triângulo"})
-        : step.top_left.is_true()
-            ? said({"top or left: samples where E = 0 belong to the triangle",
-                    "superior ou esquerda: as amostras onde E = 0 são do triângulo"})
-            : said({"samples where E = 0 do not belong to the triangle",
-                    "as amostras onde E = 0 não são do triângulo"});
-    return said({"edge {}: E(x, y) = {} (x {}) {} (y {}), {}",
-                 "aresta {}: E(x, y) = {} (x {}) {} (y {}), {}"},
-                step.edge.text(), in_formula(step.a.text()), x, plus(in_formula(step.b.text())), y,
-                rule);
+            ? said("bottom or left: samples where E = 0 belong to the triangle")
+        : step.top_left.is_true() ? said("top or left: samples where E = 0 belong to the triangle")
+                                  : said("samples where E = 0 do not belong to the triangle");
+    return said("edge {}: E(x, y) = {} (x {}) {} (y {}), {}", step.edge.text(),
+                in_formula(step.a.text()), x, plus(in_formula(step.b.text())), y, rule);
 }
 
 /// The other form of a line that is not vertical: `; y = 4/3 x + 7/3`.
@@ -141,21 +130,19 @@ std::string edge(const Context& context) {
     const auto step = context.as<EdgeStep>();
     const std::string name = step.edge.text();
     if (step.octant)
-        return said({"side {}: octant {}", "lado {}: octante {}"}, name, *step.octant);
+        return said("side {}: octant {}", name, *step.octant);
     const auto ends = ends_of_edge(context.primitive, name);
     if (step.a)
         return edge_function(context.replay.trace(), step, ends);
     const std::string slope = step.dx_dy.text();
     if (slope == "null")
-        return said(
-            {"edge {}: horizontal, it has no dx/dy", "aresta {}: horizontal, não tem dx/dy"}, name);
+        return said("edge {}: horizontal, it has no dx/dy", name);
     if (!ends)
-        return said({"edge {}: dx/dy = {}", "aresta {}: dx/dy = {}"}, name, with_fraction(slope));
+        return said("edge {}: dx/dy = {}", name, with_fraction(slope));
     const std::string x1 = in_formula(ends->from[0]);
     const std::string y1 = in_formula(ends->from[1]);
-    return said({"edge {}: dx/dy = ({} {}) / ({} {}) = {}; x = {} {} (y {}){}",
-                 "aresta {}: dx/dy = ({} {}) / ({} {}) = {}; x = {} {} (y {}){}"},
-                name, in_formula(ends->to[0]), minus(x1), in_formula(ends->to[1]), minus(y1),
+    return said("edge {}: dx/dy = ({} {}) / ({} {}) = {}; x = {} {} (y {}){}", name,
+                in_formula(ends->to[0]), minus(x1), in_formula(ends->to[1]), minus(y1),
                 with_fraction(slope), x1, plus(in_formula(slope)), minus(y1), line_form(*ends));
 }
 
@@ -165,9 +152,8 @@ std::string rows_of_half(const Context& context) {
     const Index from = half.from_y.value_or(0);
     const Index to = half.to_y.value_or(0);
     // A half is filled upward: its rows end where they began, or above.
-    return canvas.row_of(from) < canvas.row_of(to)
-               ? said({"no row", "nenhuma linha"})
-               : said({"rows y={} to {}", "linhas y={} a {}"}, from, to);
+    return canvas.row_of(from) < canvas.row_of(to) ? said("no row")
+                                                   : said("rows y={} to {}", from, to);
 }
 
 std::string weights(const Context& context) {
@@ -190,10 +176,10 @@ std::string against(const Context& context) {
     const Replay& replay = context.replay;
     const std::string stored = context.as<DepthStep>().stored.text();
     if (stored == "null")
-        return said({"nothing", "nada"});
+        return said("nothing");
     const std::size_t owner = replay.primitive_of(replay.stored_before());
     return owner == 0 ? in_sentence(stored)
-                      : said({"{} of {}", "{} de {}"}, in_sentence(stored),
+                      : said("{} of {}", in_sentence(stored),
                              replay.trace().step(owner).as<PrimitiveStep>().name.text());
 }
 
@@ -227,37 +213,27 @@ std::string depth_rule(const Context& context) {
     if (what.empty() || !larger)
         return {};
     const bool is_usual = asked.empty() || asked == "auto";
-    std::string text =
-        *larger ? is_usual ? said({" ({}, larger is nearer", " ({}, o maior está mais perto"}, what)
-                           : said({" ({}, larger passes", " ({}, o maior passa"}, what)
-        : is_usual ? said({" ({}, smaller is nearer", " ({}, o menor está mais perto"}, what)
-                   : said({" ({}, smaller passes", " ({}, o menor passa"}, what);
+    std::string text = *larger    ? is_usual ? said(" ({}, larger is nearer", what)
+                                             : said(" ({}, larger passes", what)
+                          : is_usual ? said(" ({}, smaller is nearer", what)
+                                  : said(" ({}, smaller passes", what);
     if (is_inverse && depth && *depth != 0)
         text += "; z = " + inverse_of(test.depth.text()) +
-                (stored && *stored != 0
-                     ? said({" against {}", " contra {}"}, inverse_of(test.stored.text()))
-                     : "");
+                (stored && *stored != 0 ? said(" against {}", inverse_of(test.stored.text())) : "");
     if (test.depth.text() == test.stored.text() && test.depth.text() != "NaN" && !test.behind)
-        text +=
-            replay.stored_before() == 0 && replay.trace().left_out.primitive.empty()
-                ? said({"; equal to the empty buffer", "; igual ao buffer vazio"})
-            : test.pass.is_true()
-                ? said({"; of equals the thinner one passes", "; entre iguais passa o mais fino"})
-                : said({"; of equals the first stays", "; entre iguais fica o primeiro"});
+        text += replay.stored_before() == 0 && replay.trace().left_out.primitive.empty()
+                    ? said("; equal to the empty buffer")
+                : test.pass.is_true() ? said("; of equals the thinner one passes")
+                                      : said("; of equals the first stays");
     const bool is_point = context.primitive.kind == PrimitiveKind::point;
-    const std::string part = is_point ? said({"corner", "vértice"}) : said({"side", "lado"});
-    const std::string own = is_point ? said({"the point", "o ponto"})
-                                     : said({"the line's own point", "o ponto do segmento"});
+    const std::string part = is_point ? said("corner") : said("side");
+    const std::string own = is_point ? said("the point") : said("the line's own point");
     if (test.side_of)
-        text += said({"; {} does not hide its own {}", "; {} não esconde seu próprio {}"},
-                     test.side_of.text(), part);
+        text += said("; {} does not hide its own {}", test.side_of.text(), part);
     if (test.beside)
-        text += said({"; {} does not cover {}, or is not nearer there",
-                      "; {} não cobre {}, ou não está mais perto ali"},
-                     test.beside.text(), own);
+        text += said("; {} does not cover {}, or is not nearer there", test.beside.text(), own);
     if (test.behind)
-        text += said({"; {} covers {} and is nearer there", "; {} cobre {} e está mais perto ali"},
-                     test.behind.text(), own);
+        text += said("; {} covers {} and is nearer there", test.behind.text(), own);
     return text + ")";
 }
 
@@ -265,10 +241,10 @@ std::string drawn_over(const Context& context) {
     const Replay& replay = context.replay;
     const auto pixel = context.as<PixelStep>();
     if (!replay.trace().canvas.contains(pixel.x, pixel.y))
-        return said({"   not on the canvas, not drawn", "   fora da tela, não desenhado"});
-    return replay.drew_over() != 0 ? said({"   over step {}", "   sobre o passo {}"},
-                                          replay.trace().number_of(replay.drew_over()))
-                                   : std::string();
+        return said("   not on the canvas, not drawn");
+    return replay.drew_over() != 0
+               ? said("   over step {}", replay.trace().number_of(replay.drew_over()))
+               : std::string();
 }
 
 /// "" of one that is not there.
@@ -283,10 +259,10 @@ std::string dropped(const Context& context) {
     const std::string to_x = run.to_x ? shown(run.to_x) : x;
     const std::string to_y = run.to_y ? shown(run.to_y) : y;
     if (!run.x)
-        return said({"rows y={} to {}", "linhas y={} a {}"}, y, to_y);
+        return said("rows y={} to {}", y, to_y);
     if (x == to_x && y == to_y)
         return fmt::format("pixel ({}, {})", x, y);
-    return said({"pixels ({}, {}) to ({}, {})", "pixels ({}, {}) a ({}, {})"}, x, y, to_x, to_y);
+    return said("pixels ({}, {}) to ({}, {})", x, y, to_x, to_y);
 }
 
 /// dx/dy of an edge of the current primitive as it was set up; nothing if it is horizontal.
@@ -317,7 +293,7 @@ std::string rounded_by(const std::string& rule, const std::string& ties, std::st
         return {};
     const std::string text = fmt::format(" -> {}{}", rule, argument);
     const bool is_tie = number && rule == "nearest" && number->get_den() == 2;
-    return is_tie ? text + said({", ties {}", ", empates {}"}, ties.empty() ? "up" : ties) : text;
+    return is_tie ? text + said(", ties {}", ties.empty() ? "up" : ties) : text;
 }
 
 /// What is rounded instead of x, or y: `(x - 1/2)`; "" if samples lie at integers.
@@ -345,7 +321,7 @@ std::string rule_of_end(const Trace& trace, const EndOfRow& end,
     const Rational sample = offset.x_of(end.pixel);
     if (end.is_left ? *x > sample : *x <= sample)
         return {};
-    return said({" {} sample {}{}", " {} amostra {}{}"}, end.is_left ? "<=" : ">", end.pixel,
+    return said(" {} sample {}{}", end.is_left ? "<=" : ">", end.pixel,
                 sgn(offset.x()) != 0 ? " " + plus(text(offset.x())) : std::string());
 }
 
@@ -389,8 +365,7 @@ std::string crossings(const Context& context) {
     const auto winding = step.winding.texts();
     std::string text;
     for (std::size_t i = 0; i < std::min({edges.size(), x.size(), winding.size()}); ++i)
-        text += said({"   {} at {}, winding {}", "   {} em {}, voltas {}"}, edges[i],
-                     in_sentence(x[i]), winding[i]);
+        text += said("   {} at {}, winding {}", edges[i], in_sentence(x[i]), winding[i]);
     return text;
 }
 
@@ -398,8 +373,8 @@ std::string crossings(const Context& context) {
 std::string depths_of_row(const Context& context) {
     const auto row = context.as<ScanlineStep>();
     return row.left_depth && row.right_depth
-               ? said({"   depth {} to {}", "   profundidade {} a {}"},
-                      in_sentence(row.left_depth.text()), in_sentence(row.right_depth.text()))
+               ? said("   depth {} to {}", in_sentence(row.left_depth.text()),
+                      in_sentence(row.right_depth.text()))
                : std::string();
 }
 
@@ -451,7 +426,7 @@ std::string next_d(const Context& context) {
     const Rational next = line->next(*d);
     if (const auto told = next_d_told(context.replay);
         told && !agrees(next, *told, context.replay.trace()))
-        return said({"; the next d is {}", "; o próximo d é {}"}, text(*told));
+        return said("; the next d is {}", text(*told));
     return fmt::format("; d {} = {}", plus(text(next - *d)), text(next));
 }
 
@@ -467,24 +442,22 @@ std::string level(const Context& context) {
     if (!color)
         return {};
     const int brightest = std::max({int{color->red()}, int{color->green()}, int{color->blue()}});
-    return said({" (level {}: {:.1f} % of the light on an sRGB screen)",
-                 " (nível {}: {:.1f} % da luz numa tela sRGB)"},
-                brightest, share_of_light(brightest));
+    return said(" (level {}: {:.1f} % of the light on an sRGB screen)", brightest,
+                share_of_light(brightest));
 }
 
 /// Which side of 0 Bresenham's d lies on, and where it goes for that. A circle goes diagonally at 0.
 std::string sign_of_d(const Context& context, const DecideStep& step) {
     const std::string d = step.d.text();
     if (d == "NaN")
-        return said({"(neither above 0 nor below)", "(nem acima de 0 nem abaixo)"});
+        return said("(neither above 0 nor below)");
     const bool steps_at_0 = context.replay.trace().method.others.ties == Ties::step ||
                             context.primitive.kind == PrimitiveKind::circle;
     const bool is_diagonal = steps_at_0 ? !d.starts_with('-') : !d.starts_with('-') && d != "0";
     const std::string_view compared = steps_at_0    ? is_diagonal ? ">= 0" : "< 0"
                                       : is_diagonal ? "> 0"
                                                     : "<= 0";
-    return is_diagonal ? said({"{}, diagonally", "{}, na diagonal"}, compared)
-                       : said({"{}, straight on", "{}, em frente"}, compared);
+    return is_diagonal ? said("{}, diagonally", compared) : said("{}, straight on", compared);
 }
 
 /// The color of a pixel that has its own; on a line, how far it has come from one end's to the other's.
@@ -498,16 +471,13 @@ std::string color(const Context& context) {
         return told;
     switch (on_line->lerp) {
     case ColorLerp::space:
-        return said({"{} ({} of the color of {})", "{} ({} da cor de {})"}, told,
-                    text(on_line->share()), on_line->names[1]);
+        return said("{} ({} of the color of {})", told, text(on_line->share()), on_line->names[1]);
     case ColorLerp::distance:
-        return said({"{} ({} of the distance)", "{} ({} da distância)"}, told,
-                    six_places(nearest_double(on_line->share())));
+        return said("{} ({} of the distance)", told, six_places(nearest_double(on_line->share())));
     case ColorLerp::axis:
         break;
     }
-    return said({"{} (step {} of {})", "{} (passo {} de {})"}, told, text(on_line->step),
-                text(on_line->steps));
+    return said("{} (step {} of {})", told, text(on_line->step), text(on_line->steps));
 }
 
 /// Why a pixel is drawn, once more: its row, its decision or its sample.
@@ -520,7 +490,7 @@ std::string reason(const Context& context) {
     switch (*trace.kind_of(n)) {
     case StepKind::scanline: {
         const auto row = step.as<ScanlineStep>();
-        return said({"   row y={}: {} to {}", "   linha y={}: {} a {}"}, row.y, row.from, row.to);
+        return said("   row y={}: {} to {}", row.y, row.from, row.to);
     }
     case StepKind::along: {
         const auto along = step.as<AlongStep>();
@@ -531,7 +501,7 @@ std::string reason(const Context& context) {
         return fmt::format("   d = {} {}", decision.d.text(), sign_of_d(context, decision));
     }
     case StepKind::sample:
-        return said({"   no weight is negative", "   nenhum peso é negativo"});
+        return said("   no weight is negative");
     default:
         return {};
     }
@@ -551,8 +521,8 @@ std::string ears(const Context& context) {
     names.resize(std::min(count - 1, most_ears_shown));
     std::string text = joined(names, ", ");
     if (names.size() < count - 1)
-        text += said({", ... ({} in all)", ", ... ({} ao todo)"}, count - 1);
-    return said({"{}; what is left is {}", "{}; o que resta é {}"}, text, rest);
+        text += said(", ... ({} in all)", count - 1);
+    return said("{}; what is left is {}", text, rest);
 }
 
 /// A part of a sentence that is more than a field.
@@ -565,14 +535,14 @@ struct Part {
 constexpr Part parts[] = {
     {"face",
      [](const Context& context) {
-         return said({"face {}", "face {}"},
+         return said("face {}",
                      shortened(context.as<TriangulateStep>().name.text(), shown_of_name));
      }},
     {"ears", ears},
     {"of_object",
      [](const Context& context) {
          const TracedText object = context.as<MatrixStep>().object;
-         return object ? said({" of {}", " de {}"}, object.text()) : std::string();
+         return object ? said(" of {}", object.text()) : std::string();
      }},
     {"factors",
      [](const Context& context) {
@@ -599,18 +569,17 @@ constexpr Part parts[] = {
     {"radius",
      [](const Context& context) {
          const auto radius = context.as<PrimitiveStep>().radius;
-         return radius ? said({"   radius {}", "   raio {}"}, *radius) : std::string();
+         return radius ? said("   radius {}", *radius) : std::string();
      }},
     {"octant",
      [](const Context& context) {
          const auto octant = context.as<PrimitiveStep>().octant;
-         return octant ? said({"   octant {}", "   octante {}"}, *octant) : std::string();
+         return octant ? said("   octant {}", *octant) : std::string();
      }},
     {"painted",
      [](const Context& context) {
-         return context.as<PrimitiveStep>().painted.is_false()
-                    ? said({"   only hides, not painted", "   só esconde, não é pintado"})
-                    : std::string();
+         return context.as<PrimitiveStep>().painted.is_false() ? said("   only hides, not painted")
+                                                               : std::string();
      }},
     {"kind",
      [](const Context& context) {
@@ -620,14 +589,13 @@ constexpr Part parts[] = {
     {"primitive", name_of_primitive},
     {"toward",
      [](const Context& context) {
-         return context.as<FaceStep>().by == "light" ? said({"to light", "para a luz"})
-                                                     : said({"to eye", "para o olho"});
+         return context.as<FaceStep>().by == "light" ? said("to light") : said("to eye");
      }},
     {"cosine",
      [](const Context& context) {
          const auto cosine = context.as<FaceStep>().cosine.nearest_double();
-         return cosine ? said({", cosine {} ({:.2f} degrees)", ", cosseno {} ({:.2f} graus)"},
-                              six_places(*cosine), degrees_of_cosine(*cosine))
+         return cosine ? said(", cosine {} ({:.2f} degrees)", six_places(*cosine),
+                              degrees_of_cosine(*cosine))
                        : std::string();
      }},
     {"intensity",
@@ -640,29 +608,27 @@ constexpr Part parts[] = {
     {"inside",
      [](const Context& context) {
          const auto inside = context.as<ClipStep>().inside.texts();
-         return said({"{} of {}", "{} de {}"}, std::count(inside.begin(), inside.end(), "true"),
-                     inside.size());
+         return said("{} of {}", std::count(inside.begin(), inside.end(), "true"), inside.size());
      }},
     {"edge", edge},
     {"rows_of_half", rows_of_half},
     {"line_to",
      [](const Context& context) {
          const auto ends = ends_of_line(context.replay, context.primitive);
-         return ends ? said({", to {}", ", até {}"}, text(ends->to)) : std::string();
+         return ends ? said(", to {}", text(ends->to)) : std::string();
      }},
     {"samples",
      [](const Context& context) {
          const auto offset = told_samples(context.replay.trace()).of(context.primitive.kind);
-         return sgn(offset.y()) != 0 ? said({", samples at y = {} {}", ", amostras em y = {} {}"},
-                                            context.as<ScanlineStep>().y, plus(text(offset.y())))
+         return sgn(offset.y()) != 0 ? said(", samples at y = {} {}", context.as<ScanlineStep>().y,
+                                            plus(text(offset.y())))
                                      : std::string();
      }},
     {"crossings", crossings},
     {"fill_rule",
      [](const Context& context) {
-         return context.replay.trace().method.others.fill_rule == FillRule::non_zero
-                    ? said({"not 0", "diferente de 0"})
-                    : said({"odd", "ímpar"});
+         return context.replay.trace().method.others.fill_rule == FillRule::non_zero ? said("not 0")
+                                                                                     : said("odd");
      }},
     {"left_end", end_of_row<0>},
     {"right_end", end_of_row<1>},
@@ -670,8 +636,7 @@ constexpr Part parts[] = {
     {"empty",
      [](const Context& context) {
          const auto row = context.as<ScanlineStep>();
-         return row.to < row.from ? said({"   no pixel between", "   nenhum pixel entre elas"})
-                                  : std::string();
+         return row.to < row.from ? said("   no pixel between") : std::string();
      }},
     {"along",
      [](const Context& context) {
@@ -684,7 +649,7 @@ constexpr Part parts[] = {
      [](const Context& context) {
          const Trace& trace = context.replay.trace();
          if (trace.method.others.line == LineMethod::diamond_exit)
-             return said({" -> diamond", " -> losango"});
+             return said(" -> diamond");
          const auto along = context.as<AlongStep>();
          const auto offset = told_samples(trace).lines;
          const Rational& across = along.x ? offset.y() : offset.x();
@@ -708,13 +673,9 @@ constexpr Part parts[] = {
      [](const Context& context) {
          const auto open = context.as<UndecidedStep>();
          const std::string name = printable(open.name.text());
-         return open.error
-                    ? said({"doubles leave {} open: a difference of {}, off by up to {}",
-                            "os doubles não decidem {}: uma diferença de {}, com erro de até {}"},
-                           name, open.difference.text(), open.error.text())
-                    : said({"a number of {} has left the doubles",
-                            "um número de {} saiu dos doubles"},
-                           name);
+         return open.error ? said("doubles leave {} open: a difference of {}, off by up to {}",
+                                  name, open.difference.text(), open.error.text())
+                           : said("a number of {} has left the doubles", name);
      }},
 };
 
@@ -791,9 +752,7 @@ std::optional<bool> larger_depth_passes(const Trace& trace, std::size_t n) {
 
 Sentence sentence_of_step(const Replay& replay) {
     if (replay.step() == 0)
-        return {.pattern =
-                    Words("nothing drawn yet", "nada desenhado ainda").in(language_of_steps()),
-                .fills = {}};
+        return {.pattern = Words("nothing drawn yet").in(language_of_steps()), .fills = {}};
     const StepView step = replay.trace().step(replay.step());
     const auto kind = replay.trace().kind_of(replay.step());
     if (!kind) {

@@ -55,7 +55,7 @@ std::string brief(const std::string& number) {
 }
 
 std::string pixels(Index count) {
-    return count == 1 ? said({"1 pixel", "1 pixel"}) : said({"{} pixels", "{} pixels"}, count);
+    return count == 1 ? said("1 pixel") : said("{} pixels", count);
 }
 
 /// What became of a face.
@@ -81,15 +81,11 @@ struct Face {
 
     Cells cells() const {
         const std::string from = brief(least.text()), to = brief(largest.text());
-        const std::string depths = !least ? ""
-                                   : from == to
-                                       ? said({"depth {}", "profundidade {}"}, from)
-                                       : said({"depth {} to {}", "profundidade {} a {}"}, from, to);
+        const std::string depths = !least       ? ""
+                                   : from == to ? said("depth {}", from)
+                                                : said("depth {} to {}", from, to);
         const std::string result =
-            tests == 0
-                ? pixels(drawn)
-                : said({"{} of {} depth tests pass", "passam {} de {} testes de profundidade"},
-                       passed, tests);
+            tests == 0 ? pixels(drawn) : said("{} of {} depth tests pass", passed, tests);
         return {printable(name), normal, verdict, depths, tests > 0 || drawn > 0 ? result : ""};
     }
 };
@@ -115,11 +111,10 @@ struct Decisions {
             return {};
         std::string line = "d = " + rastertrace::text(*begin);
         if (straight && diagonal)
-            line += said({", then {} or {}", ", depois {} ou {}"},
-                         plus(rastertrace::text(*straight)), plus(rastertrace::text(*diagonal)));
+            line += said(", then {} or {}", plus(rastertrace::text(*straight)),
+                         plus(rastertrace::text(*diagonal)));
         else if (straight || diagonal)
-            line += said({", then {}", ", depois {}"},
-                         plus(rastertrace::text(straight ? *straight : *diagonal)));
+            line += said(", then {}", plus(rastertrace::text(straight ? *straight : *diagonal)));
         return line;
     }
 };
@@ -188,18 +183,16 @@ private:
 
     void read(const FaceStep& test) {
         Face& face = face_named(test.name.text());
-        face.normal = said({"normal {}", "normal {}"}, in_point(test.normal));
-        face.verdict = said(
-            {". {} = {}: {}", ". {} = {}: {}"},
-            test.by == "light" ? said({"to light", "para a luz"}) : said({"to eye", "para o olho"}),
-            brief(test.dot.text()),
-            test.culled.is_true() ? said({"culled", "eliminada"}) : said({"drawn", "desenhada"}));
+        face.normal = said("normal {}", in_point(test.normal));
+        face.verdict =
+            said(". {} = {}: {}", test.by == "light" ? said("to light") : said("to eye"),
+                 brief(test.dot.text()), test.culled.is_true() ? said("culled") : said("drawn"));
     }
 
     void read(const LightStep& light) {
         Face& face = face_named(light.name.text());
-        face.normal = said({"normal {}", "normal {}"}, in_point(light.normal));
-        face.verdict = said({"intensity {}", "intensidade {}"}, brief(light.intensity.text()));
+        face.normal = said("normal {}", in_point(light.normal));
+        face.verdict = said("intensity {}", brief(light.intensity.text()));
     }
 
     Face& face_named(const std::string& name) {
@@ -222,8 +215,7 @@ private:
     TextLines limited(TextLines lines, std::size_t things, std::string_view kind) const {
         if (things > most_) {
             lines.resize(most_ - 1);
-            lines.push_back(said({"... and {} more: --every {}", "... e mais {}: --every {}"},
-                                 things - lines.size(), kind));
+            lines.push_back(said("... and {} more: --every {}", things - lines.size(), kind));
         }
         return lines;
     }
@@ -248,8 +240,7 @@ private:
             if (lines.size() < most_ - 1 && name_of(n) == name_of(vertices_.front()))
                 lines.push_back(sentence_of(n));
         if (const std::size_t more = vertices_.size() - lines.size(); more > 0)
-            lines.push_back(
-                said({"... and {} more: --every vertex", "... e mais {}: --every vertex"}, more));
+            lines.push_back(said("... and {} more: --every vertex", more));
         return lines;
     }
 
@@ -285,9 +276,7 @@ private:
         }
         add_rows();
         if (told < rows_.size())
-            lines.push_back(
-                said({"... and {} more: --every scanline", "... e mais {}: --every scanline"},
-                     rows_.size() - told));
+            lines.push_back(said("... and {} more: --every scanline", rows_.size() - told));
         return lines;
     }
 

@@ -349,148 +349,106 @@ std::string_view told(const Words& words) {
 }
 
 FormulaRule rule(const TakenOver&) {
-    return {told({"nothing moves the vertex between these spaces",
-                  "nada move o vértice entre esses espaços"}),
-            told({"(x, y, z) as before", "(x, y, z) como antes"})};
+    return {told("nothing moves the vertex between these spaces"), told("(x, y, z) as before")};
 }
 FormulaRule rule(const Slope&) {
-    return {
-        told({"how far an edge goes in x for one row", "quanto uma aresta anda em x por linha"}),
-        "dx/dy = (x2 - x1) / (y2 - y1)"};
+    return {told("how far an edge goes in x for one row"), "dx/dy = (x2 - x1) / (y2 - y1)"};
 }
 FormulaRule rule(const Lerp&) {
-    return {told({"on the line from one vertex to the other, at this row or column",
-                  "na reta de um vértice ao outro, nesta linha ou coluna"}),
+    return {told("on the line from one vertex to the other, at this row or column"),
             "d = (d2 - d1) / (i2 - i1) (i - i1) + d1"};
 }
 FormulaRule rule(const RoundedEnd& end) {
     switch (end.rule.rounding) {
     case Rounding::floor:
-        return {told({"an end of a row is rounded down to its pixel",
-                      "o extremo de uma linha é arredondado para baixo, até seu pixel"}),
-                "floor(x)"};
+        return {told("an end of a row is rounded down to its pixel"), "floor(x)"};
     case Rounding::nearest:
-        return {told({"an end of a row is rounded to the nearest pixel",
-                      "o extremo de uma linha é arredondado para o pixel mais próximo"}),
-                "floor(x + 1/2)"};
+        return {told("an end of a row is rounded to the nearest pixel"), "floor(x + 1/2)"};
     case Rounding::truncate:
-        return {told({"an end of a row is rounded toward 0 to its pixel",
-                      "o extremo de uma linha é arredondado em direção a 0, até seu pixel"}),
-                told({"x without its fraction", "x sem a fração"})};
+        return {told("an end of a row is rounded toward 0 to its pixel"),
+                told("x without its fraction")};
     case Rounding::inside:
-        return {told({"a row has the pixels between its ends",
-                      "uma linha tem os pixels entre seus extremos"}),
-                told({"ceil(left), floor(right)", "ceil(esquerdo), floor(direito)"})};
+        return {told("a row has the pixels between its ends"), told("ceil(left), floor(right)")};
     case Rounding::half_open:
         break;
     }
-    return {told({"a row has the pixels from its left end on, up to the one before its right end",
-                  "uma linha tem os pixels do extremo esquerdo até o anterior ao extremo direito"}),
-            told({"ceil(left), ceil(right) - 1", "ceil(esquerdo), ceil(direito) - 1"})};
+    return {told("a row has the pixels from its left end on, up to the one before its right end"),
+            told("ceil(left), ceil(right) - 1")};
 }
 FormulaRule rule(const RoundedPlace&) {
-    return {told({"a vertex becomes a pixel: each of its coordinates is rounded",
-                  "um vértice vira um pixel: cada coordenada é arredondada"}),
+    return {told("a vertex becomes a pixel: each of its coordinates is rounded"),
             "(round(x), round(y))"};
 }
 FormulaRule rule(const InRow&) {
-    return {told({"a row has the pixels from its first to its last",
-                  "uma linha tem os pixels do primeiro ao último"}),
-            told({"first <= x <= last", "primeiro <= x <= último"})};
+    return {told("a row has the pixels from its first to its last"), told("first <= x <= last")};
 }
 FormulaRule rule(const FaceNormal&) {
-    return {told({"the normal is at right angles to two sides",
-                  "a normal é perpendicular a dois lados"}),
-            "(B - A) x (C - A)"};
+    return {told("the normal is at right angles to two sides"), "(B - A) x (C - A)"};
 }
 FormulaRule rule(const Centroid&) {
-    return {told({"the mean of the corners", "a média dos vértices"}), "(A + B + C) / 3"};
+    return {told("the mean of the corners"), "(A + B + C) / 3"};
 }
 FormulaRule rule(const FacePlane&) {
-    return {told({"a plane is its normal and a point", "um plano é sua normal e um ponto"}),
-            told({"A x + B y + C z + D = 0, D = -(normal . corner)",
-                  "A x + B y + C z + D = 0, D = -(normal . vértice)"})};
+    return {told("a plane is its normal and a point"),
+            told("A x + B y + C z + D = 0, D = -(normal . corner)")};
 }
 FormulaRule rule(const Toward&) {
-    return {told({"from the centroid of the face to the eye, or to the light",
-                  "do baricentro da face ao olho, ou à luz"}),
-            told({"eye - centroid", "olho - baricentro"})};
+    return {told("from the centroid of the face to the eye, or to the light"),
+            told("eye - centroid")};
 }
 FormulaRule rule(const FaceDot&) {
-    return {
-        told({"the sum of the products of the components", "a soma dos produtos das componentes"}),
-        "nx vx + ny vy + nz vz"};
+    return {told("the sum of the products of the components"), "nx vx + ny vy + nz vz"};
 }
 FormulaRule rule(const FaceCosine&) {
-    return {told({"the dot product, divided by both lengths",
-                  "o produto escalar, dividido pelos dois comprimentos"}),
-            told({"normal . view / (|normal| |view|)", "normal . visão / (|normal| |visão|)"})};
+    return {told("the dot product, divided by both lengths"),
+            told("normal . view / (|normal| |view|)")};
 }
 FormulaRule rule(const IsCulled& face) {
-    return face.hides_back ? FormulaRule{told({"a face that is turned away from the eye is culled",
-                                               "uma face de costas para o olho é eliminada"}),
-                                         told({"normal . view <= 0", "normal . visão <= 0"})}
-                           : FormulaRule{told({"a face that is turned to the eye is culled",
-                                               "uma face de frente para o olho é eliminada"}),
-                                         told({"normal . view >= 0", "normal . visão >= 0"})};
+    return face.hides_back ? FormulaRule{told("a face that is turned away from the eye is culled"),
+                                         told("normal . view <= 0")}
+                           : FormulaRule{told("a face that is turned to the eye is culled"),
+                                         told("normal . view >= 0")};
 }
 FormulaRule rule(const MatrixTimes&) {
-    return {told({"a row of the matrix times the point", "uma linha da matriz vezes o ponto"}),
-            "m1 x + m2 y + m3 z + m4 w"};
+    return {told("a row of the matrix times the point"), "m1 x + m2 y + m3 z + m4 w"};
 }
 FormulaRule rule(const DividedByW&) {
-    return {told({"each coordinate is divided by w", "cada coordenada é dividida por w"}),
-            "(x/w, y/w, z/w)"};
+    return {told("each coordinate is divided by w"), "(x/w, y/w, z/w)"};
 }
 FormulaRule rule(const BresenhamDecisions&) {
-    return {told({"above 0, d steps diagonally, else straight on",
-                  "acima de 0, d vai na diagonal, senão em frente"}),
-            told({"d = 2 dy - dx; then + 2 dy, or diagonally + 2 (dy - dx)",
-                  "d = 2 dy - dx; depois + 2 dy, ou na diagonal + 2 (dy - dx)"})};
+    return {told("above 0, d steps diagonally, else straight on"),
+            told("d = 2 dy - dx; then + 2 dy, or diagonally + 2 (dy - dx)")};
 }
 FormulaRule rule(const LinePixels& line) {
     return rule(line.decisions);
 }
 FormulaRule rule(const LineForm& line) {
-    return line.is_of_y
-               ? FormulaRule{told({"a line by its slope dx/dy, and its x where y = 0",
-                                   "uma reta por sua inclinação dx/dy, e seu x onde y = 0"}),
-                             "x = m y + b, m = (x2 - x1) / (y2 - y1), b = x1 - m y1"}
-               : FormulaRule{told({"a line by its slope dy/dx, and its y where x = 0",
-                                   "uma reta por sua inclinação dy/dx, e seu y onde x = 0"}),
-                             "y = m x + b, m = (y2 - y1) / (x2 - x1), b = y1 - m x1"};
+    return line.is_of_y ? FormulaRule{told("a line by its slope dx/dy, and its x where y = 0"),
+                                      "x = m y + b, m = (x2 - x1) / (y2 - y1), b = x1 - m y1"}
+                        : FormulaRule{told("a line by its slope dy/dx, and its y where x = 0"),
+                                      "y = m x + b, m = (y2 - y1) / (x2 - x1), b = y1 - m x1"};
 }
 FormulaRule rule(const InclusiveCount&) {
-    return {told({"the first and the last count, too", "o primeiro e o último também contam"}),
-            told({"last - first + 1", "último - primeiro + 1"})};
+    return {told("the first and the last count, too"), told("last - first + 1")};
 }
 FormulaRule rule(const MixedColor& mixed) {
-    return {told({"each color by its weight, channel by channel, then a whole level",
-                  "cada cor com seu peso, canal por canal, depois um nível inteiro"}),
+    return {told("each color by its weight, channel by channel, then a whole level"),
             mixed.is_cut ? "floor(w1 c1 + w2 c2 + ...)" : "floor(w1 c1 + w2 c2 + ... + 1/2)"};
 }
 FormulaRule rule(const MixedDepth&) {
-    return {told({"the depths at the ends or corners, each by its weight",
-                  "as profundidades nos extremos ou vértices, cada uma com seu peso"}),
-            "w1 d1 + w2 d2 + ..."};
+    return {told("the depths at the ends or corners, each by its weight"), "w1 d1 + w2 d2 + ..."};
 }
 FormulaRule rule(const DepthComparison& test) {
-    return test.larger_passes ? FormulaRule{told({"the nearer one passes: the larger 1/z",
-                                                  "passa o mais próximo: o maior 1/z"}),
-                                            told({"depth > stored", "profundidade > guardada"})}
-                              : FormulaRule{told({"the nearer one passes: the smaller z",
-                                                  "passa o mais próximo: o menor z"}),
-                                            told({"depth < stored", "profundidade < guardada"})};
+    return test.larger_passes
+               ? FormulaRule{told("the nearer one passes: the larger 1/z"), told("depth > stored")}
+               : FormulaRule{told("the nearer one passes: the smaller z"), told("depth < stored")};
 }
 FormulaRule rule(const Weights&) {
-    return {told({"the areas that the sample makes with two corners each, divided by the whole",
-                  "as áreas que a amostra forma com dois vértices cada uma, divididas pela total"}),
-            told({"(ABx, ACx, PAx) x (ABy, ACy, PAy), divided by its third component",
-                  "(ABx, ACx, PAx) x (ABy, ACy, PAy), dividido por sua terceira componente"})};
+    return {told("the areas that the sample makes with two corners each, divided by the whole"),
+            told("(ABx, ACx, PAx) x (ABy, ACy, PAy), divided by its third component")};
 }
 FormulaRule rule(const InTriangle&) {
-    return {told({"a sample lies in a triangle if none of its weights is negative",
-                  "uma amostra está num triângulo se nenhum de seus pesos é negativo"}),
+    return {told("a sample lies in a triangle if none of its weights is negative"),
             "w1, w2, w3 >= 0"};
 }
 

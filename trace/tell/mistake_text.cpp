@@ -3,6 +3,8 @@
 
 #include "step_text.h"
 
+#include <rastertrace/core/draw/model/mistakes.h>
+
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -136,7 +138,7 @@ std::string formula_of_mistake(const Replay& replay) {
     std::string text;
     for (const Mistake* const mistake : trace.method.triangles.mistakes)
         text += fmt::format("; {}: {}", mistake->name,
-                            put_in(words_of(mistake->says).in(language_of_steps()),
+                            put_in(Words(mistake->says).in(language_of_steps()),
                                    letters_of(replay, given->second)));
     return text;
 }

@@ -5,9 +5,7 @@
 //
 //     height-plus-one: x = 20 + (23 - 20)/(10 - 2 + 1) (y - 2) on the short edges
 
-#include <rastertrace/core/draw/model/mistakes.h>
 #include <rastertrace/trace/record/replay.h>
-#include <rastertrace/trace/text/language.h>
 
 #include <functional>
 #include <map>
@@ -15,11 +13,6 @@
 #include <string_view>
 
 namespace rastertrace {
-
-/// What a rule says, in each language.
-constexpr Words words_of(const RuleWords& rule) {
-    return {rule.english, rule.portuguese};
-}
 
 /// What letters of a formula stand for: `x1` is 20.
 using Letters = std::map<std::string, std::string, std::less<>>;

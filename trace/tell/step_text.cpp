@@ -155,7 +155,7 @@ std::string point(std::vector<std::string> coordinates) {
 }
 
 std::string what_numbers_give(const Trace& trace, std::size_t step) {
-    constexpr Words numbers_give{"its numbers give", "seus n\u00FAmeros d\u00E3o"};
+    constexpr Words numbers_give{"its numbers give"};
     if (!trace.numbers_give)
         return {};
     const auto found = trace.numbers_give->find(trace.number_of(step));
@@ -637,9 +637,7 @@ bool has_bottom_rule(const Trace& trace) {
 
 std::string by_convention(const Trace& trace) {
     const std::string convention = trace.method.word_of("convention");
-    return convention.empty()
-               ? convention
-               : said({", by the rule of {}", ", pela regra de {}"}, printable(convention));
+    return convention.empty() ? convention : said(", by the rule of {}", printable(convention));
 }
 
 std::optional<Vec2> sample_of(const Trace& trace, const StepView& step) {
@@ -689,7 +687,7 @@ std::array<EndOfRow, 2> ends_of(const ScanlineStep& row) {
 }
 
 std::string EndOfRow::name() const {
-    return is_left ? said({"left", "esquerda"}) : said({"right", "direita"});
+    return is_left ? said("left") : said("right");
 }
 
 } // namespace rastertrace

@@ -34,11 +34,10 @@ constexpr std::size_t places_in(std::string_view pattern) {
     return static_cast<std::size_t>(std::count(pattern.begin(), pattern.end(), '{'));
 }
 
-/// Words with a {} for each of so many values, in every language. Any others do not compile.
+/// Words with a {} for each of so many values. Any others do not compile.
 template <std::size_t values> struct WordsFor {
-    consteval WordsFor(std::string_view english, std::string_view portuguese)
-        : words(english, portuguese) {
-        if (places_in(english) != values || places_in(portuguese) != values)
+    consteval WordsFor(const char* english) : words(english) { // NOLINT: words are a text
+        if (places_in(english) != values)
             throw "a {} for each value is needed";
     }
 

@@ -14,15 +14,15 @@ struct VerdictWord {
     std::string_view word;
     std::string_view field;
     std::string_view value;
-    Words told{word, word}; ///< how an answer says it; most are only read
+    Words told = word; ///< how an answer says it; most are only read
 };
 
 inline constexpr std::array<VerdictWord, 6> verdict_words{
     {{"pass", "pass", "true"},
      {"fail", "pass", "false"},
-     {"culled", "culled", "true", {"culled", "eliminada"}},
-     {"drawn", "culled", "false", {"drawn", "desenhada"}},
-     {"inside", "inside", "true", {"inside", "dentro"}},
-     {"outside", "inside", "false", {"outside", "fora"}}}};
+     {"culled", "culled", "true", "culled"},
+     {"drawn", "culled", "false", "drawn"},
+     {"inside", "inside", "true", "inside"},
+     {"outside", "inside", "false", "outside"}}};
 
 } // namespace rastertrace

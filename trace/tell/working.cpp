@@ -35,8 +35,7 @@ void order(Sheet& sheet) {
     const auto names = order.names.texts();
     const auto distances = order.distances.texts();
     for (std::size_t i = 0; i < names.size() && i < distances.size(); ++i)
-        sheet.put(
-            said({"{}. {} at {}", "{}. {} a {}"}, i + 1, names[i], in_sentence(distances[i])));
+        sheet.put(said("{}. {} at {}", i + 1, names[i], in_sentence(distances[i])));
 }
 
 /// Why a line is of its octant (T2): between the pixels of its ends, from the one where it starts.
@@ -53,9 +52,8 @@ void put_octant(Sheet& sheet, const std::optional<LineEnds>& ends,
         const Index dy = to.y - from.y;
         const auto sign_of = [](Index d) { return d < 0 ? "< 0" : ">= 0"; };
         return sheet.put(
-            said({"({}, {}) to ({}, {}): dx = {} {}, dy = {} {}, |dx| {} |dy|: octant {}",
-                  "({}, {}) a ({}, {}): dx = {} {}, dy = {} {}, |dx| {} |dy|: octante {}"},
-                 from.x, from.y, to.x, to.y, dx, sign_of(dx), dy, sign_of(dy),
+            said("({}, {}) to ({}, {}): dx = {} {}, dy = {} {}, |dx| {} |dy|: octant {}", from.x,
+                 from.y, to.x, to.y, dx, sign_of(dx), dy, sign_of(dy),
                  std::abs(dx) >= std::abs(dy) ? ">=" : "<", *told));
     }
 }
@@ -81,36 +79,31 @@ void primitive(Sheet& sheet) {
         const Vec2& p = (*corners)[(i + 2) % 3];
         const Rational value = doubled_area(a, b, p);
         const bool is_left = (sgn(value) > 0) == is_y_up;
-        const std::string where = sgn(value) == 0 ? said({"on it", "sobre ela"})
-                                  : is_left       ? said({"left of it", "à esquerda dela"})
-                                                  : said({"right of it", "à direita dela"});
-        sheet.put(said({"{0} x {1} = {2} - {3} = {4}: {5} lies {6}",
-                        "{0} x {1} = {2} - {3} = {4}: {5} está {6}"},
+        const std::string where = sgn(value) == 0 ? said("on it")
+                                  : is_left       ? said("left of it")
+                                                  : said("right of it");
+        sheet.put(said("{0} x {1} = {2} - {3} = {4}: {5} lies {6}",
                        edge_name(sheet.primitive, i, (i + 1) % 3),
                        edge_name(sheet.primitive, i, (i + 2) % 3), product(b.x - a.x, p.y - a.y),
                        product(b.y - a.y, p.x - a.x), text(value), names[(i + 2) % 3], where));
     }
-    const std::string turn = sgn(area) == 0 ? said({"no area", "sem área"})
-                             : (sgn(area) > 0) == is_y_up
-                                 ? said({"counter-clockwise", "anti-horário"})
-                                 : said({"clockwise", "horário"});
-    sheet.put(said({"area = |{}| / 2 = {}, {}", "área = |{}| / 2 = {}, {}"}, text(area),
-                   text(abs(area) / 2), turn));
+    const std::string turn = sgn(area) == 0               ? said("no area")
+                             : (sgn(area) > 0) == is_y_up ? said("counter-clockwise")
+                                                          : said("clockwise");
+    sheet.put(said("area = |{}| / 2 = {}, {}", text(area), text(abs(area) / 2), turn));
 }
 
 } // namespace
 
 std::string EdgeFunctionText::at(const Vec2& p) const {
     const Rational value = value_at(p);
-    return fmt::format(
-        "{} + {} = {}: {}", product(a, p.x - from.x), product(b, p.y - from.y), text(value),
-        sgn(value) > 0                  ? said({"> 0, inside", "> 0, dentro"})
-        : sgn(value) < 0                ? said({"< 0, outside", "< 0, fora"})
-        : is_top_left && is_bottom_rule ? said({"on a bottom or left edge, inside",
-                                                "sobre uma aresta inferior ou esquerda, dentro"})
-        : is_top_left                   ? said({"on a top or left edge, inside",
-                                                "sobre uma aresta superior ou esquerda, dentro"})
-                                        : said({"on the edge, outside", "sobre a aresta, fora"}));
+    return fmt::format("{} + {} = {}: {}", product(a, p.x - from.x), product(b, p.y - from.y),
+                       text(value),
+                       sgn(value) > 0                  ? said("> 0, inside")
+                       : sgn(value) < 0                ? said("< 0, outside")
+                       : is_top_left && is_bottom_rule ? said("on a bottom or left edge, inside")
+                       : is_top_left                   ? said("on a top or left edge, inside")
+                                                       : said("on the edge, outside"));
 }
 
 std::optional<EdgeFunctionText> edge_function_in(const Trace& trace, const EdgeStep& edge,
@@ -160,8 +153,7 @@ void edge(Sheet& sheet) {
     const auto is_at = [](const Vec2& p, const Vec2& q) { return p.x == q.x && p.y == q.y; };
     for (std::size_t i = 0; i < 3; ++i)
         if (const Vec2& p = (*corners)[i]; !is_at(p, from) && !is_at(p, to))
-            sheet.put(said({"E at {} = {}", "E em {} = {}"}, sheet.primitive.vertices[i],
-                           function->at(p)));
+            sheet.put(said("E at {} = {}", sheet.primitive.vertices[i], function->at(p)));
 }
 
 /// In front of a Lerp that is written out.
@@ -188,15 +180,12 @@ void put_crossing(Sheet& sheet, const EndOfRow& end) {
         return;
     const auto& [d1, y1, d2, y2, y, step, other, is_inverse_z] = *d;
     if (d1 != d2)
-        sheet.put(
-            said({"  depth per row on {}: (d2 - d1)/(y2 - y1) = ({} {})/({} {}) = {}",
-                  "  profundidade por linha em {}: (d2 - d1)/(y2 - y1) = ({} {})/({} {}) = {}"},
-                 end.edge.text(), text(d2), minus(text(d1)), text(y2), minus(text(y1)),
-                 text(*d->slope())));
-    sheet.put(said(
-        {"  depth = {} {} ({} {}) = {} {} = {}", "  profundidade = {} {} ({} {}) = {} {} = {}"},
-        text(d1), plus(text(*d->slope())), text(y), minus(text(y1)), text(d1),
-        plus(text(Rational(*d->slope() * (y - y1)))), text(*depth)));
+        sheet.put(said("  depth per row on {}: (d2 - d1)/(y2 - y1) = ({} {})/({} {}) = {}",
+                       end.edge.text(), text(d2), minus(text(d1)), text(y2), minus(text(y1)),
+                       text(*d->slope())));
+    sheet.put(said("  depth = {} {} ({} {}) = {} {} = {}", text(d1), plus(text(*d->slope())),
+                   text(y), minus(text(y1)), text(d1), plus(text(Rational(*d->slope() * (y - y1)))),
+                   text(*depth)));
 }
 
 /// Which boundary each end of a row lies on (T3): A leads from the lowest vertex t0 to the highest t2, B by way of t1.
@@ -213,14 +202,12 @@ void put_boundaries(Sheet& sheet, const ScanlineStep& row) {
         for (const auto& [from, to] : sides)
             if (end.edge == edge_name(sheet.primitive, t[from], t[to]) ||
                 end.edge == edge_name(sheet.primitive, t[to], t[from]))
-                ends.push_back(
-                    said({"{} {} = t{}t{} is boundary {}", "{} {} = t{}t{} é a fronteira {}"},
-                         end.name(), end.edge.text(), from, to, from + 2 == to ? "A" : "B"));
+                ends.push_back(said("{} {} = t{}t{} is boundary {}", end.name(), end.edge.text(),
+                                    from, to, from + 2 == to ? "A" : "B"));
     const auto& names = sheet.primitive.vertices;
     if (ends.size() == 2)
-        sheet.put(said({"t0, t1, t2 = {}, {}, {} from below: {}, {}",
-                        "t0, t1, t2 = {}, {}, {} de baixo para cima: {}, {}"},
-                       names[t[0]], names[t[1]], names[t[2]], ends[0], ends[1]));
+        sheet.put(said("t0, t1, t2 = {}, {}, {} from below: {}, {}", names[t[0]], names[t[1]],
+                       names[t[2]], ends[0], ends[1]));
 }
 
 /// What the edge function of an end of a row says of the sample of its pixel, where there are such functions.
@@ -233,8 +220,7 @@ void put_edge_function(Sheet& sheet, const EndOfRow& end) {
         if (!function || edge.edge != end.edge)
             continue;
         const bool is_tie = sgn(function->value_at(sample)) == 0;
-        sheet.put(said({"E of {} at {} = {}", "E de {} em {} = {}"}, edge.edge.text(), text(sample),
-                       function->at(sample)) +
+        sheet.put(said("E of {} at {} = {}", edge.edge.text(), text(sample), function->at(sample)) +
                   (is_tie ? by_convention(sheet.trace()) : std::string()));
     }
 }
@@ -249,10 +235,8 @@ void scanline(Sheet& sheet) {
     const auto left = row.left.exact();
     const auto right = row.right.exact();
     if (left && right && row.left_edge && *left != *right)
-        sheet.put(
-            said({"{} {} {}: {} is left, {} is right", "{} {} {}: {} à esquerda, {} à direita"},
-                 text(*left), *left < *right ? "<" : ">", text(*right), row.left_edge.text(),
-                 row.right_edge.text()));
+        sheet.put(said("{} {} {}: {} is left, {} is right", text(*left), *left < *right ? "<" : ">",
+                       text(*right), row.left_edge.text(), row.right_edge.text()));
     const auto left_depth = row.left_depth.exact();
     const auto right_depth = row.right_depth.exact();
     // Where the depths of the ends lie: on the edges, or in the first and the last pixel.
@@ -266,18 +250,15 @@ void scanline(Sheet& sheet) {
     const auto first = end_at(row.from, left);
     const auto last = end_at(row.to, right);
     if (left_depth && right_depth && first && last && *first < *last)
-        sheet.put(said({"depth = {} + ({} {}) / ({} {}) (x {}) = {} {} (x {})",
-                        "profundidade = {} + ({} {}) / ({} {}) (x {}) = {} {} (x {})"},
-                       text(*left_depth), text(*right_depth), minus(text(*left_depth)), text(*last),
+        sheet.put(said("depth = {} + ({} {}) / ({} {}) (x {}) = {} {} (x {})", text(*left_depth),
+                       text(*right_depth), minus(text(*left_depth)), text(*last),
                        minus(text(*first)), minus(text(*first)), text(*left_depth),
                        plus(text((*right_depth - *left_depth) / (*last - *first))),
                        minus(text(*first))));
     else if (left_depth && has_rounded_ends && row.from == row.to)
-        sheet.put(
-            said({"one pixel: depth = {}", "um pixel: profundidade = {}"}, text(*left_depth)));
+        sheet.put(said("one pixel: depth = {}", text(*left_depth)));
     if (row.from <= row.to)
-        sheet.put(said({"x = {} to {}: {} - {} + 1 = {}", "x = {} a {}: {} - {} + 1 = {}"},
-                       row.from, row.to, row.to,
+        sheet.put(said("x = {} to {}: {} - {} + 1 = {}", row.from, row.to, row.to,
                        row.from < 0 ? fmt::format("({})", row.from) : std::to_string(row.from),
                        counted(static_cast<std::uint64_t>(row.to - row.from + 1), "pixel")));
 }
@@ -302,10 +283,9 @@ void crossings(Sheet& sheet) {
         if (lerp.slope() && sheet.agrees(lerp.value(), *told))
             sheet.put(fmt::format("{}: {}{}", edges[i], x_of_edge, lerp.written_out(*told)));
         const Rational turn = *after - before;
-        sheet.put(said(
-            {"  the polygon runs {} along {}: {} {} = {}", "  o polígono {} por {}: {} {} = {}"},
-            sgn(turn) > 0 ? said({"down", "desce"}) : said({"up", "sobe"}), edges[i], text(before),
-            plus(text(turn)), text(*after)));
+        sheet.put(said("  the polygon runs {} along {}: {} {} = {}",
+                       sgn(turn) > 0 ? said("down##run") : said("up##run"), edges[i], text(before),
+                       plus(text(turn)), text(*after)));
         before = *after;
     }
 }
@@ -318,14 +298,12 @@ void sample(Sheet& sheet) {
     const auto& names = sheet.primitive.vertices;
     const Vec3 xs = of_sample->xs();
     const Vec3 ys = of_sample->ys();
-    sheet.put(said({"{} = {}, {} = {}, {} to {} = {}", "{} = {}, {} = {}, {} a {} = {}"},
-                   edge_name(sheet.primitive, 0, 1), text(Vec2{xs.x, ys.x}),
-                   edge_name(sheet.primitive, 0, 2), text(Vec2{xs.y, ys.y}),
+    sheet.put(said("{} = {}, {} = {}, {} to {} = {}", edge_name(sheet.primitive, 0, 1),
+                   text(Vec2{xs.x, ys.x}), edge_name(sheet.primitive, 0, 2), text(Vec2{xs.y, ys.y}),
                    text(of_sample->sample), names[0], text(Vec2{xs.z, ys.z})));
     sheet.put(of_sample->written_out());
     const auto [of_a, of_b, of_c] = *of_sample->value();
-    sheet.put(said({"divided by {}: u = {} of {}, v = {} of {}, 1 - u - v = {} of {}",
-                    "dividido por {}: u = {} de {}, v = {} de {}, 1 - u - v = {} de {}"},
+    sheet.put(said("divided by {}: u = {} of {}, v = {} of {}, 1 - u - v = {} of {}",
                    text(of_sample->areas().z), text(of_b), names[1], text(of_c), names[2],
                    text(of_a), names[0]));
 }
@@ -335,10 +313,9 @@ void put_depth_on_line(Sheet& sheet, const Rational& told) {
     const auto depth = sheet.form<Lerp>("depth");
     if (!depth || depth->i1 == depth->i2 || !sheet.agrees(depth->value(), told))
         return;
-    sheet.put(said({"depth = {} + ({} {}) ({} {}) / ({} {}) = {}",
-                    "profundidade = {} + ({} {}) ({} {}) / ({} {}) = {}"},
-                   text(depth->d1), text(depth->d2), minus(text(depth->d1)), text(depth->i),
-                   minus(text(depth->i1)), text(depth->i2), minus(text(depth->i1)), text(told)));
+    sheet.put(said("depth = {} + ({} {}) ({} {}) / ({} {}) = {}", text(depth->d1), text(depth->d2),
+                   minus(text(depth->d1)), text(depth->i), minus(text(depth->i1)), text(depth->i2),
+                   minus(text(depth->i1)), text(told)));
 }
 
 /// The depth of a pixel on the plane through the three corners, if that is what decided.
@@ -363,10 +340,9 @@ void depth(Sheet& sheet) {
                         ((*depths)[2] - (*depths)[0]) * (b.y - a.y) / area;
     const Rational dy = ((*depths)[2] - (*depths)[0]) * (b.x - a.x) / area -
                         ((*depths)[1] - (*depths)[0]) * (c.x - a.x) / area;
-    sheet.put(said({"plane through the corners: depth = {} x {} y {}",
-                    "plano pelos vértices: profundidade = {} x {} y {}"},
-                   text(dx), plus(text(dy)), plus(text((*depths)[0] - dx * a.x - dy * a.y))));
-    sheet.put(said({"depth = {}", "profundidade = {}"}, mixed.written_out(*told)));
+    sheet.put(said("plane through the corners: depth = {} x {} y {}", text(dx), plus(text(dy)),
+                   plus(text((*depths)[0] - dx * a.x - dy * a.y))));
+    sheet.put(said("depth = {}", mixed.written_out(*told)));
     write_plane_in_camera_space(sheet, of_sample->sample, *told);
 }
 
@@ -376,22 +352,17 @@ void put_circle_decision(Sheet& sheet, const CircleDecision& circle) {
     const Rational r = sheet.primitive.radius.value_or(0);
     const auto& [x, y, increment] = circle;
     if ((x + 1) * (x + 1) + y * y - y - r * r == d)
-        sheet.put(
-            said({"x = {}, y = {} from the center: d = (x + 1)^2 + y^2 - y - r^2 = {} = {}",
-                  "x = {}, y = {} a partir do centro: d = (x + 1)^2 + y^2 - y - r^2 = {} = {}"},
-                 text(x), text(y),
-                 fmt::format("{}^2 + {}^2 - {} - {}^2", text(Rational(x + 1)), text(y), text(y),
-                             text(r)),
-                 text(d)));
-    sheet.put(said({"the midpoint ({}, {} - 1/2) lies {} the circle",
-                    "o ponto médio ({}, {} - 1/2) fica {} da circunferência"},
-                   text(Rational(x + 1)), text(y),
-                   sgn(d) < 0 ? said({"inside", "dentro"}) : said({"outside", "fora"})));
-    sheet.put(said({"E adds 2 x + 3 = {}, SE 2 (x - y) + 5 = {}",
-                    "E soma 2 x + 3 = {}, SE 2 (x - y) + 5 = {}"},
-                   text(Rational(2 * x + 3)), text(Rational(2 * (x - y) + 5))));
-    sheet.put(said({"next d = {} {} = {}", "próximo d = {} {} = {}"}, text(d),
-                   plus(text(increment)), text(Rational(d + increment))));
+        sheet.put(said("x = {}, y = {} from the center: d = (x + 1)^2 + y^2 - y - r^2 = {} = {}",
+                       text(x), text(y),
+                       fmt::format("{}^2 + {}^2 - {} - {}^2", text(Rational(x + 1)), text(y),
+                                   text(y), text(r)),
+                       text(d)));
+    sheet.put(said("the midpoint ({}, {} - 1/2) lies {} the circle", text(Rational(x + 1)), text(y),
+                   sgn(d) < 0 ? said("inside") : said("outside")));
+    sheet.put(said("E adds 2 x + 3 = {}, SE 2 (x - y) + 5 = {}", text(Rational(2 * x + 3)),
+                   text(Rational(2 * (x - y) + 5))));
+    sheet.put(
+        said("next d = {} {} = {}", text(d), plus(text(increment)), text(Rational(d + increment))));
 }
 
 /// Bresenham's increments, if the ends are pixels.
@@ -408,15 +379,13 @@ void decide(Sheet& sheet) {
     const Rational dy = abs(ends->to.y - ends->from.y);
     const std::string_view major = dx < dy ? "dy" : "dx";
     const std::string_view minor = dx < dy ? "dx" : "dy";
-    sheet.put(said({"dx = {}, dy = {}: d begins at 2 {} - {} = {}",
-                    "dx = {}, dy = {}: d começa em 2 {} - {} = {}"},
-                   text(dx), text(dy), minor, major, text(line->start())));
+    sheet.put(said("dx = {}, dy = {}: d begins at 2 {} - {} = {}", text(dx), text(dy), minor, major,
+                   text(line->start())));
     if (const auto told = next_d_told(sheet.at); told && !sheet.agrees(line->next(*d), *told))
         return;
-    sheet.put(said({"straight on adds 2 {} = {}, diagonally 2 ({} - {}) = {}",
-                    "em frente soma 2 {} = {}, na diagonal 2 ({} - {}) = {}"},
-                   minor, text(line->straight()), minor, major, text(line->diagonal())));
-    sheet.put(said({"next d = {}", "próximo d = {}"}, line->written_out(*d)));
+    sheet.put(said("straight on adds 2 {} = {}, diagonally 2 ({} - {}) = {}", minor,
+                   text(line->straight()), minor, major, text(line->diagonal())));
+    sheet.put(said("next d = {}", line->written_out(*d)));
 }
 
 void along(Sheet& sheet) {
@@ -432,9 +401,8 @@ void along(Sheet& sheet) {
     const auto at = is_x_major ? step.x : step.y;
     const std::string_view major = is_x_major ? "x" : "y";
     const std::string_view minor = is_x_major ? "y" : "x";
-    sheet.put(said({"{} = m {} + b at both ends: {} = m ({}) + b, {} = m ({}) + b",
-                    "{} = m {} + b nos dois extremos: {} = m ({}) + b, {} = m ({}) + b"},
-                   minor, major, text(lerp->d1), text(lerp->i1), text(lerp->d2), text(lerp->i2)));
+    sheet.put(said("{} = m {} + b at both ends: {} = m ({}) + b, {} = m ({}) + b", minor, major,
+                   text(lerp->d1), text(lerp->i1), text(lerp->d2), text(lerp->i2)));
     sheet.put(fmt::format("m = ({0}2 - {0}1)/({1}2 - {1}1) = ({2} {3})/({4} {5}) = {6}, "
                           "b = {0}1 - m {1}1 = {7} - {8} = {9}",
                           minor, major, text(lerp->d2), minus(text(lerp->d1)), text(lerp->i2),
@@ -446,9 +414,8 @@ void along(Sheet& sheet) {
     const auto last = step_before.value.exact();
     const auto last_at = is_x_major ? step_before.x : step_before.y;
     if (last && last_at)
-        sheet.put(said({"{} = the last one {} = {} {} = {}", "{} = o último {} = {} {} = {}"},
-                       minor, *at > *last_at ? "+ m" : "- m", text(*last),
-                       plus(text(m * (*at - *last_at))), text(*value)));
+        sheet.put(said("{} = the last one {} = {} {} = {}", minor, *at > *last_at ? "+ m" : "- m",
+                       text(*last), plus(text(m * (*at - *last_at))), text(*value)));
     else
         sheet.put(fmt::format("{} = m {} + b = {} {} = {}", minor, major, product(m, lerp->i),
                               plus(text(b)), text(*value)));
@@ -467,19 +434,16 @@ void pixel(Sheet& sheet) {
     if (reason != 0) {
         Sheet of_reason(sheet.at.at(reason));
         write_working(of_reason);
-        sheet.put(
-            said({"because of step {}", "por causa do passo {}"}, sheet.trace().number_of(reason)) +
-            what_numbers_give(sheet.trace(), reason) + place_in_code(sheet.trace(), reason));
+        sheet.put(said("because of step {}", sheet.trace().number_of(reason)) +
+                  what_numbers_give(sheet.trace(), reason) + place_in_code(sheet.trace(), reason));
         for (std::string& line : of_reason.lines)
             sheet.put(std::move(line));
     }
     write_color(sheet);
     const Index column = plotted.x - canvas.left();
     const Index row = canvas.row_of(plotted.y);
-    sheet.put(said(
-        {"column {}, row {} from the top left: byte 4 ({} ({}) + {}) = {}",
-         "coluna {}, linha {} a partir do canto superior esquerdo: byte 4 ({} ({}) + {}) = {}"},
-        column, row, canvas.width, row, column, 4 * (canvas.width * row + column)));
+    sheet.put(said("column {}, row {} from the top left: byte 4 ({} ({}) + {}) = {}", column, row,
+                   canvas.width, row, column, 4 * (canvas.width * row + column)));
 }
 
 /// A kind of step and what writes its working.

@@ -93,7 +93,7 @@ void put_factors(Sheet& sheet, const Factors& factors) {
     for (std::size_t i = factors.size() - 1; i-- > 0;) {
         const Matrix<Rational> factor{factors[i].rows};
         name = factors[i].name + " x " + name;
-        sheet.put(said({"{}, row times column:", "{}, linha vezes coluna:"}, name));
+        sheet.put(said("{}, row times column:", name));
         put_product(sheet, factor, product);
         product = factor * product;
     }
@@ -123,8 +123,7 @@ std::optional<Product> product_so_far(const Sheet& sheet) {
         last_name = name;
         const std::string matrix_name(in_language_of_steps(name));
         const std::string named =
-            step.object ? said({"{} of {}", "{} de {}"}, matrix_name, step.object.text())
-                        : matrix_name;
+            step.object ? said("{} of {}", matrix_name, step.object.text()) : matrix_name;
         product = product ? Product{named + " x " + product->names, *matrix * product->matrix,
                                     *matrix, product->matrix}
                           : Product{named, *matrix, {}, {}};
@@ -179,10 +178,8 @@ void put_angle(Sheet& sheet, const FaceDot& product, std::string_view name) {
     const auto cosine = angle.value();
     if (!cosine)
         return;
-    sheet.put(
-        said({"cosine = {}, an angle of {:.2f} degrees", "cosseno = {}, um ângulo de {:.2f} graus"},
-             angle.written_out(name),
-             degrees_of_cosine(std::clamp(nearest_double(*cosine), -1.0, 1.0))));
+    sheet.put(said("cosine = {}, an angle of {:.2f} degrees", angle.written_out(name),
+                   degrees_of_cosine(std::clamp(nearest_double(*cosine), -1.0, 1.0))));
 }
 
 /// The normal of a face from its corners in the world, and the plane that it lies in.
@@ -207,9 +204,9 @@ void put_normal(Sheet& sheet, const Vec3& normal) {
                                 i == 2 ? "" : " + ");
     sheet.put("normal = " + products);
     sheet.put(fmt::format("= {} = {}", face->written_out(), text(normal)));
-    sheet.put(said({"centroid = ({}) / {} = {}", "baricentro = ({}) / {} = {}"},
-                   joined(names, " + "), corners.size(), text(Centroid{corners}.value())));
-    sheet.put(said({"plane: {}", "plano: {}"}, FacePlane{normal, first}.written_out()));
+    sheet.put(said("centroid = ({}) / {} = {}", joined(names, " + "), corners.size(),
+                   text(Centroid{corners}.value())));
+    sheet.put(said("plane: {}", FacePlane{normal, first}.written_out()));
 }
 
 /// All matrices at once, from object space to clip space.
@@ -226,10 +223,8 @@ void put_whole_way(Sheet& sheet, const VertexStep& vertex) {
     const auto clip = together->matrix * Vec<Rational, 4>{at->x, at->y, at->z, Rational(1)};
     if (sheet.agrees(clip.x, (*told)[0]) && sheet.agrees(clip.y, (*told)[1]) &&
         sheet.agrees(clip.z, (*told)[2]) && sheet.agrees(clip.w, (*told)[3]))
-        sheet.put(said({"at once: {} times {} = ({}, {}, {}, {})",
-                        "de uma vez: {} vezes {} = ({}, {}, {}, {})"},
-                       together->names, text(*at), text(clip.x), text(clip.y), text(clip.z),
-                       text(clip.w)));
+        sheet.put(said("at once: {} times {} = ({}, {}, {}, {})", together->names, text(*at),
+                       text(clip.x), text(clip.y), text(clip.z), text(clip.w)));
 }
 
 /// The normal of a face, as its `face` or its `light` step tells it, and its angle to the eye or the light.
@@ -280,8 +275,8 @@ void write_triangulation(Sheet& sheet) {
         const Vec3& q = at[next];
         const Vec3 part{(p.y - q.y) * (p.z + q.z), (p.z - q.z) * (p.x + q.x),
                         (p.x - q.x) * (p.y + q.y)};
-        lines.push_back(said({"{} to {}: ({}, {}, {}) = {}", "{} a {}: ({}, {}, {}) = {}"},
-                             names[i], names[next], newells_product(p.y, q.y, p.z, q.z),
+        lines.push_back(said("{} to {}: ({}, {}, {}) = {}", names[i], names[next],
+                             newells_product(p.y, q.y, p.z, q.z),
                              newells_product(p.z, q.z, p.x, q.x),
                              newells_product(p.x, q.x, p.y, q.y), text(part)));
         sum = sum + part;
@@ -289,12 +284,9 @@ void write_triangulation(Sheet& sheet) {
     if (sum.x != told->x || sum.y != told->y || sum.z != told->z)
         return;
     sheet.lines = std::move(lines);
-    sheet.put(said({"normal = the sum of these = {}, of length {}: twice the area",
-                    "normal = a soma destes = {}, de comprimento {}: o dobro da área"},
-                   text(sum), length_of(sum)));
-    sheet.put(
-        said({"largest in {}: the face is seen without it", "maior em {}: a face é vista sem ele"},
-             step.drops.text()));
+    sheet.put(said("normal = the sum of these = {}, of length {}: twice the area", text(sum),
+                   length_of(sum)));
+    sheet.put(said("largest in {}: the face is seen without it", step.drops.text()));
 }
 
 /// What a matrix is a product of, and the camera that it comes of; then the matrices up to this one as
@@ -315,7 +307,7 @@ void write_matrix(Sheet& sheet) {
     const auto together = product_so_far(sheet);
     if (!together)
         return;
-    sheet.put(said({"{}, row times column:", "{}, linha vezes coluna:"}, together->names));
+    sheet.put(said("{}, row times column:", together->names));
     put_product(sheet, together->last, together->before);
 }
 
@@ -352,12 +344,11 @@ void write_vertex(Sheet& sheet) {
 
 void write_face(Sheet& sheet) {
     const auto face = sheet.step.as<FaceStep>();
-    put_face_toward(sheet, face.dot,
-                    face.by == "light" ? said({"light", "luz"}) : said({"view", "visão"}));
+    put_face_toward(sheet, face.dot, face.by == "light" ? said("light") : said("view"));
 }
 
 void write_light(Sheet& sheet) {
-    put_face_toward(sheet, sheet.step.as<LightStep>().dot, said({"light", "luz"}));
+    put_face_toward(sheet, sheet.step.as<LightStep>().dot, said("light"));
 }
 
 void write_plane_in_camera_space(Sheet& sheet, const Vec2& sample, const Rational& told) {
@@ -394,15 +385,13 @@ void write_plane_in_camera_space(Sheet& sheet, const Vec2& sample, const Rationa
     const Rational z = -d * constant / divisor;
     if (!sheet.agrees(1 / abs(z), told))
         return;
+    sheet.put(said("plane in camera space: {}", plane.written_out()));
     sheet.put(
-        said({"plane in camera space: {}", "plano no espaço da câmera: {}"}, plane.written_out()));
-    sheet.put(said({"seen at x' = {}, y' = {} on the view plane z = d = {}",
-                    "visto em x' = {}, y' = {} no plano de visão z = d = {}"},
-                   text(x), text(y), text(d)));
-    sheet.put(fmt::format(
-        "z = -d D / (A x' + B y' + d C) = {} / ({} + {} + {}) = {}{}", text(-d * constant),
-        product(normal.x, x), product(normal.y, y), product(d, normal.z), text(z),
-        sgn(z) < 0 ? said({", at a distance of {}", ", a uma distância de {}"}, text(-z)) : ""));
+        said("seen at x' = {}, y' = {} on the view plane z = d = {}", text(x), text(y), text(d)));
+    sheet.put(fmt::format("z = -d D / (A x' + B y' + d C) = {} / ({} + {} + {}) = {}{}",
+                          text(-d * constant), product(normal.x, x), product(normal.y, y),
+                          product(d, normal.z), text(z),
+                          sgn(z) < 0 ? said(", at a distance of {}", text(-z)) : ""));
 }
 
 } // namespace rastertrace

@@ -174,12 +174,10 @@ std::optional<Meeting> meeting_at(const Sheet& sheet, const std::string& plane_n
 
 void put_meeting(Sheet& sheet, const Meeting& meeting) {
     const auto& [plane_name, plane, p, q, met, d1, d2, t] = meeting;
-    sheet.put(
-        said({"{} plane: d = {}, inside where d >= 0", "plano {}: d = {}, dentro onde d >= 0"},
-             in_language_of_steps(plane_name), distance_from(plane)));
-    sheet.put(said({"{}: d1 = {} = {}, {}: d2 = {} = {}", "{}: d1 = {} = {}, {}: d2 = {} = {}"},
-                   p.name, distance_from(plane, &p.at), text(d1), q.name,
-                   distance_from(plane, &q.at), text(d2)));
+    sheet.put(said("{} plane: d = {}, inside where d >= 0", in_language_of_steps(plane_name),
+                   distance_from(plane)));
+    sheet.put(said("{}: d1 = {} = {}, {}: d2 = {} = {}", p.name, distance_from(plane, &p.at),
+                   text(d1), q.name, distance_from(plane, &q.at), text(d2)));
     const std::string sum = fmt::format("({} {})", text(d1), minus(text(d2)));
     sheet.put(fmt::format("t = d1/(d1 - d2) = {} = {}", quotient(text(d1), sum), text(t)));
     sheet.put(fmt::format("{0} = {1} + t ({2} - {1}):", met.name, p.name, q.name));

@@ -25,8 +25,7 @@ namespace rastertrace {
 namespace {
 
 /// The channels of a color, in the order of Levels.
-constexpr Words channel_names[] = {
-    {"red", "vermelho"}, {"green", "verde"}, {"blue", "azul"}, {"alpha", "alfa"}};
+constexpr Words channel_names[] = {"red", "green", "blue", "alpha"};
 
 std::array<int, 4> channels_of(Color color) {
     return {color.red(), color.green(), color.blue(), color.alpha()};
@@ -102,13 +101,11 @@ std::vector<std::string> lines_in_space(const std::vector<std::string>& names,
     };
     std::vector<std::string> weights;
     for (std::size_t i = 0; i < names.size(); ++i)
-        weights.push_back(said({"{} of {}", "{} de {}"}, text(in_space.shares[i]), names[i]));
-    return {said({"weights of {}: {}, divided by {} = {}: {}, together {}",
-                  "pesos de {}: {}, divididos por {} = {}: {}, ao todo {}"},
-                 joined(names, ", "), listed(on_screen), divisors.name, listed(divisors.of),
-                 listed(in_space.divided), text(in_space.sum)),
-            said({"divided by {}: {}", "dividido por {}: {}"}, text(in_space.sum),
-                 joined(weights, ", "))};
+        weights.push_back(said("{} of {}", text(in_space.shares[i]), names[i]));
+    return {said("weights of {}: {}, divided by {} = {}: {}, together {}", joined(names, ", "),
+                 listed(on_screen), divisors.name, listed(divisors.of), listed(in_space.divided),
+                 text(in_space.sum)),
+            said("divided by {}: {}", text(in_space.sum), joined(weights, ", "))};
 }
 
 /// The levels of a pixel on a line.
@@ -124,14 +121,12 @@ std::vector<std::string> levels_on_line(const Trace& trace, const ColorOnLine& l
     std::vector<std::string> lines;
     if (line.lerp == ColorLerp::distance) {
         lines.push_back(
-            said({"to the far end sqrt({}), the whole line sqrt({}): {} of the color of {}",
-                  "até o outro extremo sqrt({}), o segmento inteiro sqrt({}): {} da cor de {}"},
+            said("to the far end sqrt({}), the whole line sqrt({}): {} of the color of {}",
                  text(line.to_end), text(line.length), six_places(nearest_double(1 - share)),
                  line.names[0]));
     } else {
-        lines.push_back(
-            said({"{} of the way from {} to {} on the screen", "{} do caminho de {} a {} na tela"},
-                 text(line.way), line.names[0], line.names[1]));
+        lines.push_back(said("{} of the way from {} to {} on the screen", text(line.way),
+                             line.names[0], line.names[1]));
         const std::vector<Rational> on_screen{1 - line.way, line.way};
         if (const auto in_space =
                 line.divisors ? shares_in_space(on_screen, *line.divisors) : std::nullopt)
@@ -175,9 +170,8 @@ void put_mixed_color(Sheet& sheet, Color told) {
 /// Alpha is a channel like any other: a pixel is replaced, and nothing of it shines through.
 void put_alpha(Sheet& sheet, Color told) {
     if (told.alpha() != 255 && sheet.drew_over != 0)
-        sheet.put(said({"alpha = {} is stored: nothing of step {} is mixed in",
-                        "alfa = {} é guardado: nada do passo {} é misturado"},
-                       told.alpha(), sheet.trace().number_of(sheet.drew_over)));
+        sheet.put(said("alpha = {} is stored: nothing of step {} is mixed in", told.alpha(),
+                       sheet.trace().number_of(sheet.drew_over)));
 }
 
 } // namespace
@@ -189,8 +183,7 @@ void write_ray(Sheet& sheet) {
     const auto ray = sheet.trace().step(sheet.at.ray()).as<RayStep>();
     const auto edge = sheet.trace().step(sheet.at.edges().back()).as<EdgeStep>();
     for (const std::string& level : levels_on_line(sheet.trace(), *start, start->color))
-        sheet.put(said({"on {} at ({}, {}): {}", "sobre {} em ({}, {}): {}"}, edge.edge.text(),
-                       ray.x, ray.y, level));
+        sheet.put(said("on {} at ({}, {}): {}", edge.edge.text(), ray.x, ray.y, level));
 }
 
 void write_color(Sheet& sheet) {

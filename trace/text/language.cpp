@@ -3,11 +3,18 @@
 
 #include "named_value.h"
 
-#include <algorithm>
+#include <nlohmann/json.hpp>
+
 #include <array>
 #include <atomic>
+#include <functional>
+#include <map>
+#include <string>
 
 namespace rastertrace {
+
+std::string
+pt_json(); // languages/pt.json, as the build has put it into the program (cmake/embed.cmake)
 
 namespace {
 
@@ -15,73 +22,13 @@ constexpr std::array<std::string_view, language_count> codes{"en", "pt"};
 
 std::atomic<Language> language_in_use{Language::english};
 
-/// A word of traces, and how it is told: in English as it stands, where nothing else is said.
-struct TraceWord {
-    std::string_view word;
-    Words told;
+/// The rows of a catalogue, by the English words.
+using Catalogue = std::map<std::string, std::string, std::less<>>;
 
-    constexpr TraceWord(std::string_view english, std::string_view portuguese)
-        : word(english), told(english, portuguese) {}
-    constexpr TraceWord(std::string_view word_of_traces, Words told_as)
-        : word(word_of_traces), told(told_as) {}
-};
-
-/// The words that traces have for kinds of primitives, matrices, spaces, planes, halves and reasons, and those of
-/// explain.h for what kept a primitive from a pixel.
-constexpr TraceWord words_of_traces[] = {
-    {"point", "ponto"},
-    {"line", "segmento"},
-    {"outline", "contorno"},
-    {"circle", "circunferência"},
-    {"polygon", "polígono"},
-    {"triangle", "triângulo"},
-    {"primitive", "elemento"},
-
-    {"model", "modelo"},
-    {"view", "visão"},
-    {"projection", "projeção"},
-    {"viewport", "viewport"},
-
-    {"object", "do objeto"},
-    {"world", "do mundo"},
-    {"camera", "da câmera"},
-    {"clip", "de recorte"},
-    {"canonical", "canônico"},
-    {"screen", "da tela"},
-
-    {"near", "próximo"},
-    {"far", "distante"},
-    {"left", "esquerdo"},
-    {"right", "direito"},
-    {"bottom", "inferior"},
-    {"top", "superior"},
-
-    {"lower", "inferior"},
-    {"upper", "superior"},
-
-    {"off-canvas", "fora da tela"},
-    {"off canvas", "fora da tela"},
-    {"zero area", "área zero"},
-    {"culled", "eliminado pela orientação"},
-    // Or beside it: w = 0.
-    {"behind the eye", Words("not in front of the eye", "não está à frente do olho")},
-    {"too near", "perto demais"},
-    {"too far", "longe demais"},
-    {"outside the view", "fora da vista"},
-    {"its only pixel is its last, which is left out",
-     "seu único pixel é o último, que não é desenhado"},
-    {"between rows", "entre as linhas"},
-    {"it leaves no diamond", "não sai de nenhum losango"},
-
-    {"outside", "fora"},
-    {"elsewhere", "em outro lugar"},
-    {"hidden", "escondido"},
-    {"clipped", "recortado"},
-    {"skipped", "omitido"},
-    {"unpainted", "não pintado"},
-    {"rejected", "descartado"},
-    {"unknown", "desconhecido"},
-};
+const Catalogue& catalogue() {
+    static const Catalogue rows = nlohmann::json::parse(pt_json()).get<Catalogue>();
+    return rows;
+}
 
 } // namespace
 
@@ -105,11 +52,20 @@ void tell_steps_in(Language language) {
     language_in_use = language;
 }
 
+std::string_view Words::in(Language language) const {
+    if (language != Language::english)
+        if (const auto found = catalogue().find(english_); found != catalogue().end())
+            return found->second;
+    return english_.substr(0, english_.find("##"));
+}
+
 std::string_view in_language_of_steps(std::string_view word) {
-    const auto* const found =
-        std::find_if(std::begin(words_of_traces), std::end(words_of_traces),
-                     [word](const TraceWord& known) { return known.word == word; });
-    return found == std::end(words_of_traces) ? word : found->told.in(language_of_steps());
+    if (word == "behind the eye") // or beside it: w = 0
+        return Words("not in front of the eye").in(language_of_steps());
+    if (language_of_steps() == Language::english)
+        return word;
+    const auto found = catalogue().find(std::string(word) + "##trace");
+    return found == catalogue().end() ? word : std::string_view(found->second);
 }
 
 } // namespace rastertrace

@@ -45,15 +45,15 @@ std::string place_of(const CheckedFile& file, const CheckedClaim& claim) {
 Words words_of(ClaimVerdict verdict) {
     switch (verdict) {
     case ClaimVerdict::right:
-        return {"right", "certo"};
+        return "right##verdict";
     case ClaimVerdict::wrong:
-        return {"wrong", "errado"};
+        return "wrong##verdict";
     case ClaimVerdict::follows:
-        return {"follows", "decorre"};
+        return "follows";
     case ClaimVerdict::open:
         break;
     }
-    return {"open", "em aberto"};
+    return "open";
 }
 
 /// In the language of steps.
@@ -70,15 +70,11 @@ std::string_view verdict_of(const CheckedClaim& claim, CheckTold told) {
 /// `; follows from line 2`, or `from its left end`, which is in the same line
 std::string origin_of(const CheckedFile& file, const CheckedField& field,
                       std::size_t line_of_claim) {
-    const std::string origin =
-        field.follows_from == line_of_claim
-            ? said({"its {}", "de outro valor da mesma linha do arquivo ({})"},
-                   file.claims.in_words(field.follows_from_field))
-            : said({"line {}", "da linha {} do arquivo"}, field.follows_from);
-    return said({"; follows from {}{}", "; decorre {}{}"}, origin,
-                field.follows_from_rounded
-                    ? said({", which is rounded", ", de um número arredondado"})
-                    : "");
+    const std::string origin = field.follows_from == line_of_claim
+                                   ? said("its {}", file.claims.in_words(field.follows_from_field))
+                                   : said("line {}", field.follows_from);
+    return said("; follows from {}{}", origin,
+                field.follows_from_rounded ? said(", which is rounded") : "");
 }
 
 /// `first pixel: expected -1, found 0; follows from line 2`
@@ -100,8 +96,7 @@ std::string slip_lines(const CheckedClaim& claim) {
     for (const CheckedField& field : claim.fields)
         for (const LikelySlip& slip : field.slips)
             if (named.size() < most_slips && named.insert(slip.name).second)
-                lines += said({"    likely slip {}: {}\n", "    deslize provável {}: {}\n"},
-                              slip.name, printable(slip.meaning));
+                lines += said("    likely slip {}: {}\n", slip.name, printable(slip.meaning));
     return lines;
 }
 
@@ -129,9 +124,7 @@ std::string wrong_claim(const CheckedFile& file, const CheckedClaim& claim,
     const auto [known, is_new] =
         line_of_working.try_emplace(claim.working, file.claim_of(claim).line);
     if (!is_new && !claim.working.empty())
-        return text + said({"        worked out as for line {}\n",
-                            "        a conta é a da linha {} do arquivo\n"},
-                           known->second);
+        return text + said("        worked out as for line {}\n", known->second);
     return text + indented(claim.working, "        ");
 }
 
@@ -176,9 +169,8 @@ std::string text_of_one(const CheckedFile& file, CheckTold told) {
             text += place_of(file, claim) + "\n" + remarks;
     }
     if (file.claims.has_decimal_comma)
-        text += said({"{}: commas are read as those of decimals: 0,25 is 1/4\n",
-                      "{}: cada vírgula é lida como a de um decimal: 0,25 é 1/4\n"},
-                     printable(file.name));
+        text +=
+            said("{}: commas are read as those of decimals: 0,25 is 1/4\n", printable(file.name));
     return text + (text.empty() ? "" : "\n") + counts_text(file.checked) + "\n";
 }
 
@@ -186,19 +178,19 @@ std::string text_of_one(const CheckedFile& file, CheckTold told) {
 std::string line_of_file(const CheckedFile& file, CheckTold told) {
     std::string text = printable(file.name);
     if (!file.exercise.empty())
-        text += said({" (exercise {})", " (exercício {})"}, printable(file.exercise));
+        text += said(" (exercise {})", printable(file.exercise));
     if (file.problem)
-        return text + said({": could not be checked\n", ": não pôde ser conferido\n"});
+        return text + said(": could not be checked\n");
     const auto& slips = file.checked.slips;
     return fmt::format("{}: {}{}\n", text, counts_text(file.checked),
                        told == CheckTold::answers && !slips.empty()
-                           ? said({"; most likely {}", "; o mais provável: {}"}, slips.front())
+                           ? said("; most likely {}", slips.front())
                            : "");
 }
 
 /// The most likely slip of each sheet, and of how many sheets: the most frequent first.
 std::string frequent_slips(const std::vector<CheckedFile>& files) {
-    constexpr Words none("(no slip that is known)", "(nenhum deslize conhecido)");
+    constexpr Words none("(no slip that is known)");
     std::map<std::string, std::size_t> counts;
     std::size_t name_width = 0;
     for (const CheckedFile& file : files)
@@ -217,10 +209,9 @@ std::string frequent_slips(const std::vector<CheckedFile>& files) {
         text += fmt::format("{:<{}}  {}{}{}\n", name, name_width, count,
                             meaning.empty() ? "" : "  ", meaning);
     }
-    return text.empty() ? ""
-                        : said({"\nThe most likely slip of a sheet, and of how many sheets:\n",
-                                "\nO deslize mais provável de uma folha, e de quantas folhas:\n"}) +
-                              text;
+    return text.empty()
+               ? ""
+               : said("\nThe most likely slip of a sheet, and of how many sheets:\n") + text;
 }
 
 } // namespace
@@ -237,13 +228,12 @@ std::string counts_text(const Checked& checked) {
     const auto count_of = [](std::size_t count, const Words& one, const Words& more) {
         return fmt::format("{} {}", count, (count == 1 ? one : more).in(language_of_steps()));
     };
-    std::string text = count_of(checked.right, {"right", "certo"}, {"right", "certos"}) + ", " +
-                       count_of(checked.wrong, {"wrong", "errado"}, {"wrong", "errados"});
+    std::string text = count_of(checked.right, "right##verdict", "right##verdicts") + ", " +
+                       count_of(checked.wrong, "wrong##verdict", "wrong##verdicts");
     if (checked.follow > 0)
-        text += ", " + count_of(checked.follow, {"that follows", "que decorre"},
-                                {"that follow", "que decorrem"});
+        text += ", " + count_of(checked.follow, "that follows", "that follow");
     if (checked.open > 0)
-        text += said({", {} open", ", {} em aberto"}, checked.open);
+        text += said(", {} open", checked.open);
     return text;
 }
 

@@ -202,14 +202,14 @@ std::string headline(const AnsweredRule& answer, const Scene& asked) {
     if (!parts.empty())
         text = fmt::format(
             "draws by {}{}{}", joined(parts, ", "),
-            answer.same.empty() ? "" : fmt::format(" ({})", answer.same.front()->says.english),
+            answer.same.empty() ? "" : fmt::format(" ({})", answer.same.front()->says),
             instead.empty() ? "" : fmt::format("; the scene asks for {}", joined(instead, ", ")));
     for (const Mistake* const mistake : rule.mistakes)
         text += fmt::format(
             "{}{} {}: {}{}", text.empty() ? "" : "\n",
             mistake->is_rule() ? "draws by the rule" : "makes the mistake", mistake->name,
-            mistake->says.english,
-            mistake->is_rule() ? "" : fmt::format("; right: {}", mistake->should.english));
+            mistake->says,
+            mistake->is_rule() ? "" : fmt::format("; right: {}", mistake->should));
     return text;
 }
 
@@ -255,7 +255,7 @@ std::string details(const Diagnosis& found, const std::vector<DrawnPair>& pairs,
     for (const Mistake* const mistake : rule.mistakes)
         if (!mistake->is_rule())
             text += fmt::format("  mend it     where the code has {}, write {}\n",
-                                mistake->says.english, mistake->should.english);
+                                mistake->says, mistake->should);
     if (rule.mistakes.empty())
         text += "  mend it     draw as the scene asks, or say in the scene what is meant\n";
     text += fmt::format("  test        rastertrace {} {} {}\n",

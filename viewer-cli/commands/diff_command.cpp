@@ -3,12 +3,12 @@
 
 #include "app/command.h"
 #include "app/commands.h"
-#include "commands/diff_json.h"
-#include "commands/diff_report.h"
 #include "app/load.h"
 #include "app/option_values.h"
 #include "app/progress.h"
 #include "app/shared_options.h"
+#include "commands/diff_json.h"
+#include "commands/diff_report.h"
 
 #include <rastertrace/trace/audit/redo.h>
 #include <rastertrace/trace/compare/diff.h>
@@ -88,9 +88,8 @@ TraceDiff diff_of_picture(const std::string& path, const Picture& picture,
             trace_to_compare(load_input(path, command.input), path, other), picture, how);
         if (const std::uint64_t left = count_pixels(moved); left * explains <= differing)
             found.remarks.push_back(
-                said({"with --sample {}: then {}", "com --sample {}: então {}"}, sample,
-                     left == 0 ? said({"no pixels differ", "nenhum pixel difere"})
-                               : counted_differences(left, {"pixel", "pixel"})));
+                said("with --sample {}: then {}", sample,
+                     left == 0 ? said("no pixels differ") : counted_differences(left, "pixel")));
     }
     return found;
 }
@@ -143,7 +142,7 @@ TraceDiff diff_of_methods(const DiffCommand& command) {
     // That the method differs is what was asked for.
     other.options.ignored.emplace_back("header");
     TraceDiff found = diff(trace_by(command), trace_by(other), other.options);
-    found.name_b += said({" with {}", " com {}"}, command.against);
+    found.name_b += said(" with {}", command.against);
     return found;
 }
 
@@ -177,9 +176,8 @@ TraceDiff diff_of_files(const DiffCommand& command) {
         for (const std::string& other : other_goldens(command.files[0]))
             if (TraceDiff accepted = diff_of_inputs(other, command.files[1], command);
                 accepted.is_same && accepted.damage.empty()) {
-                accepted.remarks.push_back(
-                    said({"{} is accepted besides {}", "{} é aceito além de {}"}, printable(other),
-                         printable(command.files[0])));
+                accepted.remarks.push_back(said("{} is accepted besides {}", printable(other),
+                                                printable(command.files[0])));
                 return accepted;
             }
     return found;

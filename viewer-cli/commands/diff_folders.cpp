@@ -2,9 +2,9 @@
 // `rastertrace diff FOLDER FOLDER`: each file with the one of its name in the other folder.
 
 #include "app/commands.h"
+#include "app/load.h"
 #include "commands/diff_json.h"
 #include "commands/diff_report.h"
-#include "app/load.h"
 
 #include <rastertrace/trace/tell/step_text.h>
 #include <rastertrace/trace/text/text.h>
@@ -93,7 +93,7 @@ ExitStatus diff_folders(const DiffCommand& command) {
             if (places != in_both) {
                 ++differing;
                 tell(name, "only", places[0] ? "\"a\"" : "\"b\"",
-                     places[0] ? said({"only in a", "só em a"}) : said({"only in b", "só em b"}));
+                     places[0] ? said("only in a") : said("only in b"));
             } else if (const TraceDiff found = diff_of_files(pair); !found.damage.empty()) {
                 throw found.damage.front();
             } else if (!found.is_same) {
@@ -107,14 +107,13 @@ ExitStatus diff_folders(const DiffCommand& command) {
                 throw;
             ++unread;
             print_error(problem);
-            tell(name, "problem", json_quoted(to_text(problem)),
-                 said({"cannot be read", "não pode ser lido"}));
+            tell(name, "problem", json_quoted(to_text(problem)), said("cannot be read"));
         }
     }
-    text += said({"{} compared, {}", "{} comparados, {}"}, files.size(), differing) +
-            (differing == 1 ? said({" differs", " difere"}) : said({" differ", " diferem"}));
+    text += said("{} compared, {}", files.size(), differing) +
+            (differing == 1 ? said(" differs") : said(" differ"));
     if (unread > 0)
-        text += said({", {} cannot be read", ", {} não podem ser lidos"}, unread);
+        text += said(", {} cannot be read", unread);
     if (command.json)
         text = fmt::format(R"({{"compared":{},"differ":{},"unread":{},"files":[{}]}})",
                            files.size(), differing, unread, joined(json, ",\n"));

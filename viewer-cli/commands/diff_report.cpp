@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "commands/diff_report.h"
 
-#include "commands/explain_text.h"
 #include "app/load.h"
+#include "commands/explain_text.h"
 
 #include <rastertrace/trace/explain/explain.h>
 #include <rastertrace/trace/tell/step_text.h>
@@ -38,15 +38,15 @@ std::string explanation_of_first_pixel(const TraceDiff& found, const Trace& trac
 
 std::string diff_summary(const TraceDiff& found) {
     if (found.is_same)
-        return found.damage.empty() ? said({"the same", "iguais"})
-                                    : said({"the same, as far as they go", "iguais, até onde vão"});
+        return found.damage.empty() ? said("the same##pictures")
+                                    : said("the same, as far as they go");
     std::vector<std::string> parts;
     if (const std::uint64_t steps = count_steps(found); steps > 0)
-        parts.push_back(counted_differences(steps, {"step", "passo"}));
+        parts.push_back(counted_differences(steps, "step"));
     if (const std::uint64_t pixels = count_pixels(found); pixels > 0)
-        parts.push_back(counted_differences(pixels, {"pixel", "pixel"}));
+        parts.push_back(counted_differences(pixels, "pixel"));
     if (!found.header.empty() || !found.end.empty())
-        parts.push_back(said({"the header differs", "o cabeçalho difere"}));
+        parts.push_back(said("the header differs"));
     return joined(parts, ", ");
 }
 
@@ -55,7 +55,7 @@ std::string without_kinds(const std::string& text) {
 }
 
 std::string sentence_of(const std::optional<DiffStep>& step) {
-    return step ? step->sentence : said({"no such step", "não há esse passo"});
+    return step ? step->sentence : said("no such step");
 }
 
 std::string diff_in_color(const std::string& text, ColorDepth colors) {

@@ -3,10 +3,10 @@
 
 #include "app/command.h"
 #include "app/commands.h"
-#include "commands/explain_text.h"
 #include "app/load.h"
 #include "app/option_values.h"
 #include "app/shared_options.h"
+#include "commands/explain_text.h"
 
 #include <rastertrace/trace/explain/explain.h>
 #include <rastertrace/trace/tell/step_text.h>
@@ -37,11 +37,10 @@ Trace trace_against(const ExplainCommand& command, const InputFrames& input) {
 Explanation answer_there(const Trace& against, const Trace& trace, const Question& question) {
     const auto same = question_for(against, trace, question);
     if (!same)
-        return {.answer = said({"there is no such step", "não há esse passo"})};
+        return {.answer = said("there is no such step")};
     auto answer = explain(against, *same);
     return answer ? std::move(answer.value())
-                  : Explanation{.answer = said({"no answer: {}", "sem resposta: {}"},
-                                               answer.problem().message)};
+                  : Explanation{.answer = said("no answer: {}", answer.problem().message)};
 }
 
 /// Answers the question, and once more with the trace drawn by another method, if there is one.

@@ -38,8 +38,8 @@ std::size_t width_of(const std::vector<Item>& items, std::string Item::*cell,
 std::string shown_text(const std::string& shown) {
     constexpr std::string_view background = "background ";
     if (shown.starts_with(background))
-        return said({"background {}", "fundo {}"}, shown.substr(background.size()));
-    return shown == "empty" ? said({"empty", "vazio"}) : shown;
+        return said("background {}", shown.substr(background.size()));
+    return shown == "empty" ? said("empty") : shown;
 }
 
 /// One line for each step; what the pixel shows before and after, if the steps are about one.
@@ -50,14 +50,14 @@ std::string table_of(std::vector<Try> tries) {
     }
     const bool has_pixels =
         std::any_of(tries.begin(), tries.end(), [](const Try& one) { return !one.before.empty(); });
-    const std::string title_before = said({"before", "antes"});
-    const std::string title_after = said({"after", "depois"});
+    const std::string title_before = said("before");
+    const std::string title_after = said("after");
     const std::size_t before = width_of(tries, &Try::before, title_before);
     const std::size_t after = width_of(tries, &Try::after, title_after);
     constexpr std::size_t indent = 6;
     std::string text;
     if (has_pixels)
-        text += fmt::format("{}{}  {}\n", padded(said({"step", "passo"}), indent),
+        text += fmt::format("{}{}  {}\n", padded(said("step"), indent),
                             padded(title_before, before), title_after);
     const bool is_of_several = std::any_of(tries.begin(), tries.end(), [&tries](const Try& one) {
         return one.primitive != tries.front().primitive;
@@ -84,8 +84,8 @@ std::string why_not_text(std::vector<WhyNot> why_not) {
         std::vector<std::string> counts;
         for (const auto& [reason, number] : count)
             counts.push_back(fmt::format("{} {}", number, in_language_of_steps(reason)));
-        rest = said({"  and {} more: {}\n", "  e mais {}: {}\n"},
-                    why_not.size() - most_why_not_told, joined(counts, ", "));
+        rest =
+            said("  and {} more: {}\n", why_not.size() - most_why_not_told, joined(counts, ", "));
         why_not.resize(most_why_not_told);
     }
     for (WhyNot& one : why_not)
@@ -101,12 +101,12 @@ std::string why_not_text(std::vector<WhyNot> why_not) {
 }
 
 std::string pixels_text(const std::vector<PixelAlongEdge>& pixels) {
-    const std::string both = said({" and ", " e "});
+    const std::string both = said(" and ");
     std::string text;
     for (const PixelAlongEdge& one : pixels) {
         text += fmt::format("({}, {})  {}\n", one.pixel.x, one.pixel.y,
-                            !one.is_told         ? said({"not told", "sem resposta"})
-                            : one.owners.empty() ? said({"neither", "nenhum"})
+                            !one.is_told         ? said("not told")
+                            : one.owners.empty() ? said("neither")
                                                  : printable(joined(one.owners, both)));
         text += lines_below(one.why, 6);
     }
@@ -121,17 +121,15 @@ std::string details_text(const Explanation& explanation) {
     if (!explanation.tries.empty())
         text += "\n" + table_of(explanation.tries);
     if (!explanation.why_not.empty())
-        text +=
-            said({"\nnot drawn by\n", "\nnão desenhado por\n"}) + why_not_text(explanation.why_not);
+        text += said("\nnot drawn by\n") + why_not_text(explanation.why_not);
     if (!explanation.pixels.empty())
         text += "\n" + pixels_text(explanation.pixels);
     return text;
 }
 
 std::string step_text(const std::string& who, const std::optional<Try>& step) {
-    return step ? said({"  {}  step {}: {}\n", "  {}  passo {}: {}\n"}, who, step->number,
-                       step->sentence)
-                : said({"  {}  no such step\n", "  {}  não há esse passo\n"}, who);
+    return step ? said("  {}  step {}: {}\n", who, step->number, step->sentence)
+                : said("  {}  no such step\n", who);
 }
 
 } // namespace
@@ -144,14 +142,11 @@ std::string explanation_text(const Explanation& explanation) {
 std::string other_answer_text(const OtherAnswer& other) {
     const std::string method = printable(other.method);
     std::string text =
-        said({"\nwith {}: {}\n", "\ncom {}: {}\n"}, method, other.explanation.answer) +
-        details_text(other.explanation);
+        said("\nwith {}: {}\n", method, other.explanation.answer) + details_text(other.explanation);
     if (!other.difference)
-        return text +
-               said({"\nno decision about it differs\n", "\nnenhuma decisão sobre isso difere\n"});
-    const std::string here = padded(said({"as it is", "como é"}), columns_in(method));
-    return text +
-           said({"\nthe first decision that differs\n", "\na primeira decisão que difere\n"}) +
+        return text + said("\nno decision about it differs\n");
+    const std::string here = padded(said("as it is"), columns_in(method));
+    return text + said("\nthe first decision that differs\n") +
            step_text(here, other.difference->one) +
            step_text(padded(method, columns_in(here)), other.difference->other);
 }

@@ -21,9 +21,9 @@ std::string mistakes_text() {
 std::string mistake_text(const Mistake& mistake) {
     std::string text =
         fmt::format("{}{}\n  it says   {}\n", mistake.name,
-                    mistake.is_rule() ? ", a rule of others" : "", mistake.says.english);
+                    mistake.is_rule() ? ", a rule of others" : "", mistake.says);
     if (!mistake.is_rule())
-        text += fmt::format("  should    {}\n", mistake.should.english);
+        text += fmt::format("  should    {}\n", mistake.should);
     text += fmt::format("  changes   {}\n  symptom   {}\n  source    {}\n", mistake.step,
                         mistake.symptom, mistake.source);
     if (!mistake.setting.empty())
@@ -37,8 +37,8 @@ std::string mistakes_json() {
     for (const Mistake& mistake : mistakes()) {
         text += fmt::format(
             R"({}{{"name":"{}","says":{},"should":{},"step":"{}","symptom":{},"source":{},"setting":"{}"}})",
-            separator, mistake.name, json_quoted(mistake.says.english),
-            json_quoted(mistake.should.english), mistake.step, json_quoted(mistake.symptom),
+            separator, mistake.name, json_quoted(mistake.says),
+            json_quoted(mistake.should), mistake.step, json_quoted(mistake.symptom),
             json_quoted(mistake.source), mistake.setting);
         separator = ",\n";
     }

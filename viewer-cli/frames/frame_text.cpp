@@ -2,9 +2,9 @@
 #include "frames/frame_text.h"
 
 #include <rastertrace/figures/shown_steps.h>
-#include <rastertrace/trace/tell/told_samples.h>
 #include <rastertrace/trace/record/traced_steps.h>
 #include <rastertrace/trace/tell/step_text.h>
+#include <rastertrace/trace/tell/told_samples.h>
 #include <rastertrace/trace/text/text.h>
 
 #include <fmt/core.h>
@@ -229,15 +229,12 @@ std::size_t lines_on_terminal(std::string_view text, std::size_t columns) {
 /// Which part of the canvas is shown, or in which blocks; nothing if it is all of it.
 std::string part_text(const Canvas& canvas, const FrameText& about, const Window& window) {
     if (about.is_overview)
-        return said({"(1 cell = {}x{} pixels, the most frequent of those drawn)\n",
-                     "(1 célula = {}x{} pixels, o mais frequente dos desenhados)\n"},
+        return said("(1 cell = {}x{} pixels, the most frequent of those drawn)\n",
                     window.block_width, window.block_height);
     if (window.columns == canvas.width && window.rows * window.block_height >= canvas.height)
         return {};
     return said(
-        {"(x {} to {}, y {} to {} of a canvas of {} x {})\n",
-         "(x {} a {}, y {} a {} de uma tela de {} x {})\n"},
-        canvas.left() + window.first_column,
+        "(x {} to {}, y {} to {} of a canvas of {} x {})\n", canvas.left() + window.first_column,
         canvas.left() + window.first_column + window.columns - 1, canvas.y_of(window.first_row),
         canvas.y_of(std::min(window.first_row + window.rows * window.block_height, canvas.height) -
                     1),
@@ -297,9 +294,9 @@ public:
     std::vector<std::string> legend() const {
         auto legend = cells_.legend();
         if (!not_drawn_.empty())
-            legend.push_back(said({"x tested, not drawn", "x testado, não desenhado"}));
+            legend.push_back(said("x tested, not drawn"));
         if (about_.coming)
-            legend.push_back(said({"+ to come", "+ por vir"}));
+            legend.push_back(said("+ to come"));
         for (const VertexMark& mark : long_names_)
             legend.push_back(fmt::format(
                 "{} {} ({}, {})",
@@ -461,7 +458,7 @@ std::optional<Pixel> pixel_looked_at(const Replay& replay, std::size_t n) {
 
 std::string title_of(const Trace& trace, std::size_t columns) {
     const std::string mistake = trace.method.word_of("mistake");
-    const std::string marked = mistake.empty() ? "" : said({", with {}", ", com {}"}, mistake);
+    const std::string marked = mistake.empty() ? "" : said(", with {}", mistake);
     return shortened(printable(trace.title), columns - std::min(columns, marked.size())) + marked;
 }
 

@@ -69,7 +69,7 @@ std::optional<std::string> Player::prompt() const {
     case Asked::search:
         return "/" + typed_;
     case Asked::breakpoint:
-        return said({"break at: ", "parar em: "}) + typed_;
+        return said("break at: ") + typed_;
     case Asked::nothing:
         break;
     }
@@ -110,8 +110,7 @@ void Player::press(const KeyPress& key, const ScreenPlaces& places) {
     if (const auto action = player_action_of(key.key))
         act(*action);
     else
-        message_ = said({"{} does nothing; ? lists the keys", "{} não faz nada; ? lista as teclas"},
-                        told_key(key.key));
+        message_ = said("{} does nothing; ? lists the keys", told_key(key.key));
     count_.clear();
 }
 
@@ -206,9 +205,8 @@ void Player::act(PlayerAction action) {
     case previous_match:
         return find_match(back);
     case no_breakpoints:
-        message_ = breakpoints_.empty()
-                       ? said({"there are no breakpoints", "não há pontos de parada"})
-                       : said({"breakpoints removed", "pontos de parada removidos"});
+        message_ =
+            breakpoints_.empty() ? said("there are no breakpoints") : said("breakpoints removed");
         breakpoints_.clear();
         return;
     case cursor_left:
@@ -265,7 +263,7 @@ std::size_t Player::take_times() const {
 
 void Player::play_at(double steps_per_second) {
     speed_ = std::clamp(steps_per_second, slowest, fastest);
-    message_ = said({"{:g} steps a second", "{:g} passos por segundo"}, speed_);
+    message_ = said("{:g} steps a second", speed_);
 }
 
 /// What is clicked: a pixel, or a step of the list. The wheel goes from step to step.
@@ -299,9 +297,7 @@ void Player::move_to(std::size_t step) {
     looks_at_cursor_ = false;
     const std::size_t last = trace().size();
     if (step > last)
-        message_ =
-            said({"expected a step up to {}, found {}", "esperado um passo até {}, encontrado {}"},
-                 last, step);
+        message_ = said("expected a step up to {}, found {}", last, step);
     show_step(std::min(step, last));
 }
 
@@ -309,10 +305,9 @@ void Player::move_by(std::size_t count, Direction direction) {
     looks_at_cursor_ = false;
     const std::size_t last = trace().size();
     if (direction == Direction::forward && step() == last)
-        message_ = said({"this is the last step", "este é o último passo"});
+        message_ = said("this is the last step");
     if (direction == Direction::back && step() == 0)
-        message_ =
-            said({"nothing is before the first step", "não há nada antes do primeiro passo"});
+        message_ = said("nothing is before the first step");
     show_step(direction == Direction::forward ? std::min(last - step(), count) + step()
                                               : step() - std::min(step(), count));
 }
@@ -339,7 +334,7 @@ bool Player::pass(double seconds) {
         show_step(step() + 1);
         if (is_at_breakpoint()) {
             is_playing_ = false;
-            message_ = said({"breakpoint", "ponto de parada"});
+            message_ = said("breakpoint");
         }
     }
     return is_due;
@@ -359,11 +354,9 @@ void Player::change_frame(Direction direction) {
     const bool is_forward = direction == Direction::forward;
     const std::size_t times = take_times();
     if (input_.first_frame == input_.last_frame)
-        message_ = said({"there is one frame: no number of the scene varies",
-                         "há um só quadro: nenhum número da cena varia"});
+        message_ = said("there is one frame: no number of the scene varies");
     else if (frame_ == (is_forward ? input_.last_frame : input_.first_frame))
-        message_ = is_forward ? said({"this is the last frame", "este é o último quadro"})
-                              : said({"this is the first frame", "este é o primeiro quadro"});
+        message_ = is_forward ? said("this is the last frame") : said("this is the first frame");
     else
         open_or_tell(is_forward ? frame_ + std::min(times, input_.last_frame - frame_)
                                 : frame_ - std::min(times, frame_ - input_.first_frame));

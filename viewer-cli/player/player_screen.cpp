@@ -88,10 +88,9 @@ TextLines compared_depths(const Replay& replay) {
         return primitive == 0 ? std::string() : printable(name_in(trace.step(primitive)).text());
     };
     const std::size_t stored_by = replay.stored_before();
-    const std::array<std::string, 2> names{name_of_primitive(replay.primitive()),
-                                           stored_by == 0
-                                               ? said({"clear", "vazio"})
-                                               : name_of_primitive(replay.primitive_of(stored_by))};
+    const std::array<std::string, 2> names{
+        name_of_primitive(replay.primitive()),
+        stored_by == 0 ? said("clear") : name_of_primitive(replay.primitive_of(stored_by))};
     const std::array<std::string, 2> numbers{short_number(test.depth.text()),
                                              short_number(test.stored.text())};
     const std::size_t width = std::max(columns_in(names[0]), columns_in(names[1]));
@@ -99,9 +98,8 @@ TextLines compared_depths(const Replay& replay) {
     const bool is_stored = stores_depth(test);
     TextLines lines;
     for (std::size_t i = 0; i < 2; ++i)
-        lines.push_back(
-            fmt::format("{}  {:>{}}{}", padded(names[i], width), numbers[i], of_numbers,
-                        (i == 0) == is_stored ? said({"  <- is kept", "  <- fica"}) : ""));
+        lines.push_back(fmt::format("{}  {:>{}}{}", padded(names[i], width), numbers[i], of_numbers,
+                                    (i == 0) == is_stored ? said("  <- is kept") : ""));
     return lines;
 }
 
@@ -126,17 +124,13 @@ TextLines working_panel(const Player& player, std::size_t columns, std::size_t c
         return lines;
     last = lines.size() - std::min(lines.size(), count - 1) + 1;
     if (count == 1)
-        return {
-            shortened(said({"... {} lines of working: Ctrl+d", "... {} linhas de contas: Ctrl+d"},
-                           lines.size()),
-                      columns)};
+        return {shortened(said("... {} lines of working: Ctrl+d", lines.size()), columns)};
     const std::size_t room = count - 1; // the last line tells the part
     const std::size_t from =
         player.working_from() - std::min<std::size_t>(player.working_from(), 1);
     const std::size_t first = std::min(from, lines.size() - room); // the first key only makes room
-    const std::string part = said(
-        {"... lines {} to {} of {}: Ctrl+d, Ctrl+u", "... linhas {} a {} de {}: Ctrl+d, Ctrl+u"},
-        std::min(first + 1, lines.size()), first + room, lines.size());
+    const std::string part = said("... lines {} to {} of {}: Ctrl+d, Ctrl+u",
+                                  std::min(first + 1, lines.size()), first + room, lines.size());
     TextLines shown(lines.begin() + static_cast<std::ptrdiff_t>(first),
                     lines.begin() + static_cast<std::ptrdiff_t>(first + room));
     shown.push_back(shortened(part, columns));
@@ -159,15 +153,13 @@ TextLines pixel_panel(const Player& player, std::size_t columns, std::size_t cou
     const std::string name =
         fmt::format("pixel ({}, {})", question->pixel().x, question->pixel().y);
     if (!question->answer())
-        return {said({"{}: looked at {:.0f} % of the steps", "{}: vistos {:.0f} % dos passos"},
-                     name, 100 * question->share())};
+        return {said("{}: looked at {:.0f} % of the steps", name, 100 * question->share())};
     if (!*question->answer())
         return {shortened(question->answer()->problem().message, columns)};
     const Explanation& answer = question->answer()->value();
     const bool is_at_end = player.playback().step() == player.playback().trace().size();
     TextLines lines =
-        wrapped(fmt::format("{}{}: {}", name, is_at_end ? "" : said({", in the end", ", no fim"}),
-                            answer.answer),
+        wrapped(fmt::format("{}{}: {}", name, is_at_end ? "" : said(", in the end"), answer.answer),
                 columns);
     for (const std::string& lack : answer.lacks)
         append(lines, wrapped(lack, columns));
@@ -177,15 +169,12 @@ TextLines pixel_panel(const Player& player, std::size_t columns, std::size_t cou
                                   one.number, one.sentence),
                       columns));
     for (const WhyNot& why : answer.why_not)
-        append(lines, wrapped(said({"  not {}: {}", "  não {}: {}"}, printable(why.primitive),
-                                   why.sentence),
-                              columns));
+        append(lines,
+               wrapped(said("  not {}: {}", printable(why.primitive), why.sentence), columns));
     if (lines.size() > count) {
         lines.resize(count);
         if (count > 1) // the answer is more than where to find the rest
-            lines.back() = shortened(
-                said({"  ... (`explain --pixel` tells all)", "  ... (`explain --pixel` diz tudo)"}),
-                columns);
+            lines.back() = shortened(said("  ... (`explain --pixel` tells all)"), columns);
     }
     return lines;
 }
@@ -209,15 +198,12 @@ std::string progress(const Player& player, std::size_t columns) {
     std::string right =
         fmt::format("{:.0f} %  {}", std::floor(100 * share), name_of(player.view()));
     if (player.is_playing())
-        right += said({"  playing, {:g} steps a second", "  rodando, {:g} passos/s"},
-                      player.steps_per_second());
+        right += said("  playing, {:g} steps a second", player.steps_per_second());
     if (const auto searched = player.searched())
-        right +=
-            said({"  searching, {:.0f} %, any key ends it", "  busca, {:.0f} %, uma tecla encerra"},
-                 std::floor(100 * *searched));
+        right += said("  searching, {:.0f} %, any key ends it", std::floor(100 * *searched));
     if (!player.frame_label().empty())
-        right += said({"  frame {}", "  quadro {}"}, printable(player.frame_label()));
-    const std::string left = said({"step {} of {} ", "passo {} de {} "}, playback.step(), last);
+        right += said("  frame {}", printable(player.frame_label()));
+    const std::string left = said("step {} of {} ", playback.step(), last);
     constexpr std::size_t most_bar = 40;
     constexpr std::size_t least_bar = 6;
     const std::size_t taken = left.size() + columns_in(right) + 3;
@@ -249,9 +235,8 @@ TextLines last_lines(const Player& player, TextSize size) {
             size.columns);
     lines.resize(std::min(lines.size(), most_lines));
     if (player.message().empty() && lines.size() < most_lines)
-        lines.push_back(said(
-            {"? keys   q leave   Right next   Left back   Space play   / search   c cursor",
-             "? teclas  q sai  Direita avança  Esquerda volta  Espaço roda  / busca  c cursor"}));
+        lines.push_back(
+            said("? keys   q leave   Right next   Left back   Space play   / search   c cursor"));
     for (std::string& line : lines)
         line = shortened(line, size.columns);
     return lines;
@@ -319,10 +304,8 @@ PlayerScreen help_screen(const Player& player, TextSize size) {
     screen.lines.assign(all.begin() + static_cast<std::ptrdiff_t>(first),
                         all.begin() +
                             static_cast<std::ptrdiff_t>(std::min(first + room, all.size())));
-    screen.lines.push_back(shortened(said({"page {} of {}   Space goes on   q closes",
-                                           "página {} de {}   Espaço segue   q fecha"},
-                                          page + 1, pages),
-                                     size.columns));
+    screen.lines.push_back(
+        shortened(said("page {} of {}   Space goes on   q closes", page + 1, pages), size.columns));
     return screen;
 }
 
@@ -357,13 +340,9 @@ std::vector<std::string> player_help(std::size_t columns) {
             front.assign(width + 2, ' ');
         }
     }
-    append(lines, {"",
-                   said({"A number in front of a key that goes somewhere: so many times.",
-                         "Um número antes de uma tecla que vai a algum lugar: tantas vezes."}),
-                   said({"A click sets the cursor, or goes to a step of the list.",
-                         "Um clique põe o cursor, ou vai a um passo da lista."}),
-                   said({"The wheel goes on and back.",
-                         "A roda do mouse vai para a frente e para trás."})});
+    append(lines, {"", said("A number in front of a key that goes somewhere: so many times."),
+                   said("A click sets the cursor, or goes to a step of the list."),
+                   said("The wheel goes on and back.")});
     return lines;
 }
 
@@ -372,7 +351,7 @@ namespace {
 /// The step and its sentence, where nothing else has room.
 PlayerScreen small_screen(const Player& player, TextSize size) {
     const Playback& playback = player.playback();
-    TextLines lines{said({"{} of {}", "{} de {}"}, playback.step(), playback.trace().size())};
+    TextLines lines{said("{} of {}", playback.step(), playback.trace().size())};
     const std::string sentence = describe_step(player.playback().replay());
     const std::size_t room = std::max<std::size_t>(size.lines, 3) - 2;
     const TextLines in_words = wrapped(sentence, std::max<std::size_t>(size.columns, 1));

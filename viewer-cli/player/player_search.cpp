@@ -119,20 +119,19 @@ void Player::find_kind(Direction direction) {
         [this, kind, name](std::size_t n) {
             return trace().kind_of(n) == kind && (kind || trace().step(n).kind_name() == name);
         },
-        said({"there is no other {} step that way", "não há outro passo {} nessa direção"},
-             printable(name)));
+        said("there is no other {} step that way", printable(name)));
 }
 
 void Player::find_row(Direction direction) {
     find(
         direction, [this](std::size_t n) { return begins_row(trace(), n); },
-        said({"no row begins that way", "nenhuma linha começa nessa direção"}));
+        said("no row begins that way"));
 }
 
 void Player::find_primitive(Direction direction) {
     find(
         direction, [this](std::size_t n) { return trace().kind_of(n) == StepKind::primitive; },
-        said({"no primitive begins that way", "nenhuma primitiva começa nessa direção"}));
+        said("no primitive begins that way"));
 }
 
 /// Steps that belong to the current step's primitive, or that name it.
@@ -145,8 +144,7 @@ void Player::find_of_primitive(Direction direction) {
                              : primitive == 0 ? std::string()
                                               : name_in(trace().step(primitive)).text();
     if (name.empty()) {
-        message_ =
-            said({"the step is about no primitive", "o passo não trata de nenhuma primitiva"});
+        message_ = said("the step is about no primitive");
         return;
     }
     find(
@@ -156,36 +154,30 @@ void Player::find_of_primitive(Direction direction) {
             return (of != 0 && name_in(trace().step(of)) == name) ||
                    name_in(trace().step(n)) == name;
         },
-        said({"no other step is about {} that way", "nenhum outro passo nessa direção trata de {}"},
-             printable(name)));
+        said("no other step is about {} that way", printable(name)));
 }
 
 void Player::find_at_cursor(Direction direction) {
     if (!cursor_) {
-        message_ = said(
-            {"there is no cursor: c sets it, or a click", "não há cursor: c o põe, ou um clique"});
+        message_ = said("there is no cursor: c sets it, or a click");
         return;
     }
     const Pixel pixel = *cursor_;
     find(
         direction, [this, pixel](std::size_t n) { return touches(trace(), n, pixel); },
-        said({"no step touches pixel ({}, {}) that way",
-              "nenhum passo nessa direção toca o pixel ({}, {})"},
-             pixel.x, pixel.y));
+        said("no step touches pixel ({}, {}) that way", pixel.x, pixel.y));
     looks_at_cursor_ = true;
 }
 
 void Player::find_match(Direction direction) {
     if (!searched_for_) {
-        message_ = said({"nothing was searched for: / does", "nada foi buscado: / busca"});
+        message_ = said("nothing was searched for: / does");
         return;
     }
     if (!searched_for_->selector)
         return find_words(direction, searched_for_->text);
     const Selector selector = *searched_for_->selector;
-    std::string missing =
-        said({"no other step that way is {}", "nenhum outro passo nessa direção é {}"},
-             printable(selector.source.text));
+    std::string missing = said("no other step that way is {}", printable(selector.source.text));
     find(
         direction,
         [this, selector](std::size_t n) {
@@ -203,9 +195,7 @@ void Player::find_words(Direction direction, const std::string& words) {
         [this, wanted = in_lower_case(words)](std::size_t n) {
             return in_lower_case(playback_->sentence_of(n)).find(wanted) != std::string::npos;
         },
-        said({"no other step that way says \"{}\"", "nenhum outro passo nessa direção diz \"{}\""},
-             printable(words)),
-        sentences_at_once);
+        said("no other step that way says \"{}\"", printable(words)), sentences_at_once);
 }
 
 void Player::type(const std::string& key) {
@@ -271,8 +261,7 @@ void Player::start_search(const std::string& text) {
         message_ =
             all.problem().message + (all.problem().hint.empty() ? "" : "; " + all.problem().hint);
     else
-        message_ = said({"none of the {} such steps is ahead; N goes to the one before",
-                         "dos passos assim ({}), nenhum está adiante; N vai ao anterior"},
+        message_ = said("none of the {} such steps is ahead; N goes to the one before",
                         all.value().size());
 }
 
@@ -281,9 +270,8 @@ void Player::add_breakpoint(const std::string& text) {
         return;
     if (auto selector = selector_of(text)) {
         breakpoints_.push_back(std::move(*selector));
-        message_ = said({"playing stops at {}; B removes all {}",
-                         "a reprodução para em {}; B remove os pontos de parada ({})"},
-                        printable(text), breakpoints_.size());
+        message_ =
+            said("playing stops at {}; B removes all {}", printable(text), breakpoints_.size());
     }
 }
 

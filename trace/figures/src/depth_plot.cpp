@@ -2,9 +2,9 @@
 #include "depth_plot.h"
 
 #include <rastertrace/figures/corners.h>
-#include <rastertrace/trace/tell/told_samples.h>
 #include <rastertrace/trace/record/traced_steps.h>
 #include <rastertrace/trace/tell/step_text.h>
+#include <rastertrace/trace/tell/told_samples.h>
 
 #include <fmt/core.h>
 
@@ -127,11 +127,11 @@ std::optional<Depths> depths_of(const Panel& panel) {
         const auto right_depth = told.right_depth.nearest_double();
         if (left && right && left_depth && right_depth)
             row_ends = {{{*left, z_of(*left_depth)}, {*right, z_of(*right_depth)}}};
-        depths.along = said({"x in the row y = {}", "x na linha y = {}"}, told.y);
+        depths.along = said("x in the row y = {}", told.y);
         depths.drawn = along_row(trace, {scanline, end_of(trace, scanline)}, offset_x);
     } else {
         side = along_side(replay, offset_y);
-        depths.along = said({"y along the side {}", "y ao longo do lado {}"}, side.edge);
+        depths.along = said("y along the side {}", side.edge);
         depths.drawn = side.samples;
     }
     for (Sample& sample : depths.drawn)
@@ -160,9 +160,7 @@ std::optional<Depths> depths_of(const Panel& panel) {
     const auto plane = plane_through(at, values);
     if (!plane || !std::isfinite((*plane)[0] + (*plane)[1] + (*plane)[2]))
         return depths;
-    depths.truth = trace.projection.empty()
-                       ? said({"true in a perspective", "verdadeira em perspectiva"})
-                       : said({"true", "verdadeira"});
+    depths.truth = trace.projection.empty() ? said("true in a perspective") : said("true");
     const auto true_at = [plane = *plane, is_linear](double x, double y) {
         const double value = plane[0] * x + plane[1] * y + plane[2];
         return is_linear ? value : 1 / value;
@@ -199,11 +197,9 @@ Plot plot_of(const Depths& depths, std::string_view name, double (*value)(double
               .area_height = 190,
               .x = {.scale = PlotScale::linear, .label = depths.along},
               .y = {.scale = PlotScale::linear, .label = std::string(name)}};
-    PlotCurve drawn{.name = said({"as drawn", "como desenhada"}), .marks = {}, .has_line = false};
+    PlotCurve drawn{.name = said("as drawn"), .marks = {}, .has_line = false};
     add_finite(depths.drawn, value, drawn.marks);
-    PlotCurve straight{.name = said({"straight between the ends", "reta entre os extremos"}),
-                       .marks = {},
-                       .has_marks = false};
+    PlotCurve straight{.name = said("straight between the ends"), .marks = {}, .has_marks = false};
     const auto& [first, last] = depths.ends;
     const double slope = (value(last.z) - value(first.z)) / (last.along - first.along);
     for (const double along : {depths.from, depths.to})

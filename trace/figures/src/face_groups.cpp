@@ -37,9 +37,8 @@ struct Grouping {
     Words heading; ///< said before the letters; nothing for faces
     std::string (*group_of)(const PrimitiveStep& primitive);
 };
-constexpr std::array<Grouping, 3> groupings{{{{"", ""}, name_of_face},
-                                             {{"meshes: ", "malhas: "}, mesh_of},
-                                             {{"colors: ", "cores: "}, color_of}}};
+constexpr std::array<Grouping, 3> groupings{
+    {{"", name_of_face}, {"meshes: ", mesh_of}, {"colors: ", color_of}}};
 
 /// Puts primitives in the scene's order: that in which they are drawn, unless the painter has sorted them.
 void sort_as_listed(std::vector<std::size_t>& primitives, const Trace& trace, std::size_t order) {

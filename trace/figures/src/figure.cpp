@@ -8,10 +8,10 @@
 #include "words.h"
 
 #include <rastertrace/figures/corners.h>
-#include <rastertrace/trace/tell/told_samples.h>
 #include <rastertrace/trace/record/traced_steps.h>
 #include <rastertrace/trace/tell/describe.h>
 #include <rastertrace/trace/tell/step_text.h>
+#include <rastertrace/trace/tell/told_samples.h>
 #include <rastertrace/trace/tell/working.h>
 
 #include <fmt/core.h>
@@ -332,8 +332,7 @@ Drawing FigureMaker::figure_in_space(const Panel& panel, const std::string& capt
     if (parts.has(FigurePart::working))
         y += add_working(working, column, y, sheet.shapes);
     sheet.height = std::ceil(y + margin_of_sheet);
-    sheet.description =
-        said({"The scene in space.", "A cena no espaço."}) + (caption.empty() ? "" : " " + caption);
+    sheet.description = said("The scene in space.") + (caption.empty() ? "" : " " + caption);
     return sheet;
 }
 
@@ -408,8 +407,8 @@ Drawing FigureMaker::figure(std::size_t n) {
     if (parts.has(FigurePart::working))
         y += add_working(working, column, y, sheet.shapes);
     sheet.height = std::ceil(y + margin);
-    sheet.description = said({"{} x {} pixels, {} drawn.", "{} x {} pixels, {} desenhados."},
-                             lattice.columns(), lattice.rows(), replay_.frame().image.drawn());
+    sheet.description = said("{} x {} pixels, {} drawn.", lattice.columns(), lattice.rows(),
+                             replay_.frame().image.drawn());
     if (!caption.empty())
         sheet.description += " " + caption;
     return sheet;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <rastertrace/figures/shown_steps.h>
 
-#include <rastertrace/trace/tell/told_samples.h>
 #include <rastertrace/trace/tell/step_text.h>
+#include <rastertrace/trace/tell/told_samples.h>
 
 #include <algorithm>
 #include <cmath>
@@ -102,9 +102,9 @@ void set_rejected(const Canvas& canvas, const RejectStep& reject, StepSubject& s
 
 std::string steps_text(const Trace& trace, ShownSteps steps) {
     if (steps.first == steps.last)
-        return said({"step {} of {}", "passo {} de {}"}, trace.number_of(steps.last), trace.size());
-    return said({"steps {} to {} of {}", "passos {} a {} de {}"}, trace.number_of(steps.first),
-                trace.number_of(steps.last), trace.size());
+        return said("step {} of {}", trace.number_of(steps.last), trace.size());
+    return said("steps {} to {} of {}", trace.number_of(steps.first), trace.number_of(steps.last),
+                trace.size());
 }
 
 std::size_t end_of(const Trace& trace, std::size_t n) {

@@ -105,7 +105,7 @@ void add_camera(SpaceSheet& sheet) {
         const Position foot = Position(camera.to_world() * glm::dvec4(0, 0, sheet.plane_z(), 1));
         sheet.line(*eye, foot, Role::ray);
         sheet.dot(*eye, Role::eye, 4);
-        sheet.words(*eye, foot, said({"eye", "olho"}), Role::eye);
+        sheet.words(*eye, foot, said("eye"), Role::eye);
         if (!camera.near_z())
             sheet.words((*eye + foot) / 2.0, (*eye + foot) / 2.0,
                         fmt::format("d = {}", decimal(glm::length(foot - *eye))), Role::quiet_text,
@@ -114,7 +114,7 @@ void add_camera(SpaceSheet& sheet) {
     sheet.words(window[0], (window[0] + window[2]) / 2.0,
                 camera.near_z() && camera.is_perspective()
                     ? std::string(in_language_of_steps("near"))
-                    : said({"view plane", "plano de projeção"}),
+                    : said("view plane"),
                 Role::view_plane, 9);
 }
 
@@ -159,7 +159,7 @@ void add_space(SpaceWeight weight, SpaceSheet& sheet) {
     add_edges(weight, sheet);
     if (const auto light = sheet.light()) {
         sheet.arrow(light->first, light->second, Role::light_ray);
-        sheet.words(light->first, light->second, said({"light", "luz"}), Role::light_ray);
+        sheet.words(light->first, light->second, said("light"), Role::light_ray);
     }
     if (weight == SpaceWeight::strong)
         add_normals(sheet);

@@ -209,9 +209,8 @@ std::vector<SpaceFrame> frames_of_spaces(const Trace& trace, std::size_t step,
             if (const auto vertex = trace.step(n).as<VertexStep>();
                 numbers.empty() && vertex.space == space && vertex.name == name)
                 numbers = tuple_of(vertex.at);
-        frame.lines = {said({"{}: {} {}", "espaço {}: {} {}"},
-                            std::string(in_language_of_steps(word_of(space))), printable(name),
-                            numbers)};
+        frame.lines = {said("{}: {} {}", std::string(in_language_of_steps(word_of(space))),
+                            printable(name), numbers)};
         frames.push_back(std::move(frame));
     }
     return frames;
@@ -275,13 +274,11 @@ std::vector<SpaceFrame> frames_of_ears(const Trace& trace, std::size_t step) {
         const auto tip = std::find(ring.begin(), ring.end(), corners[1]);
         const std::string number = fmt::format("{}. {}: ", i + 1, printable(ears[i]));
         if (ring.size() > 3)
-            frame.lines = {number +
-                               said({"convex at {},", "convexo em {},"}, printable(corners[1])),
-                           said({"no other vertex in it", "nenhum outro vértice dentro"}),
-                           said({"(reflex: {})", "(reflexos: {})"},
-                                reflex.empty() ? said({"none", "nenhum"}) : printable(reflex))};
+            frame.lines = {number + said("convex at {},", printable(corners[1])),
+                           said("no other vertex in it"),
+                           said("(reflex: {})", reflex.empty() ? said("none") : printable(reflex))};
         else
-            frame.lines = {number + said({"what is left", "o que resta"})};
+            frame.lines = {number + said("what is left")};
         frames.push_back(std::move(frame));
         if (tip != ring.end())
             ring.erase(tip);

@@ -5,10 +5,10 @@
 
 #include <rastertrace/figures/shown_steps.h>
 #include <rastertrace/figures/view.h>
-#include <rastertrace/trace/tell/told_samples.h>
 #include <rastertrace/trace/record/traced_steps.h>
 #include <rastertrace/trace/tell/meeting_point.h>
 #include <rastertrace/trace/tell/step_text.h>
+#include <rastertrace/trace/tell/told_samples.h>
 #include <rastertrace/trace/text/text.h>
 
 #include <fmt/core.h>
@@ -101,10 +101,9 @@ void add_cut(Replay& at_vertex, const std::string& plane, SpaceSheet& sheet) {
             if (!polygon.empty()) {
                 sheet.polygon(polygon, Role::outside, Role::leader);
                 if (plane != "near" || !space.camera->near_z())
-                    sheet.words(
-                        polygon.front(), found->second,
-                        said({"{} plane", "plano {}"}, std::string(in_language_of_steps(plane))),
-                        Role::normal);
+                    sheet.words(polygon.front(), found->second,
+                                said("{} plane", std::string(in_language_of_steps(plane))),
+                                Role::normal);
             }
             is_drawn = true;
         }
@@ -128,8 +127,7 @@ void add_clip(const Replay& replay, SpaceSheet& sheet) {
             const auto inside = step.inside.values();
             for (std::size_t i = 0; i < corners.size() && corners.size() == inside.size(); ++i)
                 sheet.words(corners[i], space.middle_of(primitive),
-                            inside[i].is_true() ? said({"inside", "dentro"})
-                                                : said({"outside", "fora"}),
+                            inside[i].is_true() ? said("inside") : said("outside"),
                             Role::quiet_text);
         } else if (primitive.is_part &&
                    name_of_whole(sheet.trace().step(primitive.step).as<PrimitiveStep>()) ==

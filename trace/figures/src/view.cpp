@@ -150,8 +150,7 @@ FrameCells::FrameCells(View view, const Replay& replay, std::size_t room, const 
         set_up_depths(room);
         break;
     case View::writes:
-        legend_ = {said({"1..9: so many writes", "1..9: tantas escritas"}),
-                   said({"+: more", "+: mais"})};
+        legend_ = {said("1..9: so many writes"), said("+: more")};
         cell_ = [&frame](std::size_t offset, Pixel) {
             const std::uint32_t writes = frame.writes[offset];
             return Cell{writes == 0   ? std::string(empty_cell)
@@ -191,13 +190,12 @@ void FrameCells::set_up_faces(const FaceGroups* faces) {
         for (const std::size_t i : seen)
             legend_.push_back(fmt::format("{} {}", face_letters[i], printable(faces->names[i])));
         if (has_others)
-            legend_.push_back(said({"# others", "# outras"}));
+            legend_.push_back(said("# others"));
         if (!legend_.empty())
             legend_.front().insert(0, faces->heading);
     } else {
-        legend_ = {said(
-            {"{} faces, {} colors: too many for letters", "{} faces, {} cores: demais para letras"},
-            faces->faces, faces->names.size())};
+        legend_ = {
+            said("{} faces, {} colors: too many for letters", faces->faces, faces->names.size())};
     }
     cell_ = [this, &frame, has_letters, faces](std::size_t offset, Pixel) {
         const std::size_t drawn_by = frame.drawn_by[offset];
@@ -212,7 +210,7 @@ void FrameCells::set_up_faces(const FaceGroups* faces) {
 
 void FrameCells::set_up_shade() {
     const Frame& frame = replay_.frame();
-    legend_ = {said({"dark {} light", "escuro {} claro"}, ramp)};
+    legend_ = {said("dark {} light", ramp)};
     // As bright as it looks: half the light of white is seen as three quarters.
     const auto shown = [](Color color) {
         return Cell{std::string(1, ramp_at(std::pow(luminance(color), 1 / 2.4))), color};
@@ -220,8 +218,7 @@ void FrameCells::set_up_shade() {
     const std::optional<Color> background = replay_.trace().background;
     const Cell empty = background ? shown(*background) : Cell{std::string(empty_cell)};
     if (background)
-        legend_.push_back(
-            said({"background {} {}", "fundo {} {}"}, empty.text, to_text(*background)));
+        legend_.push_back(said("background {} {}", empty.text, to_text(*background)));
     cell_ = [&frame, shown, empty](std::size_t offset, Pixel) {
         return frame.drawn_by[offset] == 0 ? empty : shown(frame.image.colors()[offset]);
     };
@@ -235,9 +232,8 @@ void FrameCells::set_up_depths(std::size_t room) {
         if (frame.stored_by[cell] != 0)
             stored.push_back(cell);
     if (stored.empty()) {
-        legend_ = {said({"the buffer is clear: no depth was tested (a scene is, with --keep depth)",
-                         "o buffer está vazio: nenhuma profundidade foi testada (com --keep depth, "
-                         "a cena a testa)"})};
+        legend_ = {
+            said("the buffer is clear: no depth was tested (a scene is, with --keep depth)")};
         width_ = 1;
         cell_ = [](std::size_t, Pixel) { return Cell{std::string(empty_cell)}; };
         return;
@@ -281,10 +277,10 @@ void FrameCells::set_up_depths(std::size_t room) {
     if (is_ramp) {
         width_ = 1;
         if (least <= largest)
-            legend_.push_back(said({"far {:.4g} {} {:.4g} near", "longe {:.4g} {} {:.4g} perto"},
-                                   larger ? least : largest, ramp, larger ? largest : least));
+            legend_.push_back(said("far {:.4g} {} {:.4g} near", larger ? least : largest, ramp,
+                                   larger ? largest : least));
         if (!all_finite)
-            legend_.push_back(said({"? not finite", "? não é finito"}));
+            legend_.push_back(said("? not finite"));
     }
     cell_ = [&frame, depth_in, brightness, values = std::move(values), is_ramp,
              clear](std::size_t offset, Pixel) {
@@ -303,9 +299,8 @@ void FrameCells::set_up_coverage() {
     if (replay_.primitive() != 0)
         corners = corners_of(trace.step(replay_.primitive()).as<PrimitiveStep>());
     legend_ = {corners.size() == 3
-                   ? said({"0..9: tenths of a pixel from the sample to the nearest edge",
-                           "0..9: décimos de pixel da amostra à aresta mais próxima"})
-                   : said({"coverage is that of a triangle", "a cobertura é a de um triângulo"})};
+                   ? said("0..9: tenths of a pixel from the sample to the nearest edge")
+                   : said("coverage is that of a triangle")};
     const auto offset = told_samples(trace).triangles;
     cell_ = [corners, x = offset.x().get_d(), y = offset.y().get_d()](std::size_t, Pixel pixel) {
         const Place sample{pixel.x + x, pixel.y + y};

@@ -42,8 +42,7 @@ std::string shown_steps_text(const Panel& panel) {
     if (first == 0 || !panel.parts.has(FigurePart::step))
         return {};
     if (panel.frame.is_question)
-        return said({"before step {} of {}", "antes do passo {} de {}"}, trace.number_of(first),
-                    trace.size());
+        return said("before step {} of {}", trace.number_of(first), trace.size());
     return steps_text(trace, panel.frame.steps);
 }
 
@@ -73,10 +72,8 @@ std::vector<Entry> entries_of_faces(const Panel& panel) {
 
 std::vector<Entry> entries_of_comparison(const Panel& panel, const std::string& against) {
     const std::array<std::string, 4> words{
-        said({"the same", "igual"}),
-        said({"! only in {}", "! só em {}"}, printable(panel.trace().title)),
-        said({"? only in {}", "? só em {}"}, printable(against)),
-        said({"~ in another color", "~ em outra cor"})};
+        said("the same"), said("! only in {}", printable(panel.trace().title)),
+        said("? only in {}", printable(against)), said("~ in another color")};
     std::set<Role> seen;
     panel.for_each_pixel([&](Pixel, std::size_t offset) {
         if (const ComparisonMark* const mark = comparison_at(panel, offset))
@@ -95,16 +92,14 @@ std::vector<Entry> entries_of_grays(View view) {
         return Entry{.layers = {Role::plotted}, .color = gray(share), .text = std::move(text)};
     };
     if (view == View::depth)
-        return {entry(0, said({"farthest", "mais distante"})), entry(0.5, ""),
-                entry(1, said({"nearest", "mais próximo"}))};
+        return {entry(0, said("farthest")), entry(0.5, ""), entry(1, said("nearest"))};
     if (view != View::writes)
         return {};
     std::vector<Entry> entries;
     for (std::uint32_t writes = 1; writes <= most_writes_told; ++writes)
-        entries.push_back(entry(share_of_writes(writes),
-                                writes == most_writes_told
-                                    ? said({"{} or more writes", "{} ou mais escritas"}, writes)
-                                    : fmt::format("{}", writes)));
+        entries.push_back(entry(share_of_writes(writes), writes == most_writes_told
+                                                             ? said("{} or more writes", writes)
+                                                             : fmt::format("{}", writes)));
     return entries;
 }
 
@@ -122,9 +117,9 @@ std::vector<Entry> entries_of_half_planes(const Panel& panel) {
     const std::string all =
         names.size() == 3
             ? printable(fmt::format("{0}{1}, {1}{2}, {2}{0}", names[0], names[1], names[2]))
-            : said({"all three", "as três"});
-    return {entry(0, all + " \u2265 0"), entry(1, said({"one of them < 0", "uma delas < 0"})),
-            entry(2, said({"two of them < 0", "duas delas < 0"}))};
+            : said("all three");
+    return {entry(0, all + " \u2265 0"), entry(1, said("one of them < 0")),
+            entry(2, said("two of them < 0"))};
 }
 
 /// What colors stand for.

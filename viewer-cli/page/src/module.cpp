@@ -300,8 +300,8 @@ const char* rastertrace_mistakes(const char* scene) {
             if (mistake.concerns(planned.scene))
                 told.push_back(
                     fmt::format(R"({{"name":{},"says":{},"should":{},"symptom":{}}})",
-                                json_quoted(mistake.name), json_quoted(mistake.says.english),
-                                json_quoted(mistake.should.english), json_quoted(mistake.symptom)));
+                                json_quoted(mistake.name), json_quoted(mistake.says),
+                                json_quoted(mistake.should), json_quoted(mistake.symptom)));
         return fmt::format("[{}]", joined(told, ",\n"));
     });
 }

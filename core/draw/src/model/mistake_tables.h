@@ -14,11 +14,6 @@ std::span<const Mistake> mistakes_of_samples();
 std::span<const Mistake> mistakes_of_lines();
 std::span<const Mistake> mistakes_of_space();
 
-/// A call, which clang-format puts on fewer lines than nested braces.
-constexpr RuleWords words(std::string_view english, std::string_view portuguese) {
-    return {english, portuguese};
-}
-
 inline bool fills_by_rows(const Scene& scene) {
     return scene.has(PrimitiveKind::triangle) &&
            traits_of(scene.method.fill).rule == PixelRule::row_ends;

@@ -51,44 +51,35 @@ template <typename Level> Color mixed(const GridLine& line, Level level) {
             a.alpha()};
 }
 
-constexpr RuleWords right_start{"d = 2 dy - dx (steep: dx and dy exchanged)",
-                                "d = 2 dy - dx (íngreme: dx e dy trocados)"};
-constexpr RuleWords right_d{"d = 2 dy - dx; d += 2 dy, or 2 (dy - dx) (steep: dx and dy exchanged)",
-                            "d = 2 dy - dx; d += 2 dy, ou 2 (dy - dx) (íngreme: dx e dy trocados)"};
+constexpr std::string_view right_start = "d = 2 dy - dx (steep: dx and dy exchanged)";
+constexpr std::string_view right_d =
+    "d = 2 dy - dx; d += 2 dy, or 2 (dy - dx) (steep: dx and dy exchanged)";
 
 constexpr Mistake lines_table[] = {
-    {"falling-octants",
-     words("d = -2 |dy| - |dx| at the start of lines with y2 < y1",
-           "d = -2 |dy| - |dx| no início de retas com y2 < y1"),
-     words("d = 2 |dy| - |dx|, whatever the signs",
-           "d = 2 |dy| - |dx|, quaisquer que sejam os sinais"),
-     "decide", "falling lines end too high", "stackoverflow 10060046", walks,
+    {"falling-octants", "d = -2 |dy| - |dx| at the start of lines with y2 < y1",
+     "d = 2 |dy| - |dx|, whatever the signs", "decide", "falling lines end too high",
+     "stackoverflow 10060046", walks,
      [](ModelRules& rules) {
          change_line(rules, [](ModelLine& line) {
              if (line.diagonal.y < 0)
                  line.d = -2 * minor_of(line) - line.steps;
          });
      }},
-    {"factor-2-dropped",
-     words("d = 2 dy - dx; d += dy, or dy - dx", "d = 2 dy - dx; d += dy, ou dy - dx"), right_d,
-     "decide", "the line steps too late", "encukou/bresenham#1", walks,
+    {"factor-2-dropped", "d = 2 dy - dx; d += dy, or dy - dx", right_d, "decide",
+     "the line steps too late", "encukou/bresenham#1", walks,
      [](ModelRules& rules) {
          change_line(rules, [](ModelLine& line) {
              line.d_straight /= 2;
              line.d_diagonal /= 2;
          });
      }},
-    {"step-not-kept", words("plot(x + 1, y + 1), and y stays", "plot(x + 1, y + 1), e y fica"),
-     words("y = y + 1, then plot(x + 1, y)", "y = y + 1, depois plot(x + 1, y)"), "decide",
+    {"step-not-kept", "plot(x + 1, y + 1), and y stays", "y = y + 1, then plot(x + 1, y)", "decide",
      "lines end on the row that they begin on", "Bug with the Bresenham's?", walks,
      [](ModelRules& rules) {
          change_line(rules, [](ModelLine& line) { line.kept = line.straight; });
      }},
-    {"inverse-octant-map",
-     words("octants 3 and 7 mapped back by the map that leads to them",
-           "octantes 3 e 7 levados de volta pelo mapa que leva a eles"),
-     words("by its inverse", "por seu inverso"), "decide", "no line to the south east",
-     "bracket-lib#135", walks,
+    {"inverse-octant-map", "octants 3 and 7 mapped back by the map that leads to them",
+     "by its inverse", "decide", "no line to the south east", "bracket-lib#135", walks,
      [](ModelRules& rules) {
          change_line(rules, [](ModelLine& line) {
              if (!line.is_x_major && line.diagonal.x * line.diagonal.y < 0) {
@@ -97,12 +88,9 @@ constexpr Mistake lines_table[] = {
              }
          });
      }},
-    {"octant-ignored",
-     words("x from x0 to x1; y + 1 if d > 0, with dx and dy as they are",
-           "x de x0 a x1; y + 1 se d > 0, com dx e dy como são"),
-     words("steps along the longer axis, with the signs of dx and dy",
-           "passos ao longo do eixo mais longo, com os sinais de dx e dy"),
-     "decide", "lines that fall stay flat, steep ones run diagonally, those to the left are points",
+    {"octant-ignored", "x from x0 to x1; y + 1 if d > 0, with dx and dy as they are",
+     "steps along the longer axis, with the signs of dx and dy", "decide",
+     "lines that fall stay flat, steep ones run diagonally, those to the left are points",
      "T2, error 5", walks,
      [](ModelRules& rules) {
          change_line(rules, [](ModelLine& line) {
@@ -116,8 +104,7 @@ constexpr Mistake lines_table[] = {
              line.d_diagonal = 2 * (dy - dx);
          });
      }},
-    {"octants-missing", words("no case for y1 < y0", "nenhum caso para y1 < y0"),
-     words("all eight octants", "os oito octantes"), "decide",
+    {"octants-missing", "no case for y1 < y0", "all eight octants", "decide",
      "lines in some directions are missing", "OneLife#350", walks,
      [](ModelRules& rules) {
          change_line(rules, [](ModelLine& line) {
@@ -125,8 +112,7 @@ constexpr Mistake lines_table[] = {
                  line.steps = 0;
          });
      }},
-    {"tie-the-other-way", words("d < 0 goes straight on", "d < 0 segue reto"),
-     words("d <= 0 goes straight on", "d <= 0 segue reto"), "decide",
+    {"tie-the-other-way", "d < 0 goes straight on", "d <= 0 goes straight on", "decide",
      "lines of even slopes step a pixel early", "T2, error 3", walks, nullptr, "ties=step"},
     {"start-of-other-axis", "d = 2 dx - dy", right_start, "decide",
      "the line steps too early at its start", "T2", walks,
@@ -135,22 +121,17 @@ constexpr Mistake lines_table[] = {
      }},
     {"d-from-zero", "d = 0", right_start, "decide", "the line steps half a step too late", "T2",
      walks, [](ModelRules& rules) { change_line(rules, [](ModelLine& line) { line.d = 0; }); }},
-    {"steps-exchanged",
-     words("d += 2 (dy - dx) after a straight step, 2 dy after a diagonal one",
-           "d += 2 (dy - dx) depois de um passo reto, 2 dy depois de um diagonal"),
+    {"steps-exchanged", "d += 2 (dy - dx) after a straight step, 2 dy after a diagonal one",
      right_d, "decide", "the line bends away", "T2", walks,
      [](ModelRules& rules) {
          change_line(rules, [](ModelLine& line) { std::swap(line.d_straight, line.d_diagonal); });
      }},
-    {"diagonal-of-one-axis",
-     words("d += 2 dy after a diagonal step, too", "d += 2 dy também depois de um passo diagonal"),
-     right_d, "decide", "after its first step the line is diagonal", "T2", walks,
+    {"diagonal-of-one-axis", "d += 2 dy after a diagonal step, too", right_d, "decide",
+     "after its first step the line is diagonal", "T2", walks,
      [](ModelRules& rules) {
          change_line(rules, [](ModelLine& line) { line.d_diagonal = line.d_straight; });
      }},
-    {"dx-and-dy-exchanged",
-     words("steps along the shorter axis", "passos ao longo do eixo mais curto"),
-     words("steps along the longer axis", "passos ao longo do eixo mais longo"), "decide",
+    {"dx-and-dy-exchanged", "steps along the shorter axis", "steps along the longer axis", "decide",
      "lines are too short, or have gaps", "T2, error 6", walks,
      [](ModelRules& rules) {
          change_line(rules, [](ModelLine& line) {
@@ -166,11 +147,8 @@ constexpr Mistake lines_table[] = {
      }},
     {"last-pixel-left-out", "x < x1", "x <= x1", "pixel", "the last pixel is missing",
      "lib-spectrum#4", has_line, nullptr, "ends=first"},
-    {"only-to-the-right",
-     words("while x < x1, whichever way the line runs",
-           "enquanto x < x1, para onde quer que a reta vá"),
-     words("while x has not come to x1", "enquanto x não chega a x1"), "pixel",
-     "lines to the left have one pixel", "T2, error 6", goes_in_steps,
+    {"only-to-the-right", "while x < x1, whichever way the line runs", "while x has not come to x1",
+     "pixel", "lines to the left have one pixel", "T2, error 6", goes_in_steps,
      [](ModelRules& rules) {
          change_line(rules, [](ModelLine& line) {
              if (line.to.x < line.from.x) {
@@ -191,10 +169,8 @@ constexpr Mistake lines_table[] = {
      [](ModelRules& rules) {
          change_line(rules, [](ModelLine& line) { line.slope = cut(line.slope); });
      }},
-    {"always-along-x",
-     words("a step for each x, however steep", "um passo por x, por mais íngreme que seja"),
-     words("a step for each y where |dy| > |dx|", "um passo por y onde |dy| > |dx|"), "along",
-     "steep lines have gaps", "T2, error 5", samples_lines,
+    {"always-along-x", "a step for each x, however steep", "a step for each y where |dy| > |dx|",
+     "along", "steep lines have gaps", "T2, error 5", samples_lines,
      [](ModelRules& rules) {
          change_line(rules, [](ModelLine& line) {
              const Rational dx = line.to.x - line.from.x;
@@ -207,8 +183,8 @@ constexpr Mistake lines_table[] = {
      }},
     {"truncate-for-nearest", "int(y)", "round(y)", "along", "lines half a pixel too low", "T2",
      samples_lines, nullptr, "rounding=truncate"},
-    {"sum-of-slopes-in-float", words("y += m, in float", "y += m, em float"), "y = y0 + m (x - x0)",
-     "along", "long lines drift off", "stress L4", samples_lines,
+    {"sum-of-slopes-in-float", "y += m, in float", "y = y0 + m (x - x0)", "along",
+     "long lines drift off", "stress L4", samples_lines,
      [](ModelRules& rules) {
          rules.across = [right = rules.across](const ModelLine& line, Index at) {
              auto y = static_cast<float>(right(line, line.first).get_d());
@@ -220,15 +196,11 @@ constexpr Mistake lines_table[] = {
              return Rational(y);
          };
      }},
-    {"from-the-other-end",
-     words("drawn from the end on the left", "traçada desde o extremo esquerdo"),
-     words("drawn from its first end", "traçada desde seu primeiro extremo"), "decide",
+    {"from-the-other-end", "drawn from the end on the left", "drawn from its first end", "decide",
      "AB and BA are the same line", "T4, error 12", has_line, nullptr, "from=low"},
-    {"x-from-unrounded-end",
-     words("y = y0 + m i at step i, from the end as it is",
-           "y = y0 + m i no passo i, desde o extremo como é"),
-     "", "along", "lines between ends that are not whole differ by a pixel here and there",
-     "textbooks' DDA", samples_lines,
+    {"x-from-unrounded-end", "y = y0 + m i at step i, from the end as it is", "", "along",
+     "lines between ends that are not whole differ by a pixel here and there", "textbooks' DDA",
+     samples_lines,
      [](ModelRules& rules) {
          rules.across = [](const ModelLine& line, Index at) {
              const Rational steps = std::abs(at - line.first);
@@ -237,11 +209,9 @@ constexpr Mistake lines_table[] = {
              return Rational(start + (goes_back ? Rational(-line.slope) : line.slope) * steps);
          };
      }},
-    {"share-turned-round",
-     words("share = whole distance / distance to the end",
-           "parte = distância total / distância ao fim"),
-     words("distance to the end / whole distance", "distância ao fim / distância total"), "pixel",
-     "colors of a line overflow", "T4, error 10", mixes_on_lines,
+    {"share-turned-round", "share = whole distance / distance to the end",
+     "distance to the end / whole distance", "pixel", "colors of a line overflow", "T4, error 10",
+     mixes_on_lines,
      [](ModelRules& rules) {
          rules.color_of_step = [right = rules.color_of_step](const GridLine& line, GridPoint pixel,
                                                              Index step, Index steps) {
@@ -255,10 +225,8 @@ constexpr Mistake lines_table[] = {
              return mixed(line, level);
          };
      }},
-    {"color-summed-and-cut",
-     words("c += (c2 - c1)/n, then int(c)", "c += (c2 - c1)/n, depois int(c)"),
-     words("c = c1 + (c2 - c1) i/n, rounded", "c = c1 + (c2 - c1) i/n, arredondado"), "pixel",
-     "the last color is 254 for 255", "T2, error 8", mixes_on_lines,
+    {"color-summed-and-cut", "c += (c2 - c1)/n, then int(c)", "c = c1 + (c2 - c1) i/n, rounded",
+     "pixel", "the last color is 254 for 255", "T2, error 8", mixes_on_lines,
      [](ModelRules& rules) {
          rules.color_of_step = [](const GridLine& line, GridPoint, Index step, Index steps) {
              const auto level = [step, steps](std::uint8_t from, std::uint8_t to) {
@@ -270,11 +238,9 @@ constexpr Mistake lines_table[] = {
              return mixed(line, level);
          };
      }},
-    {"color-by-distance",
-     words("the color by the distance from the end", "a cor pela distância ao fim"),
-     words("the color by the steps", "a cor pelos passos"), "pixel",
-     "colors a little beside, most on diagonal lines", "T4, error 11", mixes_on_lines, nullptr,
-     "color_lerp=distance"},
+    {"color-by-distance", "the color by the distance from the end", "the color by the steps",
+     "pixel", "colors a little beside, most on diagonal lines", "T4, error 11", mixes_on_lines,
+     nullptr, "color_lerp=distance"},
 };
 
 } // namespace

@@ -18,12 +18,11 @@ bool has_far_rows(const Scene& scene) {
     return fills_rows(scene) && has_far_x(scene);
 }
 
-constexpr RuleWords floor_of_x("rounding down, floor(x)", "arredondar para baixo, floor(x)");
-constexpr RuleWords
-    floor_of_ends("rounding down at both ends, floor(left) to floor(right)",
-                  "arredondar para baixo nos dois extremos, floor(esquerdo) a floor(direito)");
-constexpr RuleWords right_slope = "dx/dy = (x2 - x1)/(y2 - y1)";
-constexpr RuleWords right_x = "x = x1 + (x2 - x1)/(y2 - y1) (y - y1)";
+constexpr std::string_view floor_of_x = "rounding down, floor(x)";
+constexpr std::string_view floor_of_ends =
+    "rounding down at both ends, floor(left) to floor(right)";
+constexpr std::string_view right_slope = "dx/dy = (x2 - x1)/(y2 - y1)";
+constexpr std::string_view right_x = "x = x1 + (x2 - x1)/(y2 - y1) (y - y1)";
 
 constexpr Mistake rows_table[] = {
     {"dx-dy-inverted", "dx/dy = (y2 - y1)/(x2 - x1)", right_slope, "edge",
@@ -49,41 +48,32 @@ constexpr Mistake rows_table[] = {
              return Rational(edge.dx_dy + edge.from.at.x * (y - edge.from.at.y));
          };
      }},
-    {"middle-row-twice",
-     words("upper edge, then lower edge with the row of the middle vertex once more",
-           "aresta de cima, depois a de baixo com a linha do vértice do meio outra vez"),
-     words("the row of the middle vertex once", "a linha do vértice do meio uma só vez"),
-     "scanline", "below the middle vertex, one end lies a row too low", "T0, error 5",
-     fills_by_rows,
+    {"middle-row-twice", "upper edge, then lower edge with the row of the middle vertex once more",
+     "the row of the middle vertex once", "scanline",
+     "below the middle vertex, one end lies a row too low", "T0, error 5", fills_by_rows,
      [](ModelRules& rules) {
          rules.x_on = [](const ModelEdge& edge, Index y) {
              const bool is_late = edge.role == ModelEdge::Role::lower && y - 1 >= edge.from.at.y;
              return x_at(edge, is_late ? y - 1 : y);
          };
      }},
-    {"sides-exchanged",
-     words("from the right edge to the left one", "da aresta direita à esquerda"),
-     words("from the left edge to the right one", "da aresta esquerda à direita"), "scanline",
+    {"sides-exchanged", "from the right edge to the left one",
+     "from the left edge to the right one", "scanline",
      "only rows whose ends are one pixel are drawn", "T0, error 6", fills_rows,
      [](ModelRules& rules) {
          rules.span = [right_way = rules.span](const Rational& left, const Rational& right) {
              return right_way(right, left);
          };
      }},
-    {"not-sorted",
-     words("top, middle, bottom = the first, second, third vertex",
-           "topo, meio, base = o primeiro, o segundo, o terceiro vértice"),
-     words("top, middle, bottom by their y", "topo, meio, base por seu y"), "scanline",
+    {"not-sorted", "top, middle, bottom = the first, second, third vertex",
+     "top, middle, bottom by their y", "scanline",
      "triangles are missing, or torn, as their vertices are named", "T0, error 7", fills_by_rows,
      [](ModelRules& rules) {
          rules.sorted_from_top = [](const ModelTriangle& triangle) { return triangle; };
      }},
-    {"shorter-sides-joined",
-     words("the two shorter sides are joined against the longest",
-           "os dois lados mais curtos juntos contra o mais longo"),
-     words("the two sides of the smaller heights are joined against the tallest",
-           "os dois lados de menor altura juntos contra o mais alto"),
-     "scanline", "flat triangles are torn at their middle vertex", "T0, error 8", fills_by_rows,
+    {"shorter-sides-joined", "the two shorter sides are joined against the longest",
+     "the two sides of the smaller heights are joined against the tallest", "scanline",
+     "flat triangles are torn at their middle vertex", "T0, error 8", fills_by_rows,
      [](ModelRules& rules) {
          rules.sorted_from_top = [by_height =
                                       rules.sorted_from_top](const ModelTriangle& triangle) {
@@ -99,10 +89,9 @@ constexpr Mistake rows_table[] = {
          };
      }},
     {"height-plus-one",
-     words("dx/dy = (x2 - x1)/(y2 - y1 + 1) on the two edges that meet in the middle vertex",
-           "dx/dy = (x2 - x1)/(y2 - y1 + 1) nas duas arestas que se encontram no vértice do meio"),
-     right_slope, "edge", "gaps and overlaps along short edges, the more the flatter",
-     "tinyrenderer#32", fills_by_rows,
+     "dx/dy = (x2 - x1)/(y2 - y1 + 1) on the two edges that meet in the middle vertex", right_slope,
+     "edge", "gaps and overlaps along short edges, the more the flatter", "tinyrenderer#32",
+     fills_by_rows,
      [](ModelRules& rules) {
          rules.slope = [right = rules.slope](const ModelEdge& edge) {
              if (edge.role == ModelEdge::Role::long_edge)
@@ -113,12 +102,9 @@ constexpr Mistake rows_table[] = {
          };
      }},
     {"pre-step-a-row-off",
-     words("first row floor(y1) + 1 with the x of row ceil(y1): these two differ where y1 is whole",
-           "primeira linha floor(y1) + 1 com o x da linha ceil(y1): as duas diferem onde y1 é "
-           "inteiro"),
-     words("first row ceil(y1), and the x of that row",
-           "primeira linha ceil(y1), e o x dessa linha"),
-     "scanline", "cracks where triangles join, if vertices have whole y",
+     "first row floor(y1) + 1 with the x of row ceil(y1): these two differ where y1 is whole",
+     "first row ceil(y1), and the x of that row", "scanline",
+     "cracks where triangles join, if vertices have whole y",
      "GameDev.net, Triangle Rasterization Troubles, 2012", fills_by_rows,
      [](ModelRules& rules) {
          rules.rows = [](const Rational& top, const Rational& bottom) {
@@ -139,8 +125,7 @@ constexpr Mistake rows_table[] = {
                              edge.dx_dy * (y - nearest_index(edge.from.at.y, Ties::up)));
          };
      }},
-    {"right-end-included", words("last = floor(right)", "último = floor(direito)"),
-     words("last = ceil(right) - 1", "último = ceil(direito) - 1"), "scanline",
+    {"right-end-included", "last = floor(right)", "last = ceil(right) - 1", "scanline",
      "one column too many where the right edge lies on whole x", "TIC-80#1059", is_half_open,
      [](ModelRules& rules) {
          rules.span = [](const Rational& left, const Rational& right) {
@@ -148,26 +133,24 @@ constexpr Mistake rows_table[] = {
          };
      },
      "rounding=inside"},
-    {"right-end-left-out", words("x < last", "x < último"), words("x <= last", "x <= último"),
-     "scanline", "one column too few at the right", "loops that end with <", fills_rows,
+    {"right-end-left-out", "x < last", "x <= last", "scanline", "one column too few at the right",
+     "loops that end with <", fills_rows,
      [](ModelRules& rules) {
          rules.span = [right_way = rules.span](const Rational& left, const Rational& right) {
              const auto [from, to] = right_way(left, right);
              return std::pair{from, to - 1};
          };
      }},
-    {"left-end-left-out", words("x = first + 1", "x = primeiro + 1"),
-     words("x = first", "x = primeiro"), "scanline", "one column too few at the left",
-     "pixels missing at the left: ppsspp#9681", fills_rows,
+    {"left-end-left-out", "x = first + 1", "x = first", "scanline",
+     "one column too few at the left", "pixels missing at the left: ppsspp#9681", fills_rows,
      [](ModelRules& rules) {
          rules.span = [right_way = rules.span](const Rational& left, const Rational& right) {
              const auto [from, to] = right_way(left, right);
              return std::pair{from + 1, to};
          };
      }},
-    {"bottom-row-left-out", words("y < last row", "y < última linha"),
-     words("y <= last row", "y <= última linha"), "scanline", "the lowest row is missing",
-     "loops that end with <", fills_by_rows,
+    {"bottom-row-left-out", "y < last row", "y <= last row", "scanline",
+     "the lowest row is missing", "loops that end with <", fills_by_rows,
      [](ModelRules& rules) {
          rules.rows = [right = rules.rows](const Rational& top, const Rational& bottom) {
              const auto [first, last] = right(top, bottom);
@@ -177,8 +160,7 @@ constexpr Mistake rows_table[] = {
     {"bottom-row-included", "y <= floor(y3)", "y < ceil(y3)", "scanline",
      "the row between two triangles is drawn by both", "TIC-80#776", fills_by_rows, nullptr,
      "rows=closed"},
-    {"top-row-left-out", words("first row floor(y1) + 1", "primeira linha floor(y1) + 1"),
-     words("first row ceil(y1)", "primeira linha ceil(y1)"), "scanline",
+    {"top-row-left-out", "first row floor(y1) + 1", "first row ceil(y1)", "scanline",
      "the highest row is missing where it has a whole y", "loops that begin one too late",
      fills_by_rows,
      [](ModelRules& rules) {
@@ -186,7 +168,7 @@ constexpr Mistake rows_table[] = {
              return std::pair{floor_index(top) + 1, right(top, bottom).second};
          };
      }},
-    {"sum-in-float", words("x += dx/dy, in float", "x += dx/dy, em float"), right_x, "scanline",
+    {"sum-in-float", "x += dx/dy, in float", right_x, "scanline",
      "ends one pixel off where edges meet whole x", "stress S4", fills_rows,
      [](ModelRules& rules) {
          rules.x_on = [](const ModelEdge& edge, Index y) {
@@ -212,10 +194,8 @@ constexpr Mistake rows_table[] = {
              return right_way(std::min(left, right), std::max(left, right));
          };
      }},
-    {"fixed-point-overflow",
-     words("x in 16.16: beyond 32767 it turns negative", "x em 16.16: além de 32767 fica negativo"),
-     right_x, "scanline", "triangles far off the canvas come back on its other side",
-     "keeperfx#4668", has_far_rows,
+    {"fixed-point-overflow", "x in 16.16: beyond 32767 it turns negative", right_x, "scanline",
+     "triangles far off the canvas come back on its other side", "keeperfx#4668", has_far_rows,
      [](ModelRules& rules) {
          rules.x_on = [](const ModelEdge& edge, Index y) {
              const Index units = floor_index(Rational(x_at(edge, y) * 65536));
@@ -227,10 +207,9 @@ constexpr Mistake rows_table[] = {
      [](ModelRules& rules) {
          rules.slope = [right = rules.slope](const ModelEdge& edge) { return cut(right(edge)); };
      }},
-    {"rounded-too-early",
-     words("x = round(x + dx/dy) on every row", "x = round(x + dx/dy) em cada linha"),
-     words("x += dx/dy, rounded for the pixel alone", "x += dx/dy, arredondado só para o pixel"),
-     "scanline", "edges drift from their ends", "T0, error 3", fills_rows,
+    {"rounded-too-early", "x = round(x + dx/dy) on every row",
+     "x += dx/dy, rounded for the pixel alone", "scanline", "edges drift from their ends",
+     "T0, error 3", fills_rows,
      [](ModelRules& rules) {
          rules.x_on = [](const ModelEdge& edge, Index y) {
              const Index first = ceil_index(edge.from.at.y);
@@ -238,37 +217,26 @@ constexpr Mistake rows_table[] = {
              return Rational(at_first + nearest_index(edge.dx_dy, Ties::up) * (y - first));
          };
      }},
-    {"truncate-for-floor", words("rounding toward 0, int(x)", "arredondar em direção a 0, int(x)"),
-     floor_of_x, "scanline", "left of x = 0, rows begin and end one pixel too far right",
-     "T0, figures", rounds_down, nullptr, "rounding=truncate"},
-    {"nearest-for-floor",
-     words("rounding to the nearest, round(x)", "arredondar para o mais próximo, round(x)"),
-     floor_of_x, "scanline", "half of the ends lie one pixel too far right", "T0 against T2",
-     rounds_down, nullptr, "rounding=nearest"},
-    {"inside-for-floor",
-     words("only the pixels between the ends, ceil(left) to floor(right)",
-           "só os pixels entre os extremos, ceil(esquerdo) a floor(direito)"),
+    {"truncate-for-floor", "rounding toward 0, int(x)", floor_of_x, "scanline",
+     "left of x = 0, rows begin and end one pixel too far right", "T0, figures", rounds_down,
+     nullptr, "rounding=truncate"},
+    {"nearest-for-floor", "rounding to the nearest, round(x)", floor_of_x, "scanline",
+     "half of the ends lie one pixel too far right", "T0 against T2", rounds_down, nullptr,
+     "rounding=nearest"},
+    {"inside-for-floor", "only the pixels between the ends, ceil(left) to floor(right)",
      floor_of_ends, "scanline", "rows begin one pixel too late", "T3", rounds_down, nullptr,
      "rounding=inside"},
-    {"half-open-for-floor",
-     words("leaving out the right end, ceil(left) to ceil(right) - 1",
-           "deixar de fora o extremo direito, ceil(esquerdo) a ceil(direito) - 1"),
+    {"half-open-for-floor", "leaving out the right end, ceil(left) to ceil(right) - 1",
      floor_of_ends, "scanline", "rows end one pixel too early", "TIC-80#1862", rounds_down, nullptr,
      "rounding=half-open"},
-    {"half-open-left-out",
-     words("y <= floor(y3), x <= floor(right)", "y <= floor(y3), x <= floor(direito)"),
-     words("y < ceil(y3), x < ceil(right)", "y < ceil(y3), x < ceil(direito)"), "scanline",
-     "shared edges are drawn by both triangles", "Avocado#18", is_half_open, nullptr,
+    {"half-open-left-out", "y <= floor(y3), x <= floor(right)", "y < ceil(y3), x < ceil(right)",
+     "scanline", "shared edges are drawn by both triangles", "Avocado#18", is_half_open, nullptr,
      "rounding=inside,rows=closed"},
-    {"lines-for-rows",
-     words("a line from each pixel of AB to C", "uma reta de cada pixel de AB até C"),
-     words("rows from edge to edge", "linhas de aresta a aresta"), "scanline",
+    {"lines-for-rows", "a line from each pixel of AB to C", "rows from edge to edge", "scanline",
      "holes, and pixels that are written again and again", "T4, error 13", has_triangles, nullptr,
      "fill=fan"},
-    {"drop-out-control",
-     words("a row between two samples has the nearer one",
-           "uma linha entre duas amostras tem a mais próxima"),
-     "", "scanline", "thin triangles have no gaps", "TrueType", fills_rows,
+    {"drop-out-control", "a row between two samples has the nearer one", "", "scanline",
+     "thin triangles have no gaps", "TrueType", fills_rows,
      [](ModelRules& rules) {
          rules.span = [right_way = rules.span](const Rational& left, const Rational& right) {
              const auto span = right_way(left, right);
@@ -276,9 +244,8 @@ constexpr Mistake rows_table[] = {
              return span.second < span.first && !(right < left) ? std::pair{middle, middle} : span;
          };
      }},
-    {"outline-with-fill",
-     words("the fill, and a line along each side", "o preenchimento e uma reta em cada lado"), "",
-     "scanline", "edges lie on pixels beside the fill", "T2 with T0", has_triangles,
+    {"outline-with-fill", "the fill, and a line along each side", "", "scanline",
+     "edges lie on pixels beside the fill", "T2 with T0", has_triangles,
      [](ModelRules& rules) { rules.draws_outlines = true; }},
 };
 

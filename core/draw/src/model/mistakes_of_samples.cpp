@@ -71,29 +71,22 @@ template <typename Enough> void fill_by_part(ModelRules& rules, Enough enough) {
     };
 }
 
-constexpr RuleWords as_it_is("the vertex as it is", "o vértice como é");
-constexpr RuleWords top_left{"E > 0, or E = 0 on a top or left edge",
-                             "E > 0, ou E = 0 numa aresta de cima ou da esquerda"};
+constexpr std::string_view as_it_is = "the vertex as it is";
+constexpr std::string_view top_left = "E > 0, or E = 0 on a top or left edge";
 
 constexpr Mistake samples_table[] = {
-    {"tie-refused-by-both",
-     words("E > 0, with E the edge function at the sample",
-           "E > 0, com E a função de aresta na amostra"),
-     top_left, "sample", "holes along edges that two triangles share", "DRTK#9", fills_by_samples,
+    {"tie-refused-by-both", "E > 0, with E the edge function at the sample", top_left, "sample",
+     "holes along edges that two triangles share", "DRTK#9", fills_by_samples,
      [](ModelRules& rules) {
          rules.admits = [](const Rational& weight, const auto&, const auto&, const auto&) {
              return weight > 0;
          };
      }},
-    {"tie-taken-by-both",
-     words("E >= 0, with E the edge function at the sample",
-           "E >= 0, com E a função de aresta na amostra"),
-     top_left, "sample",
+    {"tie-taken-by-both", "E >= 0, with E the edge function at the sample", top_left, "sample",
      "shared edges are drawn twice: visible where colors are mixed with what is there",
      "Avocado#18", has_owners, nullptr, "fill=barycentric,sample=center"},
-    {"bottom-right-for-top-left",
-     words("E = 0 on a bottom or right edge", "E = 0 numa aresta de baixo ou da direita"), top_left,
-     "sample", "everything lies one pixel to the lower right where edges meet samples",
+    {"bottom-right-for-top-left", "E = 0 on a bottom or right edge", top_left, "sample",
+     "everything lies one pixel to the lower right where edges meet samples",
      "SerenityOS/serenity#13738", has_owners,
      [](ModelRules& rules) {
          rules.admits = [right = rules.admits](const Rational& weight, const auto& from,
@@ -101,26 +94,23 @@ constexpr Mistake samples_table[] = {
              return weight == 0 ? !right(weight, from, to, opposite) : weight > 0;
          };
      }},
-    {"every-horizontal-edge-is-top",
-     words("E = 0 on a horizontal or left edge", "E = 0 numa aresta horizontal ou da esquerda"),
-     top_left, "sample", "rows that two triangles share are drawn twice",
-     "SerenityOS/serenity#13738", has_owners,
+    {"every-horizontal-edge-is-top", "E = 0 on a horizontal or left edge", top_left, "sample",
+     "rows that two triangles share are drawn twice", "SerenityOS/serenity#13738", has_owners,
      [](ModelRules& rules) {
          rules.admits = [right = rules.admits](const Rational& weight, const auto& from,
                                                const auto& to, const auto& opposite) {
              return right(weight, from, to, opposite) || (weight == 0 && from.at.y == to.at.y);
          };
      }},
-    {"no-horizontal-edge-is-top", words("E = 0 on a left edge", "E = 0 numa aresta da esquerda"),
-     top_left, "sample", "rows that two triangles share are missing", "SerenityOS/serenity#13738",
-     has_owners,
+    {"no-horizontal-edge-is-top", "E = 0 on a left edge", top_left, "sample",
+     "rows that two triangles share are missing", "SerenityOS/serenity#13738", has_owners,
      [](ModelRules& rules) {
          rules.admits = [right = rules.admits](const Rational& weight, const auto& from,
                                                const auto& to, const auto& opposite) {
              return right(weight, from, to, opposite) && (weight != 0 || from.at.y != to.at.y);
          };
      }},
-    {"tolerance-in-inside-test", words("weight >= -0.001", "peso >= -0.001"), top_left, "sample",
+    {"tolerance-in-inside-test", "weight >= -0.001", top_left, "sample",
      "slivers beside every edge", "UCR CS130, a solution", has_triangles,
      [](ModelRules& rules) {
          // Where two weights are -t, the third is 1 + 2 t: a corner of the triangle of all points with at least -t.
@@ -141,17 +131,13 @@ constexpr Mistake samples_table[] = {
              return weight >= -t;
          };
      }},
-    {"corner-for-center",
-     words("the sample of a pixel is (x, y)", "a amostra de um pixel é (x, y)"),
-     "(x + 1/2, y + 1/2)", "sample", "pixels missing at the left, everything half a pixel off",
-     "ppsspp#9681", fills_by_samples, nullptr, "sample=integer"},
-    {"sample-at-7-12",
-     words("the sample of a pixel is (x + 7/12, y + 7/12)",
-           "a amostra de um pixel é (x + 7/12, y + 7/12)"),
-     "(x + 1/2, y + 1/2)", "sample", "edges one pixel to the lower right here and there",
-     "dolphin#306", has_triangles, [](ModelRules& rules) { rules.sample = Rational(7, 12); }},
-    {"vertices-in-the-middle",
-     words("vertex = floor(vertex) + 1/2", "vértice = floor(vértice) + 1/2"), as_it_is, "vertex",
+    {"corner-for-center", "the sample of a pixel is (x, y)", "(x + 1/2, y + 1/2)", "sample",
+     "pixels missing at the left, everything half a pixel off", "ppsspp#9681", fills_by_samples,
+     nullptr, "sample=integer"},
+    {"sample-at-7-12", "the sample of a pixel is (x + 7/12, y + 7/12)", "(x + 1/2, y + 1/2)",
+     "sample", "edges one pixel to the lower right here and there", "dolphin#306", has_triangles,
+     [](ModelRules& rules) { rules.sample = Rational(7, 12); }},
+    {"vertices-in-the-middle", "vertex = floor(vertex) + 1/2", as_it_is, "vertex",
      "half a pixel off, but not constantly", "datashader#806", has_triangles,
      [](ModelRules& rules) {
          rules.placed = [](const Vec<Rational, 2>& at) {
@@ -159,19 +145,16 @@ constexpr Mistake samples_table[] = {
                                      floor_index(at.y) + Rational(1, 2)};
          };
      }},
-    {"vertices-rounded", words("vertex = round(vertex)", "vértice = round(vértice)"), as_it_is,
-     "vertex", "edges jump while things move", "T3", has_triangles, nullptr, "snap=nearest"},
-    {"vertices-cut-off", words("vertex = int(vertex)", "vértice = int(vértice)"), as_it_is,
-     "vertex", "everything up to a pixel too near to 0", "T0, error 14", has_triangles, nullptr,
+    {"vertices-rounded", "vertex = round(vertex)", as_it_is, "vertex",
+     "edges jump while things move", "T3", has_triangles, nullptr, "snap=nearest"},
+    {"vertices-cut-off", "vertex = int(vertex)", as_it_is, "vertex",
+     "everything up to a pixel too near to 0", "T0, error 14", has_triangles, nullptr,
      "snap=truncate"},
-    {"vertices-floored", words("vertex = floor(vertex)", "vértice = floor(vértice)"), as_it_is,
-     "vertex", "everything up to a pixel beside", "T0", has_triangles, nullptr, "snap=floor"},
-    {"one-winding-only",
-     words("E >= 0 for all three, whatever the winding",
-           "E >= 0 nas três, qualquer que seja o sentido"),
-     words("E turned for triangles of the other winding",
-           "E com o sinal trocado nos triângulos do outro sentido"),
-     "sample", "triangles of one winding are missing", "T3, error 5", fills_by_samples,
+    {"vertices-floored", "vertex = floor(vertex)", as_it_is, "vertex",
+     "everything up to a pixel beside", "T0", has_triangles, nullptr, "snap=floor"},
+    {"one-winding-only", "E >= 0 for all three, whatever the winding",
+     "E turned for triangles of the other winding", "sample",
+     "triangles of one winding are missing", "T3, error 5", fills_by_samples,
      [](ModelRules& rules) {
          rules.covers = [right = rules.covers](const ModelTriangle& triangle, GridPoint pixel,
                                                const ModelWeights& weights) {
@@ -182,10 +165,8 @@ constexpr Mistake samples_table[] = {
          };
      }},
     {"third-edge-not-tested",
-     words("in[i+1 % 3], which is in[i+1]: the edge from C is that from C to nowhere",
-           "in[i+1 % 3], que é in[i+1]: a aresta de C não vai a lugar nenhum"),
-     "in[(i + 1) % 3]", "sample", "triangles have no third side", "UCR CS130, a solution",
-     fills_by_samples,
+     "in[i+1 % 3], which is in[i+1]: the edge from C is that from C to nowhere", "in[(i + 1) % 3]",
+     "sample", "triangles have no third side", "UCR CS130, a solution", fills_by_samples,
      [](ModelRules& rules) {
          rules.covers = [right = rules.covers](const ModelTriangle& triangle, GridPoint pixel,
                                                ModelWeights weights) {
@@ -193,9 +174,7 @@ constexpr Mistake samples_table[] = {
              return right(triangle, pixel, weights);
          };
      }},
-    {"box-end-left-out",
-     words("x < right, y < bottom of the box", "x < direita, y < base da caixa"),
-     words("x <= right, y <= bottom", "x <= direita, y <= base"), "sample",
+    {"box-end-left-out", "x < right, y < bottom of the box", "x <= right, y <= bottom", "sample",
      "the last column and row of a triangle are missing", "loops that end with <", fills_by_samples,
      [](ModelRules& rules) {
          rules.box = [right = rules.box](const ModelTriangle& triangle) {
@@ -230,15 +209,11 @@ constexpr Mistake samples_table[] = {
              return right(triangle, pixel, weights);
          };
      }},
-    {"any-part-of-the-pixel",
-     words("a pixel is drawn if the triangle has any part of it",
-           "um pixel é pintado se o triângulo tem alguma parte dele"),
-     "", "sample", "triangles are one pixel fatter", "conservative rasterization", has_triangles,
+    {"any-part-of-the-pixel", "a pixel is drawn if the triangle has any part of it", "", "sample",
+     "triangles are one pixel fatter", "conservative rasterization", has_triangles,
      [](ModelRules& rules) { fill_by_part(rules, [](const Rational& part) { return part > 0; }); }},
-    {"half-of-the-pixel",
-     words("a pixel is drawn if the triangle has half of it or more",
-           "um pixel é pintado se o triângulo tem a metade dele ou mais"),
-     "", "sample", "corners are rounder, thin triangles have gaps", "area coverage", has_triangles,
+    {"half-of-the-pixel", "a pixel is drawn if the triangle has half of it or more", "", "sample",
+     "corners are rounder, thin triangles have gaps", "area coverage", has_triangles,
      [](ModelRules& rules) {
          fill_by_part(rules, [](const Rational& part) { return part >= Rational(1, 2); });
      }},

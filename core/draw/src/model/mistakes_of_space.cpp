@@ -70,17 +70,15 @@ Vec<Rational, 3> divided_anyway(const Vec4& clip) {
 
 constexpr Mistake space_table[] = {
     // From object space to the screen.
-    {"factors-exchanged", words("the matrices in the other order", "as matrizes na outra ordem"),
-     words("the last step first: its matrix stands left",
-           "o último passo primeiro: sua matriz fica à esquerda"),
-     "matrix", "turned about another point", "T4, error 3", has_models,
+    {"factors-exchanged", "the matrices in the other order",
+     "the last step first: its matrix stands left", "matrix", "turned about another point",
+     "T4, error 3", has_models,
      [](ModelRules& rules) {
          for (ModelMatrix& model : rules.models)
              reverse(model);
      }},
-    {"turned-the-other-way", words("sin for -sin", "sin no lugar de -sin"),
-     "(cos, -sin), (sin, cos)", "matrix", "turned the other way", "the sign of an angle",
-     has_models,
+    {"turned-the-other-way", "sin for -sin", "(cos, -sin), (sin, cos)", "matrix",
+     "turned the other way", "the sign of an angle", has_models,
      [](ModelRules& rules) {
          for (ModelMatrix& model : rules.models) {
              // The inverse of a rotation is its transpose.
@@ -92,10 +90,8 @@ constexpr Mistake space_table[] = {
              set(model, std::move(factors));
          }
      }},
-    {"moved-after-turning",
-     words("V = T R: the camera's position after its rotation",
-           "V = T R: a posição da câmera depois de sua rotação"),
-     "V = R T", "matrix", "the scene lies elsewhere unless the camera looks along z", "T4, error 2",
+    {"moved-after-turning", "V = T R: the camera's position after its rotation", "V = R T",
+     "matrix", "the scene lies elsewhere unless the camera looks along z", "T4, error 2",
      has_camera, [](ModelRules& rules) { reverse(rules.view); }},
     {"camera-turned-round", "z = (look_at - position)/|...|", "z = (position - look_at)/|...|",
      "matrix", "the scene is behind the camera, upside down if nothing is clipped", "T4, error 1",
@@ -108,20 +104,16 @@ constexpr Mistake space_table[] = {
     {"projection-order", "M_t M_p", "M_p M_t", "matrix", "all depths are the same", "T4, error 3",
      [](const Scene& scene) { return scene.projection.type == ProjectionType::view_plane; },
      [](ModelRules& rules) { reverse(rules.projection); }},
-    {"no-near-clip", words("x/w, whatever w is", "x/w, qualquer que seja w"),
-     words("clipped at the near plane, then divided",
-           "recortado no plano próximo, depois dividido"),
-     "clip", "what is behind the eye appears upside down in front of it",
+    {"no-near-clip", "x/w, whatever w is", "clipped at the near plane, then divided", "clip",
+     "what is behind the eye appears upside down in front of it",
      "GameDev.net, The Near Plane on a Software Rasterizer, 2005", has_perspective,
      [](ModelRules& rules) {
          rules.planes.clear();
          rules.divided = divided_anyway;
      }},
-    {"dropped-at-near-plane",
-     words("a triangle with a vertex before the near plane is dropped",
-           "um triângulo com um vértice antes do plano próximo é descartado"),
-     words("it is cut", "é recortado"), "clip", "triangles vanish when they come close",
-     "bullet3#1006, EmberGL#1", is_projected,
+    {"dropped-at-near-plane", "a triangle with a vertex before the near plane is dropped",
+     "it is cut", "clip", "triangles vanish when they come close", "bullet3#1006, EmberGL#1",
+     is_projected,
      [](ModelRules& rules) {
          rules.drops = [&rules](const ModelRules::Corners& corners) {
              return std::any_of(corners.begin(), corners.end(), [&](const auto& corner) {
@@ -133,10 +125,8 @@ constexpr Mistake space_table[] = {
              });
          };
      }},
-    {"off-screen-after-divide",
-     words("x/w < -1 at all vertices: dropped", "x/w < -1 em todos os vértices: descartado"),
-     words("x < -w at all vertices", "x < -w em todos os vértices"), "clip",
-     "the ground disappears near the camera", "tgx#47", has_perspective,
+    {"off-screen-after-divide", "x/w < -1 at all vertices: dropped", "x < -w at all vertices",
+     "clip", "the ground disappears near the camera", "tgx#47", has_perspective,
      [](ModelRules& rules) {
          rules.drops = [](const ModelRules::Corners& corners) {
              const auto all = [&corners](Rational Vec<Rational, 3>::*axis, int side) {
@@ -174,9 +164,8 @@ constexpr Mistake space_table[] = {
                  return right({at.x * x, at.y * y});
              };
      }},
-    {"half-size-in-integers",
-     words("int(W - 1)/2: 255 for 255.5", "int(W - 1)/2: 255 em vez de 255.5"), "(W - 1)/2",
-     "vertex", "half a pixel off", "T4, error 5", fits_last_pixel,
+    {"half-size-in-integers", "int(W - 1)/2: 255 for 255.5", "(W - 1)/2", "vertex",
+     "half a pixel off", "T4, error 5", fits_last_pixel,
      [](ModelRules& rules) {
          rules.viewport.factors.clear();
          for (const std::size_t row : {0U, 1U})
@@ -190,9 +179,8 @@ constexpr Mistake space_table[] = {
          Rational& shift = rules.viewport.product.rows[1][3];
          shift = -abs(shift);
      }},
-    {"y-the-other-way", words("y flipped twice, or never", "y invertido duas vezes, ou nenhuma"),
-     words("y flipped once", "y invertido uma vez"), "vertex", "the picture is upside down", "T4",
-     any_scene,
+    {"y-the-other-way", "y flipped twice, or never", "y flipped once", "vertex",
+     "the picture is upside down", "T4", any_scene,
      [](ModelRules& rules) {
          const Canvas& canvas = rules.scene.canvas;
          rules.placed = [right = rules.placed,
@@ -202,24 +190,20 @@ constexpr Mistake space_table[] = {
      }},
 
     // Faces.
-    {"view-turned-round", words("from the eye to the face", "do olho para a face"),
-     words("from the face to the eye", "da face para o olho"), "face", "inside out", "T0, error 22",
-     culls_faces, nullptr, "cull=front"},
-    {"culled-by-light", words("normal . light <= 0: dropped", "normal . luz <= 0: descartada"),
-     words("normal . view <= 0: dropped", "normal . visão <= 0: descartada"), "face",
+    {"view-turned-round", "from the eye to the face", "from the face to the eye", "face",
+     "inside out", "T0, error 22", culls_faces, nullptr, "cull=front"},
+    {"culled-by-light", "normal . light <= 0: dropped", "normal . view <= 0: dropped", "face",
      "half of what is seen is missing", "tinyrenderer#64",
      [](const Scene& scene) { return culls_faces(scene) && scene.light.has_value(); }, nullptr,
      "cull=light"},
-    {"no-culling", words("every face is drawn", "toda face é pintada"),
-     words("normal . view <= 0: dropped", "normal . visão <= 0: descartada"), "face",
+    {"no-culling", "every face is drawn", "normal . view <= 0: dropped", "face",
      "far faces over near ones", "T0, figure fail1", culls_faces, nullptr, "cull=none"},
-    {"z-of-the-normal", "normal.z > 0", words("normal . view > 0", "normal . visão > 0"), "face",
+    {"z-of-the-normal", "normal.z > 0", "normal . view > 0", "face",
      "faces near the silhouette are culled wrongly", "T1, N_7 > 0", culls_faces,
      [](ModelRules& rules) {
          rules.facing = [](const auto& normal, const auto&) { return normal.z; };
      }},
-    {"cosine-of-dot-only", words("normal . light", "normal . luz"),
-     words("normal . light / (|normal| |light|)", "normal . luz / (|normal| |luz|)"), "light",
+    {"cosine-of-dot-only", "normal . light", "normal . light / (|normal| |light|)", "light",
      "cosines beyond 1: large faces are white", "T3, error 7", is_lit,
      [](ModelRules& rules) {
          rules.intensity = [](const auto& normal, const auto& light) {
@@ -233,8 +217,7 @@ constexpr Mistake space_table[] = {
              return dot(normal, light) > 0 ? 1.0 : 0.0;
          };
      }},
-    {"light-from-behind", words("|normal . light|", "|normal . luz|"),
-     words("normal . light, 0 if it is negative", "normal . luz, 0 se for negativo"), "light",
+    {"light-from-behind", "|normal . light|", "normal . light, 0 if it is negative", "light",
      "faces turned from the light are lit", "T3, error 7", is_lit,
      [](ModelRules& rules) {
          rules.intensity = [right = rules.intensity](const auto& normal, const auto& light) {
@@ -243,37 +226,30 @@ constexpr Mistake space_table[] = {
      }},
 
     // Depths.
-    {"nearest-painted-first", words("nearest first", "os mais próximos primeiro"),
-     words("farthest first", "os mais distantes primeiro"), "order", "far triangles on top",
+    {"nearest-painted-first", "nearest first", "farthest first", "order", "far triangles on top",
      "T0, error 9", is_painted, [](ModelRules& rules) { rules.paints_farthest_first = false; }},
-    {"painter-for-buffer", words("sorted by the mean of z", "ordenados pela média de z"),
-     words("a depth buffer", "um buffer de profundidade"), "order",
+    {"painter-for-buffer", "sorted by the mean of z", "a depth buffer", "order",
      "far triangles on top where they overlap", "cetz#1040, olcPixelGameEngine#69", has_buffer,
      nullptr, "depth=painter"},
-    {"no-depth-test", words("what is drawn last stays", "fica o que é pintado por último"),
-     words("what is nearest stays", "fica o que é mais próximo"), "depth", "far triangles on top",
-     "T0", has_buffer, nullptr, "depth=none"},
-    {"buffer-begun-at-tiny",
-     words("the buffer starts at the smallest positive float",
-           "o buffer começa no menor float positivo"),
-     words("at the farthest depth", "na profundidade mais distante"), "depth",
-     "faces have holes, or nothing is drawn", "tinyrenderer#95", has_buffer,
+    {"no-depth-test", "what is drawn last stays", "what is nearest stays", "depth",
+     "far triangles on top", "T0", has_buffer, nullptr, "depth=none"},
+    {"buffer-begun-at-tiny", "the buffer starts at the smallest positive float",
+     "at the farthest depth", "depth", "faces have holes, or nothing is drawn", "tinyrenderer#95",
+     has_buffer,
      [](ModelRules& rules) {
          mpz_class power;
          mpz_ui_pow_ui(power.get_mpz_t(), 2, 126);
          rules.cleared = Rational(1, power);
      }},
-    {"equal-depth-passes", words("nearer or as near", "mais próximo ou igual"),
-     words("nearer", "mais próximo"), "depth", "dots at edges, and flicker on equal planes",
-     "tinyrenderer#85", has_buffer,
+    {"equal-depth-passes", "nearer or as near", "nearer", "depth",
+     "dots at edges, and flicker on equal planes", "tinyrenderer#85", has_buffer,
      [](ModelRules& rules) {
          rules.passes = [right = rules.passes](const Rational& depth,
                                                const std::optional<Rational>& stored) {
              return right(depth, stored) || depth == stored;
          };
      }},
-    {"farther-passes", words("the farther one passes", "passa o mais distante"),
-     words("the nearer one", "passa o mais próximo"), "depth", "seen from behind",
+    {"farther-passes", "the farther one passes", "the nearer one", "depth", "seen from behind",
      "GAMES101, assignment 3", has_buffer,
      [](ModelRules& rules) {
          rules.cleared = std::nullopt;
@@ -282,13 +258,11 @@ constexpr Mistake space_table[] = {
              return !stored || (depth != *stored && !right(depth, stored));
          };
      }},
-    {"z-for-inverse-z", words("z in a straight line", "z em linha reta"),
-     words("1/z in a straight line", "1/z em linha reta"), "depth",
+    {"z-for-inverse-z", "z in a straight line", "1/z in a straight line", "depth",
      "what is in the middle lies too far away", "T0, error 10", has_inverse_depths, nullptr,
      "depth=linear-z"},
-    {"z-tested-as-inverse-z", words("buffer < z, from 0", "buffer < z, desde 0"),
-     words("buffer < 1/z, from 0", "buffer < 1/z, desde 0"), "depth", "far triangles on top",
-     "T0, error 10", has_inverse_depths,
+    {"z-tested-as-inverse-z", "buffer < z, from 0", "buffer < 1/z, from 0", "depth",
+     "far triangles on top", "T0, error 10", has_inverse_depths,
      [](ModelRules& rules) {
          rules.depth_of = [](const Rational& distance, const Vec4&) { return distance; };
      }},
@@ -303,30 +277,22 @@ constexpr Mistake space_table[] = {
              return right(in_bits(depth), stored ? std::optional(in_bits(*stored)) : std::nullopt);
          };
      }},
-    {"depth-at-rounded-ends",
-     words("the depths of the edges at the row's first and last pixel",
-           "as profundidades das arestas no primeiro e no último pixel da linha"),
-     words("where the edges meet the row", "onde as arestas encontram a linha"), "depth",
-     "depths a little beside along edges", "T0, error 11",
+    {"depth-at-rounded-ends", "the depths of the edges at the row's first and last pixel",
+     "where the edges meet the row", "depth", "depths a little beside along edges", "T0, error 11",
      [](const Scene& scene) { return has_buffer(scene) && fills_by_rows(scene); }, nullptr,
      "depth_at=rounded-ends"},
 
     // Colors.
-    {"affine-for-perspective", words("weights on the screen", "pesos na tela"),
-     words("each weight over its w, then over their sum",
-           "cada peso sobre seu w, depois sobre a soma"),
-     "pixel", "colors bend along the diagonal of a square", "euc#5, SoftwareRenderer#1",
+    {"affine-for-perspective", "weights on the screen",
+     "each weight over its w, then over their sum", "pixel",
+     "colors bend along the diagonal of a square", "euc#5, SoftwareRenderer#1",
      [](const Scene& scene) { return scene.mixes_in_perspective(); }, nullptr, "shade=affine"},
-    {"perspective-for-affine", words("each weight over its w", "cada peso sobre seu w"),
-     words("weights on the screen", "pesos na tela"), "pixel", "colors are drawn to the near side",
-     "xemu#667",
+    {"perspective-for-affine", "each weight over its w", "weights on the screen", "pixel",
+     "colors are drawn to the near side", "xemu#667",
      [](const Scene& scene) { return has_triangles(scene) && scene.shade() == Shade::affine; },
      nullptr, "shade=interpolate"},
-    {"weights-permuted",
-     words("the weight of A for B, of B for C, of C for A",
-           "o peso de A para B, de B para C, de C para A"),
-     words("each its own", "cada um o seu"), "pixel", "colors look as if they were not sorted",
-     "tinyrenderer#40", mixes_colors,
+    {"weights-permuted", "the weight of A for B, of B for C, of C for A", "each its own", "pixel",
+     "colors look as if they were not sorted", "tinyrenderer#40", mixes_colors,
      [](ModelRules& rules) {
          rules.shares = [right = rules.shares](const ModelTriangle& triangle,
                                                const ModelWeights& weights) {
@@ -334,10 +300,9 @@ constexpr Mistake space_table[] = {
              return ModelWeights{shares[2], shares[0], shares[1]};
          };
      }},
-    {"byte-cast", words("int(level)", "int(nível)"), words("round(level)", "round(nível)"), "pixel",
-     "127 in the middle of 0 to 255", "T2", mixes_colors, nullptr, "color_rounding=truncate"},
-    {"level-overflows", words("byte(level): 256 is 0", "byte(nível): 256 é 0"),
-     words("level held in 0 to 255", "nível mantido de 0 a 255"), "pixel",
+    {"byte-cast", "int(level)", "round(level)", "pixel", "127 in the middle of 0 to 255", "T2",
+     mixes_colors, nullptr, "color_rounding=truncate"},
+    {"level-overflows", "byte(level): 256 is 0", "level held in 0 to 255", "pixel",
      "wrong colors along edges", "T4, error 10", mixes_colors,
      [](ModelRules& rules) {
          rules.level = [](const Rational& channel) {
@@ -346,8 +311,7 @@ constexpr Mistake space_table[] = {
      }},
 
     // The canvas.
-    {"canvas-one-too-wide", words("x > W or y > H: off the canvas", "x > W ou y > H: fora da tela"),
-     words("x >= W or y >= H", "x >= W ou y >= H"), "pixel",
+    {"canvas-one-too-wide", "x > W or y > H: off the canvas", "x >= W or y >= H", "pixel",
      "what leaves the right side comes back in the next row", "T4, error 9", any_scene,
      [](ModelRules& rules) {
          rules.beside_canvas = [&canvas = rules.scene.canvas](GridPoint p) {
@@ -357,10 +321,8 @@ constexpr Mistake space_table[] = {
                         : std::nullopt;
          };
      }},
-    {"no-bounds-test",
-     words("buffer[W y + x], wherever x is", "buffer[W y + x], onde quer que x esteja"),
-     words("only if 0 <= x < W and 0 <= y < H", "só se 0 <= x < W e 0 <= y < H"), "pixel",
-     "what leaves one side comes back at the other", "T2, error 9", any_scene,
+    {"no-bounds-test", "buffer[W y + x], wherever x is", "only if 0 <= x < W and 0 <= y < H",
+     "pixel", "what leaves one side comes back at the other", "T2, error 9", any_scene,
      [](ModelRules& rules) {
          rules.beside_canvas = [&canvas = rules.scene.canvas](GridPoint p) {
              const Index index = canvas.row_of(p.y) * canvas.width + (p.x - canvas.left());

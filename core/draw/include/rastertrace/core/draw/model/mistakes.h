@@ -17,21 +17,10 @@
 
 namespace rastertrace {
 
-/// Words of a rule in two languages; a formula is the same in both.
-struct RuleWords {
-    constexpr RuleWords(const char* both)
-        : english(both), portuguese(both) {} // NOLINT: words are a text
-    constexpr RuleWords(std::string_view of_english, std::string_view of_portuguese)
-        : english(of_english), portuguese(of_portuguese) {}
-
-    std::string_view english;
-    std::string_view portuguese;
-};
-
 struct Mistake {
     std::string_view name;    ///< "dx-dy-inverted"
-    RuleWords says;           ///< the formula with the mistake in it
-    RuleWords should;         ///< the right one; "" if the mistake is a rule that is as good
+    std::string_view says;    ///< the formula with the mistake in it
+    std::string_view should;  ///< the right one; "" if the mistake is a rule that is as good
     std::string_view step;    ///< the kind of step that it changes
     std::string_view symptom; ///< what is seen of it in the picture
     std::string_view source;
@@ -40,7 +29,7 @@ struct Mistake {
     std::string_view setting = {}; ///< "rounding=truncate": draws the same, without the model
 
     /// True if it is a rule of another program, and no mistake.
-    bool is_rule() const { return should.english.empty(); }
+    bool is_rule() const { return should.empty(); }
 };
 
 /// All of them.
