@@ -5,7 +5,7 @@
 
 #include "app/command.h"
 #include "app/command_words.h"
-#include "app/commands.h"
+#include "app/exit_status.h"
 #include "app/load.h"
 #include "app/shared_options.h"
 #include "app/version_text.h"

@@ -4,12 +4,13 @@
 // Inputs of commands: a scene, or a trace, or a scene where a trace is wanted, which is drawn
 // first. A picture is the trace of its pixels.
 
-#include "app/commands.h"
+#include "app/exit_status.h"
 
 #include <rastertrace/trace/check/check.h>
 #include <rastertrace/trace/check/claims.h>
 #include <rastertrace/trace/picture/picture.h>
 #include <rastertrace/trace/record/trace.h>
+#include <rastertrace/trace/record/trace_options.h>
 #include <rastertrace/trace/scene/scene_file.h>
 #include <rastertrace/trace/text/output.h>
 #include <rastertrace/trace/text/problem.h>

@@ -3,7 +3,7 @@
 // no memory left.
 
 #include "app/command_line.h"
-#include "app/commands.h"
+#include "app/exit_status.h"
 #include "app/load.h"
 #include "app/progress.h"
 #include "app/run_self.h"

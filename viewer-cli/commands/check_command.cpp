@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: MIT
 // `rastertrace check`: claims held against a scene or a trace.
 
-#include "commands/check_report.h"
-#include "commands/claims_checker.h"
 #include "app/command.h"
-#include "app/commands.h"
 #include "app/load.h"
 #include "app/option_values.h"
 #include "app/shared_options.h"
+#include "commands/check_report.h"
+#include "commands/claims_checker.h"
 
 #include <rastertrace/trace/text/output.h>
 #include <rastertrace/trace/text/text.h>
@@ -24,6 +23,16 @@
 namespace rastertrace {
 
 namespace {
+
+struct CheckCommand {
+    std::vector<std::string>
+        files; ///< a scene or a trace, then claims; or claims that name their scenes
+    bool json = false;
+    CheckTold told = CheckTold::answers;
+    MethodOverrides method;
+    InputLimits input;
+    FrameChoice frames;
+};
 
 SceneOptions options_of(const CheckCommand& command) {
     return {.method = command.method, .limits = command.input, .frames = command.frames};

@@ -6,8 +6,6 @@
 //     const CheckedFile file{.name = "anna.txt", .claims = claims, .checked = check(truth, claims)};
 //     check_text({file}, CheckTold::answers);  // "anna.txt:3: y=2: ... \n    left end: expected -1/4, found 0\n..."
 
-#include "app/commands.h"
-
 #include <rastertrace/trace/check/check.h>
 #include <rastertrace/trace/check/claims.h>
 #include <rastertrace/trace/text/problem.h>
@@ -18,6 +16,14 @@
 #include <vector>
 
 namespace rastertrace {
+
+/// How much `check` gives away of what it has found.
+enum class CheckTold {
+    verdicts, ///< only what is right and what is wrong
+    rule,     ///< where, and by which rule
+    formula,  ///< and the formula in letters
+    answers,  ///< and the right numbers, their working, and the likely slips
+};
 
 /// A file of claims.
 struct CheckedFile {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // `rastertrace diff`: what two traces do differently.
 
+#include "commands/diff_command.h"
 #include "app/command.h"
-#include "app/commands.h"
 #include "app/load.h"
 #include "app/option_values.h"
 #include "app/progress.h"

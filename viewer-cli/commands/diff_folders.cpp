@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // `rastertrace diff FOLDER FOLDER`: each file with the one of its name in the other folder.
 
-#include "app/commands.h"
 #include "app/load.h"
+#include "commands/diff_command.h"
 #include "commands/diff_json.h"
 #include "commands/diff_report.h"
 

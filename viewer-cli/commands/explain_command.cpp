@@ -2,7 +2,6 @@
 // `rastertrace explain`: why something is as it is.
 
 #include "app/command.h"
-#include "app/commands.h"
 #include "app/load.h"
 #include "app/option_values.h"
 #include "app/shared_options.h"
@@ -24,6 +23,16 @@
 namespace rastertrace {
 
 namespace {
+
+struct ExplainCommand {
+    std::string trace;
+    Question question;
+    std::string against; ///< METHOD: the same question under another one; empty: none
+    bool json = false;
+    MethodOverrides method;
+    InputLimits input;
+    FrameChoice frames;
+};
 
 /// The trace of the scene drawn by the method that --against names.
 Trace trace_against(const ExplainCommand& command, const InputFrames& input) {

@@ -3,7 +3,7 @@
 
 // Which options of `rastertrace figure` go together, and with which format.
 
-#include "app/commands.h"
+#include "commands/figure_command.h"
 #include "commands/figure_file.h"
 
 namespace rastertrace {

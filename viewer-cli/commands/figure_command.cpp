@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
 // `rastertrace figure`: figures of frames for a page, a book or a talk.
 
-#include "app/commands.h"
+#include "commands/figure_command.h"
+#include "app/load.h"
+#include "app/progress.h"
 #include "commands/figure_checks.h"
 #include "commands/figure_file.h"
 #include "commands/figure_page.h"
 #include "frames/frame_files.h"
 #include "frames/frame_text.h"
-#include "app/load.h"
-#include "app/progress.h"
 
 #include <rastertrace/figures/figure.h>
 #include <rastertrace/figures/gif.h>

@@ -2,9 +2,9 @@
 // The options of `rastertrace figure`.
 
 #include "app/command.h"
-#include "app/commands.h"
 #include "app/option_values.h"
 #include "app/shared_options.h"
+#include "commands/figure_command.h"
 
 #include <rastertrace/figures/figure.h>
 #include <rastertrace/trace/record/traced_values.h>

@@ -3,7 +3,8 @@
 
 // `rastertrace figure -o FILE.html`: a page to click through.
 
-#include "app/commands.h"
+#include "app/exit_status.h"
+#include "commands/figure_command.h"
 
 namespace rastertrace {
 

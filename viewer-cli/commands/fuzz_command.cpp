@@ -4,13 +4,13 @@
 
 #include "app/command.h"
 #include "app/command_words.h"
-#include "app/commands.h"
-#include "commands/driven_program.h"
+#include "app/exit_status.h"
 #include "app/load.h"
 #include "app/option_values.h"
 #include "app/progress.h"
 #include "app/run_program.h"
 #include "app/shared_options.h"
+#include "commands/driven_program.h"
 
 #include <rastertrace/core/draw/plan/stages.h>
 #include <rastertrace/trace/fuzz/shrink.h>

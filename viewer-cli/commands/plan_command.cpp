@@ -2,7 +2,6 @@
 // rastertrace plan: which stages a scene needs, and why.
 
 #include "app/command.h"
-#include "app/commands.h"
 #include "app/load.h"
 #include "app/shared_options.h"
 
@@ -22,6 +21,14 @@
 namespace rastertrace {
 
 namespace {
+
+struct PlanCommand {
+    std::string scene;
+    bool json = false;
+    MethodOverrides method;
+    InputLimits input;
+    FrameChoice frames;
+};
 
 /// What leaving a stage out saves: "2097152 bytes, 9 steps, up to 1234 pixels".
 std::string as_text(const Savings& saved) {

@@ -2,12 +2,12 @@
 // `rastertrace play`: a trace step by step, forward and back, in a terminal.
 
 #include "app/command.h"
-#include "app/commands.h"
 #include "app/load.h"
 #include "app/option_values.h"
+#include "app/shared_options.h"
+#include "commands/show_command.h"
 #include "player/player.h"
 #include "player/player_screen.h"
-#include "app/shared_options.h"
 #include "player/terminal_session.h"
 
 #include <rastertrace/trace/tell/selector.h>
@@ -27,6 +27,17 @@
 namespace rastertrace {
 
 namespace {
+
+struct PlayCommand {
+    std::string trace;
+    std::string step; ///< to begin with, see selector.h; empty: before the first
+    std::optional<View> view;
+    std::optional<TextSize> screen; ///< only print that of a terminal of this size
+    ColorChoice color = ColorChoice::automatic;
+    MethodOverrides method;
+    InputLimits input;
+    FrameChoice frames;
+};
 
 using Clock = std::chrono::steady_clock;
 

@@ -2,7 +2,6 @@
 // `rastertrace renew`: the commands on Markdown pages, run again.
 
 #include "app/command.h"
-#include "app/commands.h"
 #include "app/load.h"
 #include "app/page.h"
 #include "app/run_self.h"
@@ -30,6 +29,11 @@
 namespace rastertrace {
 
 namespace {
+
+struct RenewCommand {
+    std::vector<std::string> pages;
+    bool check = false; ///< write nothing, tell what differs
+};
 
 /// A page, and what its commands print now.
 struct RenewedPage {

@@ -2,13 +2,13 @@
 // rastertrace report: error against run time, for every method and scalar.
 
 #include "app/command.h"
-#include "app/commands.h"
+#include "app/exit_status.h"
 #include "app/load.h"
 #include "app/option_values.h"
 #include "app/output_ending.h"
 #include "app/progress.h"
-#include "commands/report_file.h"
 #include "app/shared_options.h"
+#include "commands/report_file.h"
 
 #include <rastertrace/trace/text/output.h>
 #include <rastertrace/trace/text/text.h>

@@ -2,7 +2,7 @@
 // `rastertrace sheet`: the empty sheet of a worked example, to fill in and to be checked.
 
 #include "app/command.h"
-#include "app/commands.h"
+#include "app/exit_status.h"
 #include "app/load.h"
 #include "app/option_values.h"
 #include "app/output_ending.h"

@@ -1,20 +1,20 @@
 // SPDX-License-Identifier: MIT
 // `rastertrace show`: prints frames of a trace as text.
 
+#include "commands/show_command.h"
 #include "app/command.h"
-#include "app/commands.h"
-#include "frames/frame_text.h"
 #include "app/load.h"
-#include "frames/off_canvas.h"
 #include "app/option_values.h"
 #include "app/shared_options.h"
 #include "commands/step_table.h"
+#include "frames/frame_text.h"
+#include "frames/off_canvas.h"
 #include "player/terminal.h"
 
 #include <rastertrace/figures/shown_steps.h>
-#include <rastertrace/trace/tell/selector.h>
 #include <rastertrace/trace/tell/describe.h>
 #include <rastertrace/trace/tell/digest.h>
+#include <rastertrace/trace/tell/selector.h>
 #include <rastertrace/trace/tell/working.h>
 #include <rastertrace/trace/text/text.h>
 

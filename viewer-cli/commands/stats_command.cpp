@@ -2,7 +2,6 @@
 // `rastertrace stats`: what a trace amounts to.
 
 #include "app/command.h"
-#include "app/commands.h"
 #include "app/load.h"
 #include "app/option_values.h"
 #include "app/progress.h"
@@ -26,6 +25,15 @@
 namespace rastertrace {
 
 namespace {
+
+struct StatsCommand {
+    std::string trace;
+    bool json = false;
+    std::vector<StatsFinding> fail_on; ///< exit status 1 if there is any of these
+    MethodOverrides method;
+    InputLimits input;
+    FrameChoice frames;
+};
 
 /// Tells which of the findings that were asked for cannot be judged, and what the trace lacks.
 ExitStatus report_unjudged(const StatsCommand& command, const Stats& stats) {

@@ -2,13 +2,13 @@
 // `rastertrace stress`: the catalogue of stiff and extreme cases; or, whether a scene is near any cliff.
 
 #include "app/command.h"
-#include "app/commands.h"
+#include "app/exit_status.h"
 #include "app/json_list.h"
 #include "app/load.h"
 #include "app/option_values.h"
 #include "app/progress.h"
-#include "commands/run_case.h"
 #include "app/shared_options.h"
+#include "commands/run_case.h"
 
 #include <rastertrace/numerics/cliffs.h>
 #include <rastertrace/numerics/stress.h>

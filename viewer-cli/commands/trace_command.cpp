@@ -2,17 +2,17 @@
 // `rastertrace trace`: draws a scene and writes its trace; or writes a part of one that is there.
 
 #include "app/command.h"
-#include "app/commands.h"
-#include "frames/frame_files.h"
 #include "app/load.h"
 #include "app/option_values.h"
 #include "app/output_ending.h"
 #include "app/progress.h"
 #include "app/shared_options.h"
+#include "frames/frame_files.h"
 
+#include <rastertrace/trace/record/trace.h>
+#include <rastertrace/trace/record/write_trace.h>
 #include <rastertrace/trace/tell/excerpt.h>
 #include <rastertrace/trace/tell/flat_steps.h>
-#include <rastertrace/trace/record/trace.h>
 #include <rastertrace/trace/text/output.h>
 #include <rastertrace/trace/text/process_files.h>
 #include <rastertrace/trace/text/text.h>
@@ -33,6 +33,17 @@
 namespace rastertrace {
 
 namespace {
+
+struct TraceCommand {
+    std::string scene;
+    std::string output; ///< empty: standard output
+    std::optional<TraceLayout> layout;
+    bool is_flat = false; ///< see flat_steps.h
+    StepFilter filter;
+    MethodOverrides method;
+    InputLimits input;
+    FrameChoice frames;
+};
 
 constexpr std::array<Ending<TraceLayout>, 2> trace_endings{
     {{".json", TraceLayout::json}, {".jsonl", TraceLayout::jsonl}}};

@@ -2,20 +2,20 @@
 // `rastertrace validate`: whether files are scenes, traces or claims that can be used.
 
 #include "app/command.h"
-#include "app/commands.h"
 #include "app/load.h"
 #include "app/option_values.h"
 #include "app/shared_options.h"
 
+#include <rastertrace/trace/check/schema.h>
 #include <rastertrace/core/draw/plan/stages.h>
 #include <rastertrace/trace/audit/redo.h>
 #include <rastertrace/trace/audit/stats_needs.h>
 #include <rastertrace/trace/check/check.h>
 #include <rastertrace/trace/check/claims.h>
 #include <rastertrace/trace/record/trace.h>
-#include <rastertrace/trace/tell/unknown_names.h>
 #include <rastertrace/trace/record/write_trace.h>
 #include <rastertrace/trace/scene/scene_file.h>
+#include <rastertrace/trace/tell/unknown_names.h>
 #include <rastertrace/trace/text/byte_order_mark.h>
 #include <rastertrace/trace/text/primitive_name.h>
 #include <rastertrace/trace/text/text.h>
@@ -37,6 +37,15 @@
 namespace rastertrace {
 
 namespace {
+
+struct ValidateCommand {
+    std::vector<std::string> files;
+    std::optional<SchemaKind> kind;   ///< what all of them have to be; none: found by content
+    std::optional<SchemaKind> schema; ///< print this one instead
+    bool redo = false;                ///< do every step of a trace again
+    bool json = false;
+    InputLimits input;
+};
 
 /// The most problems of a file that are told one by one.
 constexpr std::size_t most_problems = 100;
