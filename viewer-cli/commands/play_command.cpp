@@ -39,7 +39,7 @@ struct PlayCommand {
     FrameChoice frames;
 };
 
-using Clock = std::chrono::steady_clock;
+using Steady = std::chrono::steady_clock;
 
 /// A screen is drawn so often while nothing is pressed.
 constexpr std::chrono::milliseconds between_screens{50};
@@ -129,14 +129,14 @@ void play(Player& player, const PlayCommand& command) {
     PlayerScreen screen;
     bool is_shown = false; // as things are now
     bool is_urgent = true; // somebody waits for it
-    auto drawn = Clock::now();
-    auto before = Clock::now();
+    auto drawn = Steady::now();
+    auto before = Steady::now();
     while (!player.wants_to_leave() && terminal.is_open()) {
         is_urgent = terminal.needs_redraw() || is_urgent;
-        if (is_urgent || (!is_shown && Clock::now() - drawn >= between_screens)) {
+        if (is_urgent || (!is_shown && Steady::now() - drawn >= between_screens)) {
             screen = player_screen(player, terminal.size(), ability);
             terminal.show(screen.lines);
-            drawn = Clock::now();
+            drawn = Steady::now();
             is_shown = true;
             is_urgent = false;
         }
@@ -147,7 +147,7 @@ void play(Player& player, const PlayCommand& command) {
             player.press(*key, screen.places);
             is_urgent = true;
         }
-        const auto now = Clock::now();
+        const auto now = Steady::now();
         if (player.pass(std::chrono::duration<double>(now - before).count()))
             is_shown = false;
         before = now;
