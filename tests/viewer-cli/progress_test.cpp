@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // What a terminal shows of long work; terminal.sh has it shown on one.
 
-#include <progress.h>
+#include "app/progress.h"
 
 #include <gtest/gtest.h>
 
