@@ -2,7 +2,7 @@
 // A thousand claims about the rows of a triangle, one in ten with a slip in it: read, held against the scene, and
 // told as text. It is asked to take less than 0.2 s. `check/drawn`: the same without the scene's drawing.
 
-#include <check_report.h>
+#include "commands/check_report.h"
 
 #include <rastertrace/trace/check/check.h>
 #include <rastertrace/trace/check/claims.h>

@@ -5,7 +5,7 @@
 
 #include "drawn_trace.h"
 
-#include <frame_text.h>
+#include "frames/frame_text.h"
 #include <rastertrace/figures/bitmap.h>
 #include <rastertrace/figures/figure.h>
 #include <rastertrace/figures/gif.h>

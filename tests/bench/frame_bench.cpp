@@ -5,7 +5,7 @@
 
 #include "drawn_trace.h"
 
-#include <frame_text.h>
+#include "frames/frame_text.h"
 #include <rastertrace/figures/view.h>
 
 #include <benchmark/benchmark.h>
