@@ -20,7 +20,7 @@ for word; do
         mv "$folder/others" "$folder/sources"
     elif [ "${behind_options:-}" ]; then
         sed -n 's/^ *"file": "\(.*\)",*$/\1/p' "$word" |
-            grep -vF -e "$PWD/tests/" -e "$(dirname "$word")/tests/" -e "$PWD/examples/" -e /numerics/ -e /wasm/ -e /cmake_pch. | LC_ALL=C sort >"$folder/sources"
+            grep -vF -e "$PWD/tests/" -e "$(dirname "$word")/tests/" -e "$PWD/examples/" -e /numerics/ -e /page/ -e /cmake_pch. | LC_ALL=C sort >"$folder/sources"
     elif [ "$word" = -- ]; then
         behind_options=yes
     else
@@ -36,7 +36,7 @@ for include in core/include core/draw/include trace/testing/include trace/emit/i
     (cd "$include" && find rastertrace -name '*.h' | LC_ALL=C sort | sed 's/.*/#include <&>/')
 done >"$folder/headers.h"
 # Those of trace lie beside the sources.
-find trace -name '*.h' | grep -v '^trace/testing/\|^trace/emit/' | LC_ALL=C sort | sed 's,.*,#include <rastertrace/&>,' \
+find trace -name '*.h' | grep -v '^trace/testing/\|^trace/emit/\|^trace/figures/\|^trace/numerics/' | LC_ALL=C sort | sed 's,.*,#include <rastertrace/&>,' \
     >>"$folder/headers.h"
 printf '#include <%s>\n' fmt/format.h nlohmann/json.hpp CLI/CLI.hpp >>"$folder/headers.h"
 accepts "$@" -x c++-header -fpch-instantiate-templates "$folder/headers.h" -o "$folder/headers.pch"

@@ -41,7 +41,7 @@ STRUCT
 
 # 2. Its sentence.
 cp "$record"/*.h "$record"/*.cpp "$folder/record"
-sed -i 's/^}};$/    {StepKind::throwaway, "a test runs", {"thrown away at {x}", "descartado em {x}"}},\n&/' "$folder/record/step_kind.cpp"
+sed -i 's/^}};$/    {StepKind::throwaway, "a test runs", "thrown away at {x}"},\n&/' "$folder/record/step_kind.cpp"
 mkdir -p "$folder/rastertrace/trace"
 ln -s "$folder/record" "$folder/rastertrace/trace/record"
 

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "language.h"
 
+#include "json_document.h"
 #include "named_value.h"
-
-#include <nlohmann/json.hpp>
 
 #include <array>
 #include <atomic>
@@ -26,7 +25,14 @@ std::atomic<Language> language_in_use{Language::english};
 using Catalogue = std::map<std::string, std::string, std::less<>>;
 
 const Catalogue& catalogue() {
-    static const Catalogue rows = nlohmann::json::parse(pt_json()).get<Catalogue>();
+    static const Catalogue rows = [] {
+        const Source source{.name = "pt.json", .text = pt_json()};
+        const auto document = parse_json(source);
+        Catalogue read;
+        for (const auto& [key, value] : document.value().root().members())
+            read.emplace(key.text, value.text);
+        return read;
+    }();
     return rows;
 }
 
