@@ -16,6 +16,7 @@
 #include <rastertrace/core/draw/plan/plan.h>
 #include <rastertrace/core/draw/scene/fit.h>
 #include <rastertrace/core/raster/circle.h>
+#include <rastertrace/core/raster/fill_edge_table.h>
 #include <rastertrace/trace/text/byte_order_mark.h>
 #include <rastertrace/trace/text/canvas_json.h>
 #include <rastertrace/trace/text/color_text.h>

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <rastertrace/core/raster/line.h>
 #include <rastertrace/numerics/cliffs.h>
 
 #include <rastertrace/core/draw/draw.h>

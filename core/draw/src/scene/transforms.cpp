@@ -2,6 +2,7 @@
 #include <rastertrace/core/draw/scene/transforms.h>
 
 #include <rastertrace/core/numbers/irrational.h>
+#include <rastertrace/core/raster/clip.h>
 #include <rastertrace/core/transform/model.h>
 #include <rastertrace/core/transform/projection.h>
 #include <rastertrace/core/transform/viewport.h>

@@ -128,4 +128,26 @@ private:
     }
 };
 
+/// The pixels that have a depth: columns from `left` on, rows from `top_row` on.
+struct DepthRegion {
+    int left = 0;
+    int top_row = 0;
+    int width = 0;
+    int height = 0;
+
+    bool has(int x, int row) const {
+        return left <= x && x < left + width && top_row <= row && row < top_row + height;
+    }
+
+    std::size_t area() const {
+        return static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
+    }
+
+    /// The index of a pixel in row-major order. The column may lie outside of the region: rows are
+    /// addressed from x = 0.
+    std::ptrdiff_t offset_of(int x, int row) const {
+        return static_cast<std::ptrdiff_t>(row - top_row) * width + (x - left);
+    }
+};
+
 } // namespace rastertrace

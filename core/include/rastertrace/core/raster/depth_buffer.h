@@ -52,28 +52,6 @@ template <typename Scalar> struct DepthRule {
     std::optional<Scalar> cleared = {}; ///< none: every depth passes
 };
 
-/// The pixels that have a depth: columns from `left` on, rows from `top_row` on.
-struct DepthRegion {
-    int left = 0;
-    int top_row = 0;
-    int width = 0;
-    int height = 0;
-
-    bool has(int x, int row) const {
-        return left <= x && x < left + width && top_row <= row && row < top_row + height;
-    }
-
-    std::size_t area() const {
-        return static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
-    }
-
-    /// The index of a pixel in row-major order. The column may lie outside of the region: rows are
-    /// addressed from x = 0.
-    std::ptrdiff_t offset_of(int x, int row) const {
-        return static_cast<std::ptrdiff_t>(row - top_row) * width + (x - left);
-    }
-};
-
 /// One number per pixel of its region, the turned depth of what is nearest.
 /// Of fractions: draw/paint/exact_depth_buffer.h.
 template <typename Scalar> class DepthBuffer {

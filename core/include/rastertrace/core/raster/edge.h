@@ -9,6 +9,7 @@
 
 #include <rastertrace/core/numbers/scalar.h>
 #include <rastertrace/core/numbers/vec.h>
+#include <rastertrace/core/raster/choices.h>
 #include <rastertrace/core/raster/sample_offset.h>
 #include <rastertrace/core/raster/steps.h>
 #include <rastertrace/core/raster/triangle.h>
@@ -18,12 +19,6 @@
 #include <utility>
 
 namespace rastertrace {
-
-/// How the values of a linear interpolation are found, row after row.
-enum class LerpForm {
-    direct,      ///< d = d1 + a (i - i1) on every row
-    incremental, ///< d = d1 + a (i - i1) on the first row that is drawn, then d += a
-};
 
 /// A vertex of a triangle, with its index in the order in which the scene names the vertices.
 template <typename Scalar> struct Vertex {

@@ -16,21 +16,12 @@
 #include <rastertrace/core/numbers/index.h>
 #include <rastertrace/core/numbers/scalar.h>
 #include <rastertrace/core/numbers/vec.h>
+#include <rastertrace/core/raster/choices.h>
 
 #include <cstddef>
 #include <span>
 
 namespace rastertrace {
-
-/// Which faces are not drawn. A face is seen from its front if its normal points to the eye:
-/// normal . view > 0. Seen from the edge (0) it is not drawn whenever anything is culled.
-enum class Cull {
-    none,
-    back,
-    front,
-    both,
-    light, ///< faces turned from the light: wrong, and shown as such
-};
 
 /// The normal of a face with these corners: at a right angle to it, as long as twice its area. The
 /// sum of (P2 - P1) x (P3 - P1) over the triangles of the fan from its first corner, which is

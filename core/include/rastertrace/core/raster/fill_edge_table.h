@@ -17,6 +17,7 @@
 //                             FlatPainter(image, color));
 
 #include <rastertrace/core/raster/canvas.h>
+#include <rastertrace/core/raster/choices.h>
 #include <rastertrace/core/raster/edge.h>
 #include <rastertrace/core/raster/fill_scanline.h>
 #include <rastertrace/core/raster/rounding.h>
@@ -37,13 +38,6 @@ namespace rastertrace {
 
 /// The most corners that a polygon may have: an EdgeName holds no more.
 inline constexpr std::size_t most_corners = 65535;
-
-/// Which points lie inside a polygon that crosses itself, by its winding number there: how often it
-/// runs around the point.
-enum class FillRule {
-    even_odd, ///< those around which it is odd
-    non_zero, ///< those around which it is not 0
-};
 
 constexpr bool is_inside(int winding, FillRule rule) {
     return rule == FillRule::even_odd ? winding % 2 != 0 : winding != 0;

@@ -11,6 +11,7 @@
 //     fill_scanline(triangle, {}, rules, canvas, FlatPainter(image, color));  // at integer points
 
 #include <rastertrace/core/raster/canvas.h>
+#include <rastertrace/core/raster/choices.h>
 #include <rastertrace/core/raster/edge.h>
 #include <rastertrace/core/raster/rounding.h>
 #include <rastertrace/core/raster/sample_offset.h>
@@ -22,12 +23,6 @@
 #include <algorithm>
 
 namespace rastertrace {
-
-/// Which rows a triangle has, or a polygon (fill_edge_table.h).
-enum class RowRule {
-    closed,    ///< from that of its highest vertex to that of its lowest, both included
-    half_open, ///< of a triangle, the lowest left out: a row that two share belongs to the lower one
-};
 
 /// The choices that the scanline fill leaves open.
 struct ScanlineRules {

@@ -6,6 +6,7 @@
 #include <rastertrace/core/numbers/fraction.h>
 #include <rastertrace/core/numbers/vec.h>
 #include <rastertrace/core/raster/canvas.h>
+#include <rastertrace/core/raster/choices.h>
 #include <rastertrace/core/raster/image.h>
 #include <rastertrace/core/raster/rounding.h>
 #include <rastertrace/core/raster/sample_offset.h>
@@ -19,35 +20,6 @@
 #include <functional>
 
 namespace rastertrace {
-
-/// The end at which a line starts to be drawn.
-enum class LineStart {
-    first, ///< the one that the scene names first
-    low,   ///< the one with the lower coordinate along the major axis
-};
-
-/// What the color along a line goes by.
-enum class ColorLerp {
-    space,    ///< the place on the line in space: in a perspective, each share is divided by w
-    axis,     ///< the step along the major axis
-    distance, ///< the distance from the end, over the length of the line
-};
-
-/// Which of its end pixels a line draws.
-enum class EndPixels {
-    both,
-    first, ///< the one that it starts from: lines that follow one another draw no pixel twice
-};
-
-/// The choices that lines leave open.
-struct LineRules {
-    ColorLerp color_lerp = ColorLerp::axis;
-    ColorRounding color_rounding = ColorRounding::nearest;
-    Ties ties = Ties::
-        start; ///< halfway between two pixels; of Bresenham's line, at d = 0, `step` goes diagonally, all
-               ///< others straight on
-    EndPixels ends = EndPixels::both;
-};
 
 /// A point of the grid, anywhere.
 struct GridPoint {

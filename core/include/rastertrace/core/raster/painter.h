@@ -10,6 +10,7 @@
 //     painter_order<double>(std::array{2.0, 5.0, 3.0});  // 1, 2, 0
 
 #include <rastertrace/core/numbers/scalar.h>
+#include <rastertrace/core/raster/choices.h>
 
 #include <algorithm>
 #include <cmath>
@@ -20,9 +21,6 @@
 #include <vector>
 
 namespace rastertrace {
-
-/// Which distance of a face the painter sorts by.
-enum class PainterKey { nearest, farthest, mean };
 
 /// The distance that a face is sorted by, from those of its vertices.
 template <typename Scalar> Scalar painter_key(PainterKey key, std::span<const Scalar> distances) {

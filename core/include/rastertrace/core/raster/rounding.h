@@ -17,36 +17,12 @@
 
 #include <rastertrace/core/numbers/scalar.h>
 #include <rastertrace/core/raster/canvas.h>
+#include <rastertrace/core/raster/choices.h>
 
 #include <algorithm>
 #include <cstdint>
 
 namespace rastertrace {
-
-/// How the ends of a span become pixels; see the table above.
-enum class Rounding { floor, nearest, truncate, inside, half_open };
-
-/// Where `nearest` sends a number halfway between two whole numbers.
-enum class Ties {
-    start, ///< to the smaller one: -1/2 -> -1, 1/2 -> 0. Lines stay on the side that they come
-           ///< from, as Bresenham's does (pixel_across)
-    up,    ///< to the larger one: -1/2 -> 0, 1/2 -> 1
-    away,  ///< away from zero: -1/2 -> -1, 1/2 -> 1
-    even,  ///< to the even one: -1/2 -> 0, 1/2 -> 0
-    step,  ///< of lines only: to the side that they go to, the other one than with `start`
-};
-
-/// What becomes of a color's channel that was mixed or lit and is no whole level.
-enum class ColorRounding {
-    nearest,  ///< the nearest level; a half goes up
-    truncate, ///< the level below, as a C++ cast has it
-};
-
-/// The rules that turn the ends of a span into pixels.
-struct SpanRounding {
-    Rounding rounding = Rounding::floor;
-    Ties ties = Ties::up; ///< read only with Rounding::nearest
-};
 
 /// The whole number next to `x` in the direction of zero.
 template <typename Scalar> Index truncate_index(const Scalar& x) {

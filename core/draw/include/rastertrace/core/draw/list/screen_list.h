@@ -8,6 +8,7 @@
 #include <rastertrace/core/draw/scene/scene.h>
 #include <rastertrace/core/draw/scene/transforms.h>
 #include <rastertrace/core/numbers/vec.h>
+#include <rastertrace/core/raster/clip.h>
 #include <rastertrace/core/raster/image.h>
 #include <rastertrace/core/raster/mixed_colors.h>
 #include <rastertrace/core/transform/matrix.h>

@@ -24,7 +24,7 @@
 //     plan_for(scene).stages.decisions;
 
 #include <rastertrace/core/draw/scene/scene.h>
-#include <rastertrace/core/raster/depth_buffer.h>
+#include <rastertrace/core/raster/canvas.h>
 
 #include <cstddef>
 #include <cstdint>

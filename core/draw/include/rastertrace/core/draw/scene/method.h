@@ -7,12 +7,7 @@
 
 #include <rastertrace/core/draw/scene/algorithms.h>
 #include <rastertrace/core/numbers/number.h>
-#include <rastertrace/core/raster/edge.h>
-#include <rastertrace/core/raster/facing.h>
-#include <rastertrace/core/raster/fill_edge_table.h>
-#include <rastertrace/core/raster/line.h>
-#include <rastertrace/core/raster/painter.h>
-#include <rastertrace/core/raster/rounding.h>
+#include <rastertrace/core/raster/choices.h>
 
 #include <vector>
 

@@ -11,7 +11,6 @@
 #include <rastertrace/core/numbers/conversion.h>
 #include <rastertrace/core/numbers/irrational.h>
 #include <rastertrace/core/raster/canvas.h>
-#include <rastertrace/core/raster/clip.h>
 #include <rastertrace/core/transform/camera.h>
 #include <rastertrace/core/transform/viewport.h>
 
@@ -21,6 +20,8 @@
 #include <variant>
 
 namespace rastertrace {
+
+template <typename Scalar> struct ClipPlane; // raster/clip.h
 
 /// x, y and z as typed.
 using Numbers3 = std::array<Number, 3>;
