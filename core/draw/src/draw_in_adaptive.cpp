@@ -7,6 +7,7 @@
 
 #include "draw_in.h"
 #include "draw_scalar.h"
+#include "hidden-lines/line_painter.h"
 
 #include <rastertrace/core/draw/paint/numbered_depths.h>
 #include <rastertrace/core/raster/fill_scanline.h>

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "draw_piece.h"
 #include "draw_scalar.h"
 #include "screen_drawing_in.h"
 

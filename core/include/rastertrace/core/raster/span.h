@@ -40,9 +40,8 @@ void tell_rejected_rows(Index first_row, Index last_row, Canvas canvas, Sink&& s
 /// if all of the triangle lies left of the canvas, or all of it right.
 template <typename MissesSides, typename Sink>
 requires SinkFor<Sink, PixelsRejected<>, PrimitiveSkipped<>>
-[[gnu::always_inline]] inline RowRange rows_on_canvas(Index first_row, Index last_row,
-                                                      MissesSides&& misses_sides, Canvas canvas,
-                                                      Sink&& sink) {
+inline RowRange rows_on_canvas(Index first_row, Index last_row, MissesSides&& misses_sides,
+                               Canvas canvas, Sink&& sink) {
     if (last_row < first_row) {
         sink(PrimitiveSkipped<>{.why = SkipReason::between_rows});
         return {};
@@ -64,8 +63,7 @@ struct PixelSpan {
 
 /// The pixels from x = `from` to x = `to` that are on the canvas. `tests_canvas` is false if all of
 /// them are known to be.
-[[gnu::always_inline]] inline PixelSpan span_on_canvas(const ImageRow& row, Index from, Index to,
-                                                       bool tests_canvas) {
+inline PixelSpan span_on_canvas(const ImageRow& row, Index from, Index to, bool tests_canvas) {
     if (!tests_canvas)
         return {static_cast<int>(from), static_cast<int>(to)};
     const Index left = row.left;
@@ -77,8 +75,7 @@ struct PixelSpan {
 /// Emits the pixels left of the canvas. Called before the row is painted.
 template <typename Sink>
 requires SinkFor<Sink, PixelsRejected<>>
-[[gnu::always_inline]] inline void tell_rejected_left(const ImageRow& row, Index from, Index to,
-                                                      Sink&& sink) {
+inline void tell_rejected_left(const ImageRow& row, Index from, Index to, Sink&& sink) {
     if (from <= to && from < row.left)
         sink(pixels_off_canvas(from, row.y, std::min<Index>(to, row.left - 1), row.y));
 }
@@ -86,8 +83,7 @@ requires SinkFor<Sink, PixelsRejected<>>
 /// Emits the pixels right of the canvas. Called after the row is painted.
 template <typename Sink>
 requires SinkFor<Sink, PixelsRejected<>>
-[[gnu::always_inline]] inline void tell_rejected_right(const ImageRow& row, Index from, Index to,
-                                                       Sink&& sink) {
+inline void tell_rejected_right(const ImageRow& row, Index from, Index to, Sink&& sink) {
     if (from <= to && to > row.right)
         sink(pixels_off_canvas(std::max<Index>(from, row.right + 1), row.y, to, row.y));
 }
