@@ -2,6 +2,7 @@
 #include "picture.h"
 
 #include <rastertrace/core/draw/list/pieces.h>
+#include <rastertrace/core/raster/fill_edge_table.h>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -6,7 +6,9 @@
 #include "random_triangle.h"
 
 #include <rastertrace/core/draw/list/light.h>
+#include <rastertrace/core/raster/depth_interpolation.h>
 #include <rastertrace/core/raster/shading.h>
+#include <rastertrace/core/raster/triangle.h>
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
