@@ -7,6 +7,7 @@
 #include "random_choice.h"
 #include "traces.h"
 
+#include <rastertrace/core/raster/rounding.h>
 #include <rastertrace/trace/audit/redo.h>
 #include <rastertrace/trace/check/check.h>
 #include <rastertrace/trace/record/replay.h>

@@ -5,6 +5,7 @@
 #include "claims_support.h"
 #include "traces.h"
 
+#include <rastertrace/core/raster/fill_edge_table.h>
 #include <rastertrace/trace/audit/redo.h>
 #include <rastertrace/trace/audit/stats.h>
 #include <rastertrace/trace/check/check.h>
