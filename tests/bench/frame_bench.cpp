@@ -6,7 +6,7 @@
 #include "drawn_trace.h"
 
 #include "frames/frame_text.h"
-#include <rastertrace/figures/view.h>
+#include <rastertrace/trace/tell/view.h>
 
 #include <benchmark/benchmark.h>
 

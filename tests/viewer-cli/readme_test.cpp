@@ -73,13 +73,18 @@ TEST_F(ReadmeTest, TheDemoFitsOnAScreenAndEndsWithWhatToDoNext) {
     const fs::path program_folder = folder_ / "build/release/viewer-cli";
     fs::create_directories(program_folder);
     fs::create_directory(folder_ / "scripts");
-    fs::create_symlink(RASTERTRACE_PROGRAM, program_folder / "rastertrace");
+    for (const std::string name : {"rastertrace", "rastertrace_first_picture"})
+        fs::create_symlink(fs::path(RASTERTRACE_PROGRAM).parent_path() / name,
+                           program_folder / name);
     fs::create_symlink("/bin/true", folder_ / "scripts/install-packages.sh");
     fs::create_symlink("/bin/true", folder_ / "cmake");
     fs::copy_file(source / "demo.sh", folder_ / "demo.sh");
     const Outcome told = shell("PATH=$PWD:$PATH ./demo.sh");
     EXPECT_EQ(told.status, 0) << told.err;
     EXPECT_LE(std::count(told.out.begin(), told.out.end(), '\n'), 40);
+    EXPECT_THAT(told.out,
+                StartsWith(shell("$rastertrace show examples/t0-fill/first-triangle.json").out))
+        << "what is linked first tells the same";
     EXPECT_THAT(told.out, HasSubstr("  y=2    AB x = -1/4 -> -1    AC x = 25/8 -> 3   5 pixels\n"));
     EXPECT_THAT(told.out, HasSubstr(" -3   . . . . B # # # # # # # # C . . .\n"));
     const std::string program = "build/release/viewer-cli/rastertrace";

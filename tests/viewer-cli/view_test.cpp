@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 // What the cells of a frame show in each view. The traces are written by hand.
-#include "frames/frame_text.h"
 #include "app/load.h"
+#include "frames/frame_text.h"
 #include "traces.h"
-#include <rastertrace/figures/view.h>
+#include <rastertrace/trace/tell/view.h>
 
 #include <gtest/gtest.h>
 

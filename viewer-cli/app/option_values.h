@@ -3,7 +3,7 @@
 
 // Reads the values of options. What does not fit is refused: "--region: expected ..., found ...".
 
-#include "player/terminal_text.h"
+#include "frames/terminal_text.h"
 
 #include <rastertrace/trace/record/trace_options.h>
 #include <rastertrace/trace/text/named_value.h>

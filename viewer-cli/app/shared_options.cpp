@@ -5,7 +5,7 @@
 #include "app/environment.h"
 #include "app/option_values.h"
 
-#include <rastertrace/figures/view.h>
+#include <rastertrace/trace/tell/view.h>
 #include <rastertrace/trace/text/color_text.h>
 #include <rastertrace/trace/text/language.h>
 #include <rastertrace/trace/text/method_file.h>

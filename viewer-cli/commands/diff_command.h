@@ -4,7 +4,7 @@
 // What `rastertrace diff` is asked, of two files or of two folders.
 
 #include "app/exit_status.h"
-#include "player/terminal_text.h"
+#include "frames/terminal_text.h"
 
 #include <rastertrace/trace/compare/diff.h>
 #include <rastertrace/trace/scene/scene_file.h>

@@ -5,7 +5,7 @@
 //
 //     print(diff_in_color(diff_text(found), output_colors(ColorChoice::automatic)));
 
-#include "player/terminal_text.h"
+#include "frames/terminal_text.h"
 
 #include <rastertrace/trace/compare/diff.h>
 

@@ -12,10 +12,10 @@
 
 #include <rastertrace/figures/figure.h>
 #include <rastertrace/figures/gif.h>
-#include <rastertrace/figures/shown_steps.h>
 #include <rastertrace/trace/record/replay.h>
 #include <rastertrace/trace/tell/describe.h>
 #include <rastertrace/trace/tell/selector.h>
+#include <rastertrace/trace/tell/shown_steps.h>
 #include <rastertrace/trace/tell/working.h>
 #include <rastertrace/trace/text/output.h>
 #include <rastertrace/trace/text/text.h>

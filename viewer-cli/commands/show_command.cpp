@@ -9,12 +9,12 @@
 #include "commands/step_table.h"
 #include "frames/frame_text.h"
 #include "frames/off_canvas.h"
-#include "player/terminal.h"
+#include "frames/terminal.h"
 
-#include <rastertrace/figures/shown_steps.h>
 #include <rastertrace/trace/tell/describe.h>
 #include <rastertrace/trace/tell/digest.h>
 #include <rastertrace/trace/tell/selector.h>
+#include <rastertrace/trace/tell/shown_steps.h>
 #include <rastertrace/trace/tell/working.h>
 #include <rastertrace/trace/text/text.h>
 
@@ -103,13 +103,6 @@ bool is_table(const ShowCommand& command, const Trace& trace,
     return kind && (command.format || (is_told_as_table(*kind) && shown.size() > 1));
 }
 
-/// What stands below the last frame: what lies off the canvas, and the stages.
-std::string text_below(const Trace& trace) {
-    const std::string off_canvas = off_canvas_text(trace);
-    return (off_canvas.empty() ? "" : "\n" + off_canvas) +
-           (trace.stages.empty() ? "" : fmt::format("\nstages: {}\n", joined(trace.stages, ", ")));
-}
-
 /// More frames of a sequence than anyone scrolls through.
 constexpr std::size_t most_on_terminal = 1000;
 
@@ -126,24 +119,6 @@ void check_sequence(const ShowCommand& command, const InputFrames& input) {
         throw problem_of(command.trace,
                          fmt::format("--format: expected one frame, found {}", count),
                          "--frame 1 makes a table of the first");
-}
-
-/// What a scene is about, and above `below` all of its picture.
-void print_summary(const Replay& replay, FrameText about, TextSize size) {
-    const Trace& trace = replay.trace();
-    std::string text = title_of(trace, size.columns - 1) + "\n";
-    for (const std::string& line : digest_of(trace))
-        text += line + "\n";
-    about.has_heading = false;
-    about.first_step = about.last_step = 0; // no step is told, and none marked
-    LaidOutFrame frame = laid_out_frame(replay, about, size);
-    const FrameWindow& window = frame.grid.window;
-    if (!about.region &&
-        (window.columns < trace.canvas.width || window.rows < trace.canvas.height)) {
-        about.is_overview = true;
-        frame = laid_out_frame(replay, about, size);
-    }
-    print(text + frame.text);
 }
 
 /// `faces` have letters; those of the frame before, then those of this one.
@@ -195,7 +170,7 @@ ExitStatus show(const Trace& trace, const ShowCommand& command, FaceGroups& face
         }
         replay.go_to(steps.last);
         if (command.which == ShowCommand::Which::summary) {
-            print_summary(replay, about, size);
+            print(summary_text(replay, about, size));
             break;
         }
         const std::string blank_line = is_first ? "" : "\n";

@@ -4,11 +4,11 @@
 // What `rastertrace show` is asked. `play` asks the same where there is no terminal.
 
 #include "commands/step_table.h"
-#include "player/terminal_text.h"
+#include "frames/terminal_text.h"
 
-#include <rastertrace/figures/view.h>
 #include <rastertrace/trace/record/trace_options.h>
 #include <rastertrace/trace/scene/scene_file.h>
+#include <rastertrace/trace/tell/view.h>
 #include <rastertrace/trace/text/input.h>
 #include <rastertrace/trace/text/method_names.h>
 

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "frames/frame_text.h"
 
-#include <rastertrace/figures/shown_steps.h>
+#include "frames/off_canvas.h"
+
 #include <rastertrace/trace/record/traced_steps.h>
+#include <rastertrace/trace/tell/digest.h>
+#include <rastertrace/trace/tell/shown_steps.h>
 #include <rastertrace/trace/tell/step_text.h>
 #include <rastertrace/trace/tell/told_samples.h>
 #include <rastertrace/trace/text/text.h>
@@ -642,6 +645,29 @@ std::string bare_frame_text(const Replay& replay, View view, const std::optional
         text += '\n';
     }
     return text;
+}
+
+std::string text_below(const Trace& trace) {
+    const std::string off_canvas = off_canvas_text(trace);
+    return (off_canvas.empty() ? "" : "\n" + off_canvas) +
+           (trace.stages.empty() ? "" : fmt::format("\nstages: {}\n", joined(trace.stages, ", ")));
+}
+
+std::string summary_text(const Replay& replay, FrameText about, TextSize size) {
+    const Trace& trace = replay.trace();
+    std::string text = title_of(trace, size.columns - 1) + "\n";
+    for (const std::string& line : digest_of(trace))
+        text += line + "\n";
+    about.has_heading = false;
+    about.first_step = about.last_step = 0; // no step is told, and none marked
+    LaidOutFrame frame = laid_out_frame(replay, about, size);
+    const FrameWindow& window = frame.grid.window;
+    if (!about.region &&
+        (window.columns < trace.canvas.width || window.rows < trace.canvas.height)) {
+        about.is_overview = true;
+        frame = laid_out_frame(replay, about, size);
+    }
+    return text + frame.text;
 }
 
 } // namespace rastertrace

@@ -10,12 +10,12 @@
 //       4   . . . . . . . . . # # . . . . . .
 //     > 2   . . . . . . . @ @ @ @ @ . . . . .
 
-#include "player/terminal.h"
-#include "player/terminal_text.h"
+#include "frames/terminal.h"
+#include "frames/terminal_text.h"
 
-#include <rastertrace/figures/view.h>
 #include <rastertrace/trace/record/replay.h>
 #include <rastertrace/trace/record/trace_options.h>
+#include <rastertrace/trace/tell/view.h>
 
 #include <cstddef>
 #include <optional>
@@ -108,5 +108,11 @@ std::string bare_frame_text(const Frame& frame);
 std::string bare_frame_text(const Replay& replay, View view,
                             const std::optional<Region>& region = {},
                             const FaceGroups* faces = nullptr);
+
+/// What a scene is about, and all of its picture above `about.below`.
+std::string summary_text(const Replay& replay, FrameText about, TextSize size);
+
+/// What stands below the last frame: what lies off the canvas, and the stages.
+std::string text_below(const Trace& trace);
 
 } // namespace rastertrace

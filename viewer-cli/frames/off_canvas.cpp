@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "frames/off_canvas.h"
 
-#include <rastertrace/figures/corners.h>
 #include <rastertrace/trace/record/traced_steps.h>
+#include <rastertrace/trace/tell/corners.h>
 
 #include <fmt/core.h>
 

@@ -7,8 +7,8 @@
 //     playback.go_to(31);
 //     playback.sentence_of(30);
 
-#include <rastertrace/figures/view.h>
 #include <rastertrace/trace/record/replay.h>
+#include <rastertrace/trace/tell/view.h>
 
 #include <cstddef>
 #include <map>

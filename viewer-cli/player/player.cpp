@@ -3,7 +3,7 @@
 
 #include "app/load.h"
 
-#include <rastertrace/figures/shown_steps.h>
+#include <rastertrace/trace/tell/shown_steps.h>
 #include <rastertrace/trace/tell/step_text.h>
 #include <rastertrace/trace/text/text.h>
 

@@ -16,8 +16,8 @@
 #include "player/playback.h"
 
 #include <rastertrace/figures/player_keys.h>
-#include <rastertrace/figures/view.h>
 #include <rastertrace/trace/tell/selector.h>
+#include <rastertrace/trace/tell/view.h>
 
 #include <cstddef>
 #include <functional>

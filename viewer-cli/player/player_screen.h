@@ -8,9 +8,9 @@
 //     terminal.show(screen.lines);
 
 #include "frames/frame_text.h"
+#include "frames/terminal.h"
+#include "frames/terminal_text.h"
 #include "player/player.h"
-#include "player/terminal.h"
-#include "player/terminal_text.h"
 
 #include <string>
 #include <vector>

@@ -2,8 +2,8 @@
 // The player goes to the next step of a kind: by a key, by what was typed, and stops at breakpoints. Long searches are
 // done in pieces.
 
+#include "frames/terminal_text.h"
 #include "player/player.h"
-#include "player/terminal_text.h"
 
 #include <rastertrace/trace/record/traced_steps.h>
 #include <rastertrace/trace/tell/step_text.h>

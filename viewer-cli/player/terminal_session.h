@@ -9,8 +9,8 @@
 //     terminal.wait(100);
 //     while (auto key = terminal.key()) ...
 
+#include "frames/terminal.h"
 #include "player/key_reader.h"
-#include "player/terminal.h"
 
 #include <rastertrace/trace/text/descriptor.h>
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "depth_plot.h"
 
-#include <rastertrace/figures/corners.h>
 #include <rastertrace/trace/record/traced_steps.h>
+#include <rastertrace/trace/tell/corners.h>
 #include <rastertrace/trace/tell/step_text.h>
 #include <rastertrace/trace/tell/told_samples.h>
 

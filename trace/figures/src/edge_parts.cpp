@@ -6,8 +6,8 @@
 #include "panel.h"
 #include "visibility.h"
 
-#include <rastertrace/figures/corners.h>
 #include <rastertrace/trace/record/traced_steps.h>
+#include <rastertrace/trace/tell/corners.h>
 #include <rastertrace/trace/tell/formula.h>
 #include <rastertrace/trace/text/text.h>
 

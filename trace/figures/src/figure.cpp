@@ -7,8 +7,8 @@
 #include "space_drawing.h"
 #include "words.h"
 
-#include <rastertrace/figures/corners.h>
 #include <rastertrace/trace/record/traced_steps.h>
+#include <rastertrace/trace/tell/corners.h>
 #include <rastertrace/trace/tell/describe.h>
 #include <rastertrace/trace/tell/step_text.h>
 #include <rastertrace/trace/tell/told_samples.h>

@@ -33,14 +33,14 @@
 
 #include "grays.h"
 
-#include <rastertrace/figures/corners.h>
-#include <rastertrace/figures/face_groups.h>
-#include <rastertrace/figures/shown_steps.h>
 #include <rastertrace/trace/explain/explain_pixels.h>
-#include <rastertrace/trace/tell/told_samples.h>
 #include <rastertrace/trace/record/traced_steps.h>
+#include <rastertrace/trace/tell/corners.h>
 #include <rastertrace/trace/tell/describe.h>
+#include <rastertrace/trace/tell/face_groups.h>
+#include <rastertrace/trace/tell/shown_steps.h>
 #include <rastertrace/trace/tell/step_text.h>
+#include <rastertrace/trace/tell/told_samples.h>
 #include <rastertrace/trace/tell/working.h>
 #include <rastertrace/trace/text/color_text.h>
 #include <rastertrace/trace/text/language.h>

@@ -8,10 +8,10 @@
 #include "lattice.h"
 
 #include <rastertrace/figures/drawing.h>
-#include <rastertrace/figures/face_groups.h>
 #include <rastertrace/figures/figure.h>
-#include <rastertrace/figures/shown_steps.h>
 #include <rastertrace/trace/record/replay.h>
+#include <rastertrace/trace/tell/face_groups.h>
+#include <rastertrace/trace/tell/shown_steps.h>
 
 #include <functional>
 #include <optional>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "space.h"
 
-#include <rastertrace/figures/view.h>
+#include <rastertrace/trace/tell/view.h>
 
 #include <glm/matrix.hpp>
 

@@ -3,12 +3,12 @@
 
 #include "space_sheet.h"
 
-#include <rastertrace/figures/shown_steps.h>
-#include <rastertrace/figures/view.h>
 #include <rastertrace/trace/record/traced_steps.h>
 #include <rastertrace/trace/tell/meeting_point.h>
+#include <rastertrace/trace/tell/shown_steps.h>
 #include <rastertrace/trace/tell/step_text.h>
 #include <rastertrace/trace/tell/told_samples.h>
+#include <rastertrace/trace/tell/view.h>
 #include <rastertrace/trace/text/text.h>
 
 #include <fmt/core.h>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "visibility.h"
 
-#include <rastertrace/figures/corners.h>
 #include <rastertrace/trace/record/traced_steps.h>
+#include <rastertrace/trace/tell/corners.h>
 #include <rastertrace/trace/tell/formula.h>
 
 #include <algorithm>

@@ -12,6 +12,7 @@
 // corner of the sheet, x runs to the right and y down. Shapes cover those before them.
 
 #include <rastertrace/core/raster/image.h>
+#include <rastertrace/trace/tell/place.h>
 
 #include <cstddef>
 #include <cstdint>
@@ -22,14 +23,6 @@
 #include <vector>
 
 namespace rastertrace {
-
-/// A place on the sheet, in units.
-struct Place {
-    double x = 0;
-    double y = 0;
-
-    friend bool operator==(const Place&, const Place&) = default;
-};
 
 /// What a shape is there for. theme.cpp has a row for each: its name, its colors, its line.
 enum class Role : std::uint8_t {
@@ -133,9 +126,6 @@ struct Areas {
     std::optional<Color> color = {}; ///< in the place of the role's
     std::vector<Rectangle> rectangles = {};
 };
-
-/// A line from place to place.
-using Path = std::vector<Place>;
 
 /// Lines, in the role's dashes.
 struct Lines {

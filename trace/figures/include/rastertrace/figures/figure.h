@@ -8,12 +8,12 @@
 //     const Drawing figure = maker.figure(0);  // of step n
 
 #include <rastertrace/figures/drawing.h>
-#include <rastertrace/figures/face_groups.h>
-#include <rastertrace/figures/shown_steps.h>
 #include <rastertrace/figures/space_eye.h>
-#include <rastertrace/figures/view.h>
 #include <rastertrace/trace/record/replay.h>
 #include <rastertrace/trace/record/trace_options.h>
+#include <rastertrace/trace/tell/face_groups.h>
+#include <rastertrace/trace/tell/shown_steps.h>
+#include <rastertrace/trace/tell/view.h>
 
 #include <bitset>
 #include <cstddef>

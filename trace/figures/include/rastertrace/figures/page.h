@@ -11,9 +11,9 @@
 
 #include <rastertrace/figures/space_eye.h>
 #include <rastertrace/figures/theme.h>
-#include <rastertrace/figures/view.h>
 #include <rastertrace/trace/record/replay.h>
 #include <rastertrace/trace/record/trace.h>
+#include <rastertrace/trace/tell/view.h>
 #include <rastertrace/trace/text/problem.h>
 
 #include <cstddef>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <rastertrace/figures/corners.h>
+#include "corners.h"
 
 namespace rastertrace {
 

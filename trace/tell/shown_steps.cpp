@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-#include <rastertrace/figures/shown_steps.h>
+#include "shown_steps.h"
 
-#include <rastertrace/trace/tell/step_text.h>
-#include <rastertrace/trace/tell/told_samples.h>
+#include "step_text.h"
+#include "told_samples.h"
 
 #include <algorithm>
 #include <cmath>

@@ -3,7 +3,8 @@
 
 // Where the corners of a primitive lie, as its step in a trace tells them: in pixels.
 
-#include <rastertrace/figures/drawing.h>
+#include "place.h"
+
 #include <rastertrace/trace/record/traced_steps.h>
 
 #include <array>

@@ -13,8 +13,9 @@
 //     const FrameCells cells(View::faces, replay, 1);
 //     cells.at({3, 2}).text;  // "a"
 
+#include "face_groups.h"
+
 #include <rastertrace/core/raster/image.h>
-#include <rastertrace/figures/face_groups.h>
 #include <rastertrace/trace/record/replay.h>
 
 #include <cstddef>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "player/terminal.h"
+#include "frames/terminal.h"
 
 #include "app/environment.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <rastertrace/figures/face_groups.h>
+#include "face_groups.h"
 
 #include <rastertrace/trace/text/language.h>
 

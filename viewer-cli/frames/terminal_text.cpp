@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "player/terminal_text.h"
+#include "frames/terminal_text.h"
 
 #include "app/environment.h"
 

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: MIT
-#include <rastertrace/figures/view.h>
+#include "view.h"
 
-#include <rastertrace/figures/corners.h>
+#include "corners.h"
+#include "describe.h"
+#include "formula.h"
+#include "step_text.h"
+#include "told_samples.h"
+
 #include <rastertrace/trace/record/traced_steps.h>
-#include <rastertrace/trace/tell/describe.h>
-#include <rastertrace/trace/tell/formula.h>
-#include <rastertrace/trace/tell/step_text.h>
-#include <rastertrace/trace/tell/told_samples.h>
 #include <rastertrace/trace/text/color_text.h>
 #include <rastertrace/trace/text/named_value.h>
 #include <rastertrace/trace/text/text.h>
