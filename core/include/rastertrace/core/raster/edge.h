@@ -55,7 +55,8 @@ Edge<Scalar> edge_between(const Vertex<Scalar>& from, const Vertex<Scalar>& to) 
 /// order in which the scene names them makes no difference to the edges, nor to any pixel. Always
 /// inline: handed over in memory, three vertices cost as much as all else in a small triangle.
 template <typename Scalar>
-inline std::array<Vertex<Scalar>, 3> sorted_from_top(const Triangle<Scalar>& triangle, int down) {
+[[gnu::always_inline]] inline std::array<Vertex<Scalar>, 3>
+sorted_from_top(const Triangle<Scalar>& triangle, int down) {
     std::array<Vertex<Scalar>, 3> vertices{
         {{triangle.vertices[0], 0}, {triangle.vertices[1], 1}, {triangle.vertices[2], 2}}};
     const auto is_before = [down](const Vertex<Scalar>& a, const Vertex<Scalar>& b) {
@@ -122,17 +123,17 @@ public:
     const Edge<Scalar>& edge() const { return edge_; }
 
     /// x at the samples of row `y`. After the first call, every call must ask for the next row.
-    Scalar x_on_row(int y, const SampleOffset<Scalar>& offset) {
+    [[gnu::always_inline]] Scalar x_on_row(int y, const SampleOffset<Scalar>& offset) {
         return x_at([&] { return offset.y_of(y); });
     }
 
     /// The same where samples lie at integer points.
-    Scalar x_on_row(int y) {
+    [[gnu::always_inline]] Scalar x_on_row(int y) {
         return x_at([y] { return scalar_from<Scalar>(y); });
     }
 
 private:
-    template <typename Height> Scalar x_at(Height&& height) {
+    template <typename Height> [[gnu::always_inline]] Scalar x_at(Height&& height) {
         if (form_ == LerpForm::direct)
             return edge_.x_at(height());
         if (has_begun_)

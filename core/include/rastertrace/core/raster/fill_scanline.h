@@ -75,8 +75,9 @@ void tell_edges(const JoinedEdges<Scalar>& edges, Sink&& sink) {
 
 /// True if every span of the triangle lies left of the canvas, or every one lies right of it.
 template <typename Scalar>
-inline bool misses_canvas(const Triangle<Scalar>& triangle, const SampleOffset<Scalar>& offset,
-                          const SpanRounding& rule, const Canvas& canvas) {
+[[gnu::always_inline]] inline bool misses_canvas(const Triangle<Scalar>& triangle,
+                                                 const SampleOffset<Scalar>& offset,
+                                                 const SpanRounding& rule, const Canvas& canvas) {
     const auto& [a, b, c] = triangle.vertices;
     const Scalar right = offset.in_columns(std::max({a.x, b.x, c.x}));
     const Scalar left = offset.in_columns(std::min({a.x, b.x, c.x}));
@@ -86,8 +87,10 @@ inline bool misses_canvas(const Triangle<Scalar>& triangle, const SampleOffset<S
 /// Yields a row, from where the left edge meets it to where the right edge does.
 template <typename Scalar, typename Sink>
 requires SinkFor<Sink, ScanlineSpanned<Scalar>>
-inline void span_row(int y, EdgeWalk<Scalar>& along_left, EdgeWalk<Scalar>& along_right,
-                     const SampleOffset<Scalar>& offset, const SpanRounding& rule, Sink&& sink) {
+[[gnu::always_inline]] inline void span_row(int y, EdgeWalk<Scalar>& along_left,
+                                            EdgeWalk<Scalar>& along_right,
+                                            const SampleOffset<Scalar>& offset,
+                                            const SpanRounding& rule, Sink&& sink) {
     const Scalar left = along_left.x_on_row(y, offset);
     const Scalar right = along_right.x_on_row(y, offset);
     sink(ScanlineSpanned<Scalar>{.y = y,

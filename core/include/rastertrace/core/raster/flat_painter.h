@@ -29,10 +29,13 @@ public:
     template <typename Step> bool takes() const { return rastertrace::takes<Step>(sink_); }
 
     /// A step that paints nothing.
-    template <typename Step> void operator()(const Step& step) const { sink_(step); }
+    template <typename Step> [[gnu::always_inline]] void operator()(const Step& step) const {
+        sink_(step);
+    }
 
     /// A row from one edge to another.
-    template <typename Scalar> void operator()(const ScanlineSpanned<Scalar>& span) const {
+    template <typename Scalar>
+    [[gnu::always_inline]] void operator()(const ScanlineSpanned<Scalar>& span) const {
         sink_(span);
         const ImageRow row = image_.row(span.y);
         const Color color = color_; // a copy: no pixel that is written can be part of it
@@ -49,14 +52,14 @@ public:
     /// A sample that lies in the triangle is one pixel.
     template <typename Sample>
     requires std::same_as<decltype(Sample::inside), bool>
-    void operator()(const Sample& sample) const {
+    [[gnu::always_inline]] void operator()(const Sample& sample) const {
         sink_(sample);
         if (sample.inside)
             (*this)(PixelPlotted<>{.x = sample.x, .y = sample.y, .color = color_});
     }
 
     /// A pixel of a line, or of the fan, brings its color.
-    void operator()(const PixelPlotted<>& plotted) const {
+    [[gnu::always_inline]] void operator()(const PixelPlotted<>& plotted) const {
         image_.at(plotted.pixel()) = plotted.color;
         sink_(plotted);
     }

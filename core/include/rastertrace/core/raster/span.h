@@ -40,8 +40,9 @@ void tell_rejected_rows(Index first_row, Index last_row, Canvas canvas, Sink&& s
 /// if all of the triangle lies left of the canvas, or all of it right.
 template <typename MissesSides, typename Sink>
 requires SinkFor<Sink, PixelsRejected<>, PrimitiveSkipped<>>
-inline RowRange rows_on_canvas(Index first_row, Index last_row, MissesSides&& misses_sides,
-                               Canvas canvas, Sink&& sink) {
+[[gnu::always_inline]] inline RowRange rows_on_canvas(Index first_row, Index last_row,
+                                                      MissesSides&& misses_sides, Canvas canvas,
+                                                      Sink&& sink) {
     if (last_row < first_row) {
         sink(PrimitiveSkipped<>{.why = SkipReason::between_rows});
         return {};
@@ -63,7 +64,8 @@ struct PixelSpan {
 
 /// The pixels from x = `from` to x = `to` that are on the canvas. `tests_canvas` is false if all of
 /// them are known to be.
-inline PixelSpan span_on_canvas(const ImageRow& row, Index from, Index to, bool tests_canvas) {
+[[gnu::always_inline]] inline PixelSpan span_on_canvas(const ImageRow& row, Index from, Index to,
+                                                       bool tests_canvas) {
     if (!tests_canvas)
         return {static_cast<int>(from), static_cast<int>(to)};
     const Index left = row.left;
@@ -75,7 +77,8 @@ inline PixelSpan span_on_canvas(const ImageRow& row, Index from, Index to, bool 
 /// Emits the pixels left of the canvas. Called before the row is painted.
 template <typename Sink>
 requires SinkFor<Sink, PixelsRejected<>>
-inline void tell_rejected_left(const ImageRow& row, Index from, Index to, Sink&& sink) {
+[[gnu::always_inline]] inline void tell_rejected_left(const ImageRow& row, Index from, Index to,
+                                                      Sink&& sink) {
     if (from <= to && from < row.left)
         sink(pixels_off_canvas(from, row.y, std::min<Index>(to, row.left - 1), row.y));
 }
@@ -83,7 +86,8 @@ inline void tell_rejected_left(const ImageRow& row, Index from, Index to, Sink&&
 /// Emits the pixels right of the canvas. Called after the row is painted.
 template <typename Sink>
 requires SinkFor<Sink, PixelsRejected<>>
-inline void tell_rejected_right(const ImageRow& row, Index from, Index to, Sink&& sink) {
+[[gnu::always_inline]] inline void tell_rejected_right(const ImageRow& row, Index from, Index to,
+                                                       Sink&& sink) {
     if (from <= to && to > row.right)
         sink(pixels_off_canvas(std::max<Index>(from, row.right + 1), row.y, to, row.y));
 }
