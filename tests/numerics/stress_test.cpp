@@ -90,7 +90,7 @@ StressRow row_of(Measured measured, Documented documented) {
 
 TEST(StressRow, IsAsDocumentedOnlyIfItIsWrongByTheSameCountAndSize) {
     const Measured measured{.wrong = 590, .unit = "row", .worst = 0.02356, .worst_unit = "px"};
-    const auto documented = [](std::uint64_t wrong, std::string_view worst) {
+    const auto documented = [](std::uint64_t wrong, const std::string& worst) {
         return Documented{.verdict = Verdict::wrong, .wrong = wrong, .worst = worst};
     };
     EXPECT_TRUE(is_as_documented(row_of(measured, documented(590, "0.024"))));

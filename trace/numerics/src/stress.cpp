@@ -3,12 +3,13 @@
 
 #include "stress_rows.h"
 
+#include <rastertrace/trace/text/text.h>
+
 #include <fmt/core.h>
 
 #include <algorithm>
 #include <array>
 #include <cctype>
-#include <charconv>
 #include <iterator>
 #include <utility>
 
@@ -30,12 +31,8 @@ int significant_digits(std::string_view number) {
 
 /// `value` written with as many digits as `like`, and read back.
 bool reads_as(double value, std::string_view like) {
-    const auto read = [](std::string_view text) {
-        double number = 0;
-        std::from_chars(text.data(), text.data() + text.size(), number);
-        return number;
-    };
-    return read(fmt::format("{:.{}g}", value, significant_digits(like))) == read(like);
+    return number_in<double>(fmt::format("{:.{}g}", value, significant_digits(like))) ==
+           number_in<double>(like);
 }
 
 } // namespace
@@ -130,19 +127,6 @@ std::string_view family_of(const StressCase& one) {
     return {};
 }
 
-std::span<const StressCase> stress_cases() {
-    static const std::vector<StressCase> cases = [] {
-        std::vector<StressCase> all;
-        for (auto* const family : {line_cases, scanline_cases, edge_function_cases, depth_cases,
-                                   pipeline_cases, stage_cases}) {
-            const std::span<const StressCase> some = family();
-            all.insert(all.end(), some.begin(), some.end());
-        }
-        return all;
-    }();
-    return cases;
-}
-
 const StressCase* find_stress_case(std::string_view id) {
     std::string upper;
     std::transform(id.begin(), id.end(), std::back_inserter(upper),
@@ -151,12 +135,6 @@ const StressCase* find_stress_case(std::string_view id) {
         if (one.id == upper)
             return &one;
     return nullptr;
-}
-
-std::vector<StressRow> rows_of(const StressCase& one, const StressOptions& options) {
-    StressRows rows(options);
-    one.run(rows);
-    return rows.take();
 }
 
 } // namespace rastertrace

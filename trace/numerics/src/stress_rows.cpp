@@ -4,7 +4,9 @@
 #include <rastertrace/core/draw/draw.h>
 #include <rastertrace/trace/record/write_trace.h>
 #include <rastertrace/trace/scene/scene_file.h>
+#include <rastertrace/trace/text/color_text.h>
 #include <rastertrace/trace/text/output.h>
+#include <rastertrace/trace/text/text.h>
 
 #include <fmt/core.h>
 
@@ -13,30 +15,88 @@
 
 namespace rastertrace {
 
+// Written by embed.cmake.
+std::string cases_json();
+std::string scenes_json();
+
 namespace {
 
-/// The words of a list that is separated by blanks.
-bool names(std::string_view list, std::string_view word) {
-    while (!list.empty()) {
-        const std::size_t end = std::min(list.find(' '), list.size());
-        if (list.substr(0, end) == word)
-            return true;
-        list.remove_prefix(std::min(end + 1, list.size()));
-    }
-    return false;
+/// One of the two files, parsed.
+struct Table {
+    explicit Table(std::string text)
+        : source{"stress", std::move(text)}, document(parse_json(source).value()) {}
+    Source source;
+    JsonDocument document;
+};
+
+const Table& cases_table() {
+    static const Table table(cases_json());
+    return table;
 }
 
-} // namespace
+const Table& scenes_table() {
+    static const Table table(scenes_json());
+    return table;
+}
 
-Documented documented_of(const DocumentedOfScalars& documented, std::string_view scalar) {
-    for (const DocumentedOf& one : documented)
-        if (one.scalars == "all" || names(one.scalars, scalar))
-            return one.documented;
-    return right();
+JsonValue member(const JsonValue& object, std::string_view key) {
+    return object.find(key).value();
+}
+
+JsonValue entry_of(const StressCase& one) {
+    return cases_table().document.root().elements()[one.place];
 }
 
 const std::vector<std::string_view>& scalar_names() {
     return find_method_key("scalar")->values;
+}
+
+bool is_scalar(std::string_view name) {
+    const auto& names = scalar_names();
+    return std::find(names.begin(), names.end(), name) != names.end();
+}
+
+/// The largest relative error of one correctly rounded operation: 2^-24 for float, 2^-53 for double, which is
+/// what `fixed` divides in.
+double rounding_unit(std::string_view scalar) {
+    return scalar == "float" ? 0x1p-24 : 0x1p-53;
+}
+
+/// {"wrong": 590, "worst": "0.024"}, {"within": 1e-9}, {"right": "the note"} or {"refused": "the message"}.
+Documented documented_in(const JsonValue& json, std::string_view scalar) {
+    Documented documented;
+    for (const auto& [key, value] : json.members()) {
+        if (key.text == "wrong") {
+            documented.verdict = Verdict::wrong;
+            documented.wrong = number_in<std::uint64_t>(value.text);
+        } else if (key.text == "within" || key.text == "within_units") {
+            documented.verdict = Verdict::within;
+            documented.bound =
+                number_in<double>(value.text) * (key.text == "within" ? 1 : rounding_unit(scalar));
+        } else if (key.text == "worst") {
+            documented.worst = value.text;
+        } else if (key.text == "refused") {
+            documented.verdict = Verdict::refused;
+            documented.note = value.text;
+        } else if (key.text == "right" || key.text == "note") {
+            documented.note = value.text;
+        }
+    }
+    return documented;
+}
+
+/// Z7: 4096 layers, the first of them red.
+std::string layers() {
+    std::string list;
+    for (int i = 0; i < 4096; ++i)
+        list += fmt::format(R"({}{{"vertices": "ABC", "name": "layer {}", "color": "{}"}})",
+                            i == 0 ? "" : ",\n    ", i + 1, i == 0 ? "red" : "blue");
+    return "[\n    " + list + "]";
+}
+
+void replace_all(std::string& text, std::string_view part, std::string_view by) {
+    for (auto at = text.find(part); at != std::string::npos; at = text.find(part, at + by.size()))
+        text.replace(at, part.size(), by);
 }
 
 Result<Scene> scene_in(std::string_view json, const MethodOverrides& method) {
@@ -46,55 +106,181 @@ Result<Scene> scene_in(std::string_view json, const MethodOverrides& method) {
     return std::move(planned.value().scene);
 }
 
+/// What a scene's picture must be.
+Colors exact_picture(const TableRow& row, const Scene& scene) {
+    if (row.has("reference"))
+        return clipped_picture(scene);
+    const auto pixels = row.json.find("picture");
+    if (!pixels)
+        return reference_picture(scene);
+    Colors picture(scene.canvas.area(), no_color);
+    for (const JsonValue& pixel : pixels->elements()) {
+        const JsonElements told = pixel.elements();
+        const auto place =
+            number_in<std::size_t>(told[1].text) * static_cast<std::size_t>(scene.canvas.width) +
+            number_in<std::size_t>(told[0].text);
+        picture[place] = *parse_color(told[2].text);
+    }
+    return picture;
+}
+
+/// Draws a scene with every scalar and compares each pixel with the exact picture. For `fixed` that
+/// is the picture of the vertices snapped to 1/256 pixel.
+void add_pictures(const TableRow& row, std::vector<StressRow>& rows) {
+    const std::string json = scene_text(row.text("scene"));
+    const std::string label = row.text("method");
+    Colors reference;
+    Colors on_grid;
+    if (const auto typed =
+            scene_in(json, row.method("exact", row.has("against") ? "against" : "by"))) {
+        reference = exact_picture(row, typed.value());
+        on_grid = exact_picture(row, snapped_to_grid(typed.value()));
+    }
+    if (row.has("pixels"))
+        rows.push_back(
+            {"reference",
+             label,
+             expected_count(drawn_in(reference), row.number<std::uint64_t>("pixels"), "pixel"),
+             {}});
+
+    for (const std::string_view scalar : scalar_names()) {
+        const auto measured = [&]() -> Measured {
+            const auto scene = scene_in(json, row.method(scalar));
+            if (!scene)
+                return {.is_refused = true, .note = scene.problem().message};
+            if (reference.empty())
+                return {.wrong = 1, .unit = "scene", .note = "it is drawn"};
+            const bool is_fixed = scene.value().method.scalar == ScalarKind::fixed;
+            const Image picture = draw(scene.value(), plan_for(scene.value()));
+            std::string note = counted(picture.drawn(), "pixel");
+            if (const auto moved = differing(on_grid, reference); is_fixed && moved > 0)
+                note += fmt::format("; the grid of 1/256 moves {}", moved);
+            return {.wrong = differing(picture.colors(), is_fixed ? on_grid : reference),
+                    .unit = "pixel",
+                    .note = note};
+        }();
+        rows.push_back({std::string(scalar), label, measured, documented_of(row, scalar)});
+    }
+}
+
+Measured measure_of(const TableRow& row, std::string_view scalar) {
+    const std::string name = row.text("measure");
+    for (auto* const family : {line_measures, scanline_measures, edge_function_measures,
+                               depth_measures, pipeline_measures, stage_measures})
+        for (const NamedMeasure& one : family())
+            if (one.name == name)
+                return one.measure(row, scalar);
+    return {.is_refused = true, .note = fmt::format("there is no measure \"{}\"", name)};
+}
+
+} // namespace
+
+std::string TableRow::text(std::string_view key) const {
+    const auto value = json.find(key);
+    return value ? value->text : "";
+}
+
+MethodOverrides TableRow::method(std::string_view scalar, std::string_view key) const {
+    MethodOverrides method;
+    if (const auto keys = json.find(key))
+        for (const auto& [name, value] : keys->members())
+            method.emplace_back(name.text, value.text);
+    if (is_scalar(scalar))
+        method.emplace_back("scalar", scalar);
+    return method;
+}
+
+Scene TableRow::scene(std::string_view scalar, std::string_view key,
+                      std::string_view method_key) const {
+    return readable_scene(scene_text(text(key)), method(scalar, method_key));
+}
+
+Trace TableRow::trace(std::string_view scalar, const std::vector<StepKind>& only) const {
+    return trace_of(scene(scalar), only);
+}
+
+Documented documented_of(const TableRow& row, std::string_view scalar) {
+    const auto verdict = row.json.find("verdict");
+    if (!verdict)
+        return {};
+    for (const auto& [scalars, documented] : verdict->members()) {
+        if (documented.kind != JsonValue::Kind::object)
+            return documented_in(*verdict, scalar);
+        const auto named = split_at(scalars.text, ' ');
+        if (scalars.text == "all" || std::find(named.begin(), named.end(), scalar) != named.end())
+            return documented_in(documented, scalar);
+    }
+    return {};
+}
+
+std::string scene_text(std::string_view name) {
+    const Table& table = scenes_table();
+    const auto as_typed = [&table](const JsonValue& value) {
+        return std::string(table.source.view().substr(value.begin, value.end() - value.begin));
+    };
+    const JsonValue scene = member(table.document.root(), name);
+    if (scene.kind == JsonValue::Kind::object)
+        return as_typed(scene);
+    std::string text;
+    int place = 0;
+    for (const JsonValue& part : scene.elements()) {
+        if (place == 0)
+            text = scene_text(part.text);
+        else if (part.text == "layers")
+            replace_all(text, R"("$1")", layers());
+        else
+            // A string is text of any kind, also what is no JSON.
+            replace_all(text, fmt::format(R"("${}")", place),
+                        part.kind == JsonValue::Kind::string ? part.text : as_typed(part));
+        ++place;
+    }
+    return text;
+}
+
 Scene readable_scene(std::string_view json, const MethodOverrides& method) {
     auto scene = scene_in(json, method);
     assert(scene && "the catalogue's own scenes can be read");
     return std::move(scene.value());
 }
 
-MethodOverrides with_scalar_named(MethodOverrides method, std::string_view scalar) {
-    method.emplace_back("scalar", scalar);
-    return method;
-}
-
-Result<Trace> trace_in(std::string_view json, const MethodOverrides& method,
-                       const std::vector<StepKind>& only) {
-    const auto scene = scene_in(json, method);
-    if (!scene)
-        return scene.problem();
-    Source trace{.name = "trace", .text = {}};
-    StringOutput output(trace.text);
+Trace trace_of(const Scene& scene, const std::vector<StepKind>& only) {
+    Source text{.name = "trace", .text = {}};
+    StringOutput output(text.text);
     TraceOptions options;
     if (!only.empty())
         options.filter.only = only;
-    write_trace(scene.value(), options, output);
-    return read_trace(std::move(trace));
+    write_trace(scene, options, output);
+    auto trace = read_trace(std::move(text));
+    assert(trace && "our own traces can be read");
+    return std::move(trace.value());
+}
+
+Measured expected_count(std::uint64_t found, std::uint64_t expected, std::string_view unit) {
+    const std::string count = counted(found, unit);
+    if (found == expected)
+        return {.note = count};
+    return {.wrong = 1, .note = fmt::format("{}, not {}", count, expected)};
+}
+
+Measured counted_as(const TableRow& row, std::uint64_t found) {
+    const std::string unit = row.text("unit");
+    if (row.has("expected"))
+        return expected_count(found, row.number<std::uint64_t>("expected"), unit);
+    return {.wrong = found, .unit = unit};
 }
 
 std::uint64_t count_of(const Trace& trace, StepKind kind) {
-    std::uint64_t count = 0;
-    for (std::size_t n = 1; n <= trace.size(); ++n)
-        count += trace.kind_of(n) == kind ? 1 : 0;
-    return count;
+    return trace.steps_of({kind}).size();
 }
 
 Colors drawn_picture(const Scene& scene) {
     return draw(scene, plan_for(scene)).colors();
 }
 
-Colors moved_picture(const Colors& picture, const Canvas& canvas, Index right, Index down) {
-    Colors moved(picture.size(), no_color);
-    const auto width = static_cast<Index>(canvas.width);
-    for (Index row = 0; row < canvas.height; ++row)
-        for (Index column = 0; column < width; ++column) {
-            const Index from_row = row - down;
-            const Index from_column = column - right;
-            if (0 <= from_row && from_row < canvas.height && 0 <= from_column &&
-                from_column < width)
-                moved[static_cast<std::size_t>(row * width + column)] =
-                    picture[static_cast<std::size_t>(from_row * width + from_column)];
-        }
-    return moved;
+Colors drawn_alone(const Scene& scene, std::size_t primitive) {
+    Scene alone = scene;
+    alone.primitives = {scene.primitives[primitive]};
+    return drawn_picture(alone);
 }
 
 std::uint64_t differing(const Colors& a, const Colors& b) {
@@ -110,6 +296,10 @@ std::uint64_t drawn_in(const Colors& picture) {
            static_cast<std::uint64_t>(std::count(picture.begin(), picture.end(), no_color));
 }
 
+std::uint64_t count_in(const CoveredPixels& covered) {
+    return static_cast<std::uint64_t>(std::count(covered.begin(), covered.end(), true));
+}
+
 std::uint64_t common_pixels(const CoveredPixels& a, const CoveredPixels& b) {
     std::uint64_t common = 0;
     for (std::size_t i = 0; i < a.size(); ++i)
@@ -117,58 +307,56 @@ std::uint64_t common_pixels(const CoveredPixels& a, const CoveredPixels& b) {
     return common;
 }
 
-void StressRows::add(std::string_view scalar, std::string_view method, Measured measured,
-                     const Documented& documented) {
-    rows_.push_back({std::string(scalar), std::string(method), std::move(measured), documented});
+std::vector<StressScene> StressCase::scenes() const {
+    std::vector<StressScene> scenes;
+    if (const auto named = entry_of(*this).find("scenes"))
+        for (const auto& [name, scene] : named->members())
+            scenes.push_back({name.text, scene_text(scene.text)});
+    return scenes;
 }
 
-void StressRows::expect_same(std::string_view scalar, std::string_view method, std::uint64_t found,
-                             std::uint64_t expected, std::string_view unit) {
-    add(scalar, method,
-        {.wrong = found == expected ? 0u : 1u,
-         .note = found == expected ? counted(found, unit)
-                                   : fmt::format("{}, not {}", counted(found, unit), expected)},
-        right());
-}
-
-void StressRows::add_pictures(std::string_view json, std::string_view label,
-                              const MethodOverrides& method, std::optional<std::uint64_t> pixels,
-                              const DocumentedOfScalars& documented, ReferenceOf reference_of) {
-    // The exact picture, of the vertices as typed and as `fixed` has them.
-    const Scene typed = readable_scene(json, with_scalar_named(method, "exact"));
-    const Colors reference = reference_of(typed);
-    const Colors on_grid = reference_of(snapped_to_grid(typed));
-    if (pixels)
-        expect_same("reference", label, drawn_in(reference), *pixels, "pixel");
-
-    for (const std::string_view scalar : scalar_names()) {
-        const Documented expected = documented_of(documented, scalar);
-        const auto scene = scene_in(json, with_scalar_named(method, scalar));
-        if (!scene) {
-            add(scalar, label, {.is_refused = true, .note = scene.problem().message}, expected);
-            continue;
+std::span<const StressCase> stress_cases() {
+    static const std::vector<StressCase> cases = [] {
+        std::vector<StressCase> all;
+        for (const JsonValue& entry : cases_table().document.root().elements()) {
+            const auto text = [&entry](std::string_view key) { return member(entry, key).text; };
+            all.push_back({.id = text("id"),
+                           .title = text("title"),
+                           .input = text("input"),
+                           .why = text("why"),
+                           .holds = text("holds"),
+                           .place = all.size()});
         }
-        const bool is_fixed = scene.value().method.scalar == ScalarKind::fixed;
-        const Image picture = draw(scene.value(), plan_for(scene.value()));
-        Measured measured{.wrong = differing(picture.colors(), is_fixed ? on_grid : reference),
-                          .unit = "pixel",
-                          .note = counted(picture.drawn(), "pixel")};
-        if (is_fixed)
-            if (const auto moved = differing(on_grid, reference))
-                measured.note += fmt::format("; the grid of 1/256 moves {}", moved);
-        add(scalar, label, std::move(measured), expected);
-    }
+        return all;
+    }();
+    return cases;
 }
 
-void StressRows::add_refusals(std::string_view json, std::string_view label,
-                              std::string_view message, const MethodOverrides& method) {
-    for (const std::string_view scalar : scalar_names()) {
-        const auto scene = scene_in(json, with_scalar_named(method, scalar));
-        add(scalar, label,
-            scene ? Measured{.wrong = 1, .unit = "scene", .note = "it is drawn"}
-                  : Measured{.is_refused = true, .note = scene.problem().message},
-            refused(message));
+std::vector<StressRow> rows_of(const StressCase& one, const StressOptions& options) {
+    std::vector<StressRow> rows;
+    const auto add = [&](const TableRow& row, std::string_view scalar) {
+        if (options.quick && row.has("slow") && scalar != scalar_names().front())
+            return;
+        rows.push_back({std::string(scalar), row.text("method"), measure_of(row, scalar),
+                        documented_of(row, scalar)});
+    };
+    for (const JsonValue& entry : member(entry_of(one), "rows").elements()) {
+        const TableRow row{entry};
+        const auto in_turn = entry.find("each");
+        if (row.has("scalar"))
+            add(row, row.text("scalar"));
+        else if (!in_turn && !row.has("measure"))
+            add_pictures(row, rows);
+        else
+            for (const std::string_view scalar : scalar_names()) {
+                if (!in_turn)
+                    add(row, scalar);
+                else
+                    for (const JsonValue& other : in_turn->elements())
+                        add({other}, scalar);
+            }
     }
+    return rows;
 }
 
 } // namespace rastertrace

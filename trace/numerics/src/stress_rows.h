@@ -1,7 +1,28 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// What the cases of the catalogue are made of: rows, and the ways to come by them.
+// The table of the catalogue, stress/cases.json, its scenes, stress/scenes.json, and what its rows are measured with.
+//
+// A row of the table gives one row of results for each scalar, or for the one that "scalar" names. "method" is
+// what it is called.
+//
+//     "scene", "by"     what is drawn, and keys of the method by which
+//     "pixels"          how many the exact picture has
+//     "against"         keys of the method of the exact picture, if they are others
+//     "picture"         the exact picture, as [column, row, color] of each pixel
+//     "reference"       "clipped": the exact picture is clipped_picture()
+//     "measure"         a function (NamedMeasure) in place of the comparison with the exact picture;
+//                       it reads further keys
+//     "expected", "unit"  the count that it must find
+//     "verdict"         what is documented of all scalars, or by their names, separated by blanks; what is not
+//                       named is right. "within_units" is a bound in roundings of one operation
+//     "slow"            `quick` has it with the first scalar only
+//     "source"          where a number comes from
+//
+// Rows in "each" take turns: all of them with one scalar, then with the next.
+//
+// A scene is an object, and printed as it is typed; or an array: the name of another scene, and what replaces "$1",
+// "$2", ... there. A string is pasted without its quotes, since NaN is no JSON; "layers" is the list of Z7's layers.
 
 #include "reference.h"
 
@@ -11,17 +32,18 @@
 #include <rastertrace/core/numbers/conversion.h>
 #include <rastertrace/core/numbers/interval.h>
 #include <rastertrace/core/raster/image.h>
+#include <rastertrace/core/raster/line.h>
 #include <rastertrace/numerics/stress.h>
 #include <rastertrace/trace/record/trace.h>
+#include <rastertrace/trace/text/json_document.h>
 #include <rastertrace/trace/text/method_names.h>
 #include <rastertrace/trace/text/problem.h>
 
+#include <charconv>
 #include <cmath>
 #include <concepts>
 #include <cstddef>
 #include <cstdint>
-#include <limits>
-#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -30,55 +52,95 @@
 
 namespace rastertrace {
 
-/// What is documented of some scalars. A scalar that is not named is right.
-struct DocumentedOf {
-    std::string_view scalars; ///< separated by blanks; "all" for every one
-    Documented documented;
-};
-using DocumentedOfScalars = std::vector<DocumentedOf>;
+/// A number of the table.
+template <typename Real> Real number_in(std::string_view text) {
+    Real number = 0;
+    std::from_chars(text.data(), text.data() + text.size(), number);
+    return number;
+}
 
-/// Documentation in few words.
-inline Documented right(std::string_view note = {}) {
-    return {.verdict = Verdict::right, .note = note};
-}
-inline Documented wrong(std::uint64_t count, std::string_view worst = {},
-                        std::string_view note = {}) {
-    return {.verdict = Verdict::wrong, .wrong = count, .worst = worst, .note = note};
-}
-inline Documented within(double bound) {
-    return {.verdict = Verdict::within, .bound = bound};
-}
-inline Documented refused(std::string_view message) {
-    return {.verdict = Verdict::refused, .note = message};
-}
+/// A row of the table.
+struct TableRow {
+    JsonValue json;
+
+    bool has(std::string_view key) const { return json.find(key).has_value(); }
+
+    /// "" if it does not have the key.
+    std::string text(std::string_view key) const;
+    template <typename Real = Index> Real number(std::string_view key) const {
+        return number_in<Real>(text(key));
+    }
+
+    /// Keys of a method. If `scalar` is one of the method's, it is set, too.
+    MethodOverrides method(std::string_view scalar, std::string_view key = "by") const;
+
+    /// The scene that it names, which can be read.
+    Scene scene(std::string_view scalar, std::string_view key = "scene",
+                std::string_view method_key = "by") const;
+
+    /// Its trace.
+    Trace trace(std::string_view scalar, const std::vector<StepKind>& only = {}) const;
+};
 
 /// What is documented of one scalar.
-Documented documented_of(const DocumentedOfScalars& documented, std::string_view scalar);
+Documented documented_of(const TableRow& row, std::string_view scalar);
 
-/// The values of the method's key `scalar`.
-const std::vector<std::string_view>& scalar_names();
-
-/// Reads a case's scene.
-Result<Scene> scene_in(std::string_view json, const MethodOverrides& method = {});
-
-/// The scenes of a case; of one that has only one.
-using Scenes = std::vector<StressScene>;
-inline Scenes only(std::string_view json) {
-    return {{"", std::string(json)}};
-}
+/// The text of a scene by its name.
+std::string scene_text(std::string_view name);
 
 /// A case's scene that can be read, whatever the scalar.
-Scene readable_scene(std::string_view json, const MethodOverrides& method = {});
+Scene readable_scene(std::string_view json, const MethodOverrides& method);
 
-/// Its scalar set.
-MethodOverrides with_scalar_named(MethodOverrides method, std::string_view scalar);
+/// The trace of a scene.
+Trace trace_of(const Scene& scene, const std::vector<StepKind>& only = {});
 
-/// Draws it and reads the trace back, or what kept it from being read.
-Result<Trace> trace_in(std::string_view json, const MethodOverrides& method = {},
-                       const std::vector<StepKind>& only = {});
+/// What a row finds with a scalar.
+struct NamedMeasure {
+    std::string_view name;
+    Measured (*measure)(const TableRow& row, std::string_view scalar);
+};
+std::span<const NamedMeasure> line_measures();
+std::span<const NamedMeasure> scanline_measures();
+std::span<const NamedMeasure> edge_function_measures();
+std::span<const NamedMeasure> depth_measures();
+std::span<const NamedMeasure> pipeline_measures();
+std::span<const NamedMeasure> stage_measures();
+
+/// Right if `found` is `expected`, and wrong by one otherwise.
+Measured expected_count(std::uint64_t found, std::uint64_t expected, std::string_view unit);
+
+/// The same by the row's "expected"; what has no such key is wrong by `found`.
+Measured counted_as(const TableRow& row, std::uint64_t found);
 
 /// How many steps of a trace are of a kind.
 std::uint64_t count_of(const Trace& trace, StepKind kind);
+
+/// A scene's picture.
+Colors drawn_picture(const Scene& scene);
+
+/// One of its primitives alone.
+Colors drawn_alone(const Scene& scene, std::size_t primitive);
+
+/// The reference of scenes that are cut at the near plane.
+Colors clipped_picture(const Scene& scene);
+
+/// How many pixels differ.
+std::uint64_t differing(const Colors& a, const Colors& b);
+
+/// How many pixels are drawn.
+std::uint64_t drawn_in(const Colors& picture);
+
+/// How many pixels are covered; in both.
+std::uint64_t count_in(const CoveredPixels& covered);
+std::uint64_t common_pixels(const CoveredPixels& a, const CoveredPixels& b);
+
+/// Calls `use.template operator()<Real>()` with the C++ type of a textbook's loop.
+template <typename Use> auto with_real(std::string_view scalar, Use&& use) {
+    return scalar == "float" ? use.template operator()<float>() : use.template operator()<double>();
+}
+template <typename Use> auto with_type(std::string_view scalar, Use&& use) {
+    return scalar == "exact" ? use.template operator()<Rational>() : with_real(scalar, use);
+}
 
 /// Calls `use.template operator()<Scalar>()`. What `adaptive` leaves open is done again with exact
 /// numbers, as in draw.h.
@@ -153,78 +215,10 @@ double relative_distance_from(const Rational& exact, const Scalar& value) {
     return distance_from(exact, value) / nearest_double(abs(exact));
 }
 
-/// The largest relative error of one correctly rounded operation: 2^-24 for float, 2^-53 for double,
-/// 0 for what is exact.
-template <typename Scalar> constexpr double rounding_unit() {
-    if constexpr (std::floating_point<Scalar>)
-        return static_cast<double>(std::numeric_limits<Scalar>::epsilon()) / 2;
-    else
-        return 0;
+/// A vertex at a place in whole pixels.
+inline GridPoint whole_place(const Scene& scene, std::size_t vertex) {
+    return {floor_index(scene.vertices[vertex].x.exact()),
+            floor_index(scene.vertices[vertex].y.exact())};
 }
-
-/// The rows of a case, as they are found.
-class StressRows {
-public:
-    explicit StressRows(const StressOptions& options) : options_(options) {}
-
-    bool is_quick() const { return options_.quick; }
-
-    void add(std::string_view scalar, std::string_view method, Measured measured,
-             const Documented& documented);
-
-    /// Adds a row for every scalar: `measure(scalar)` is what was found.
-    template <typename Measure>
-    void add_for_all(std::string_view method, const DocumentedOfScalars& documented,
-                     Measure&& measure) {
-        for (const std::string_view scalar : scalar_names())
-            add(scalar, method, measure(scalar), documented_of(documented, scalar));
-    }
-
-    /// Adds a row that is right if `found` is `expected`, and wrong by one otherwise.
-    void expect_same(std::string_view scalar, std::string_view method, std::uint64_t found,
-                     std::uint64_t expected, std::string_view unit);
-
-    /// Draws a scene with every scalar and compares each pixel with the reference. For `fixed` the
-    /// reference is that of the vertices snapped to 1/256 pixel. The reference must have
-    /// `pixels` pixels, if that is said.
-    using ReferenceOf = Colors (*)(const Scene& scene);
-    void add_pictures(std::string_view json, std::string_view label, const MethodOverrides& method,
-                      std::optional<std::uint64_t> pixels,
-                      const DocumentedOfScalars& documented = {},
-                      ReferenceOf reference = reference_picture);
-
-    /// Tries to read a scene with every scalar: it must be refused, with this in the message.
-    void add_refusals(std::string_view json, std::string_view label, std::string_view message,
-                      const MethodOverrides& method = {});
-
-    std::vector<StressRow> take() { return std::move(rows_); }
-
-private:
-    StressOptions options_;
-    std::vector<StressRow> rows_;
-};
-
-/// A scene's picture.
-Colors drawn_picture(const Scene& scene);
-
-/// A picture moved on its canvas; what was outside comes in empty.
-Colors moved_picture(const Colors& picture, const Canvas& canvas, Index right, Index down);
-
-/// How many pixels differ.
-std::uint64_t differing(const Colors& a, const Colors& b);
-
-/// How many pixels are drawn.
-std::uint64_t drawn_in(const Colors& picture);
-
-/// How many pixels are covered in both.
-std::uint64_t common_pixels(const CoveredPixels& a, const CoveredPixels& b);
-
-// The families: each a table at the end of its file, below one function for each case.
-std::span<const StressCase> line_cases();
-std::span<const StressCase> scanline_cases();
-std::span<const StressCase> edge_function_cases();
-std::span<const StressCase> depth_cases();
-std::span<const StressCase> pipeline_cases();
-std::span<const StressCase> stage_cases();
 
 } // namespace rastertrace

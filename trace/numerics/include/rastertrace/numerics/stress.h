@@ -14,6 +14,7 @@
 // (reference.h), or a number that exact arithmetic gives. What IEEE arithmetic does wrong is
 // documented by its count and must be wrong by just that.
 
+#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <string>
@@ -46,11 +47,10 @@ struct Measured {
 struct Documented {
     Verdict verdict = Verdict::right;
     std::uint64_t wrong = 0; ///< Verdict::wrong: exactly so many
-    std::string_view worst =
-        {};                     ///< Verdict::wrong: the largest error, to the digits written; "" if
-                                ///< it is not documented
-    double bound = 0;           ///< Verdict::within: the largest error is at most this
-    std::string_view note = {}; ///< the note holds this, whatever the verdict
+    std::string worst = {};  ///< Verdict::wrong: the largest error, to the digits written; "" if
+                             ///< it is not documented
+    double bound = 0;        ///< Verdict::within: the largest error is at most this
+    std::string note = {};   ///< the note holds this, whatever the verdict
 };
 
 /// One scalar and one method, and how they did.
@@ -82,18 +82,17 @@ struct StressScene {
     std::string json;
 };
 
-class StressRows;
-
-/// One entry of the catalogue.
+/// One entry of the catalogue, whose rows and scenes are in its table (stress/cases.json).
 struct StressCase {
-    std::string_view id;    ///< L1, S4, ...
-    std::string_view title; ///< at most 40 characters
-    std::string_view input;
-    std::string_view why;   ///< it is stiff or extreme
-    std::string_view holds; ///< what must hold, and what is documented not to
+    std::string id;    ///< L1, S4, ...
+    std::string title; ///< at most 40 characters
+    std::string input;
+    std::string why;       ///< it is stiff or extreme
+    std::string holds;     ///< what must hold, and what is documented not to
+    std::size_t place = 0; ///< in the table
+
     /// None: the case is a computation.
-    std::vector<StressScene> (*scenes)() = [] { return std::vector<StressScene>(); };
-    void (*run)(StressRows& rows);
+    std::vector<StressScene> scenes() const;
 };
 
 /// The families of the catalogue by the first letter of their cases' ids: "lines", ...
