@@ -3,8 +3,6 @@
 
 #include "stress_rows.h"
 
-#include <rastertrace/trace/text/text.h>
-
 #include <fmt/core.h>
 
 #include <algorithm>
