@@ -85,7 +85,7 @@ ExitStatus tell(const CheckCommand& command, ClaimsChecker& checker, std::option
             first ? *std::move(first) : load_scene_trace_or_claims(paths.front(), command.input)));
     else
         files = check_pile(command, checker, std::move(first), paths);
-    print(command.json ? check_json(files, command.told) : check_text(files, command.told));
+    print(command.json ? check_json(files, command.told).line() : check_text(files, command.told));
     const ExitStatus damage = checker.report();
     return damage == exit_fine ? status_of(files) : damage;
 }

@@ -6,6 +6,8 @@
 //     const CheckedFile file{.name = "anna.txt", .claims = claims, .checked = check(truth, claims)};
 //     check_text({file}, CheckTold::answers);  // "anna.txt:3: y=2: ... \n    left end: expected -1/4, found 0\n..."
 
+#include "app/json_text.h"
+
 #include <rastertrace/trace/check/check.h>
 #include <rastertrace/trace/check/claims.h>
 #include <rastertrace/trace/text/problem.h>
@@ -52,6 +54,6 @@ std::string counts_text(const Checked& checked);
 std::string check_text(const std::vector<CheckedFile>& files, CheckTold told);
 
 /// One object, or an array of them for several files.
-std::string check_json(const std::vector<CheckedFile>& files, CheckTold told);
+JsonText check_json(const std::vector<CheckedFile>& files, CheckTold told);
 
 } // namespace rastertrace

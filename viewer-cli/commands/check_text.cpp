@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <map>
+#include <optional>
 #include <set>
 #include <utility>
 
@@ -214,6 +215,97 @@ std::string frequent_slips(const std::vector<CheckedFile>& files) {
                : said("\nThe most likely slip of a sheet, and of how many sheets:\n") + text;
 }
 
+// JSON: docs/check.md describes the keys.
+
+/// {"left":"-1/4"}: a value of each field that is not as claimed.
+JsonText values_of(const CheckedClaim& claim, std::string CheckedField::*value) {
+    JsonText values{};
+    for (const CheckedField& field : claim.fields)
+        if (is_wrong(field.verdict))
+            values.add(field.name, field.*value);
+    return values;
+}
+
+std::vector<JsonText> slips_of(const CheckedClaim& claim) {
+    std::vector<JsonText> slips;
+    for (const CheckedField& field : claim.fields)
+        for (const LikelySlip& slip : field.slips)
+            slips.push_back(
+                JsonText{{"field", field.name}, {"name", slip.name}, {"meaning", slip.meaning}});
+    return slips;
+}
+
+/// The line of the first number that it goes on from.
+std::optional<std::size_t> follows_from(const CheckedClaim& claim) {
+    for (const CheckedField& field : claim.fields)
+        if (field.verdict == ClaimVerdict::follows)
+            return field.follows_from;
+    return std::nullopt;
+}
+
+/// Those of the claim, and those of its fields with their names.
+std::vector<std::string> all_remarks(const CheckedClaim& claim) {
+    std::vector<std::string> remarks = claim.remarks;
+    for (const CheckedField& field : claim.fields)
+        if (!field.remark.empty())
+            remarks.push_back(field.name + ": " + field.remark);
+    return remarks;
+}
+
+/// Adds where a claim is wrong, by which rule, and perhaps by which formula.
+void add_hints(JsonText& json, const CheckedClaim& claim, CheckTold told) {
+    std::vector<std::string> names;
+    std::vector<std::string_view> rules;
+    std::vector<std::string_view> formulas;
+    for (const CheckedField& field : claim.fields)
+        if (is_wrong(field.verdict)) {
+            names.push_back(field.name);
+            rules.push_back(field.rule);
+            formulas.push_back(field.formula);
+        }
+    if (told == CheckTold::verdicts || names.empty())
+        return;
+    json.add("wrong", names).add("rules", rules);
+    if (told == CheckTold::formula)
+        json.add("formulas", formulas);
+}
+
+JsonText json_of(const CheckedFile& file, const CheckedClaim& claim, CheckTold told) {
+    const Claim& claimed = file.claim_of(claim);
+    const bool is_open = claim.verdict == ClaimVerdict::open;
+    JsonText json{{"line", claimed.line},
+                  {"claim", claimed.text},
+                  {"right", is_open ? std::nullopt : std::optional(!is_wrong(claim.verdict))}};
+    if (told == CheckTold::answers)
+        json.add("verdict", name_of(claim.verdict))
+            .add("expected", values_of(claim, &CheckedField::expected))
+            .add("found", values_of(claim, &CheckedField::found))
+            .add("remarks", all_remarks(claim))
+            .add("working", claim.working)
+            .add("slips", slips_of(claim))
+            .add("follows_from", follows_from(claim))
+            .add("picture", claim.picture);
+    else
+        add_hints(json, claim, told);
+    return json;
+}
+
+JsonText json_of(const CheckedFile& file, CheckTold told) {
+    JsonText json{{"file", file.name}};
+    if (file.problem)
+        return json.add("problem", to_text(*file.problem));
+    if (!file.exercise.empty())
+        json.add("exercise", file.exercise);
+    const Checked& checked = file.checked;
+    return json.add("right", checked.right)
+        .add("wrong", checked.wrong)
+        .add("follow", checked.follow)
+        .add("open", checked.open)
+        .add("claims", JsonText::lines(checked.claims, [&](const CheckedClaim& claim) {
+                 return json_of(file, claim, told);
+             }));
+}
+
 } // namespace
 
 std::string_view name_of(ClaimVerdict verdict) {
@@ -244,6 +336,12 @@ std::string check_text(const std::vector<CheckedFile>& files, CheckTold told) {
     for (const CheckedFile& file : files)
         text += line_of_file(file, told);
     return told == CheckTold::answers ? text + frequent_slips(files) : text;
+}
+
+JsonText check_json(const std::vector<CheckedFile>& files, CheckTold told) {
+    if (files.size() == 1)
+        return json_of(files.front(), told);
+    return JsonText::lines(files, [told](const CheckedFile& file) { return json_of(file, told); });
 }
 
 } // namespace rastertrace

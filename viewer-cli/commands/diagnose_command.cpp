@@ -3,11 +3,11 @@
 
 #include "app/command.h"
 #include "app/command_words.h"
-#include "commands/explain_text.h"
 #include "app/load.h"
-#include "commands/mistake_list.h"
 #include "app/option_values.h"
 #include "app/shared_options.h"
+#include "commands/explain_text.h"
+#include "commands/mistake_list.h"
 
 #include <rastertrace/trace/diagnose/diagnosis.h>
 #include <rastertrace/trace/diagnose/tell_apart.h>
@@ -205,11 +205,10 @@ std::string headline(const AnsweredRule& answer, const Scene& asked) {
             answer.same.empty() ? "" : fmt::format(" ({})", answer.same.front()->says),
             instead.empty() ? "" : fmt::format("; the scene asks for {}", joined(instead, ", ")));
     for (const Mistake* const mistake : rule.mistakes)
-        text += fmt::format(
-            "{}{} {}: {}{}", text.empty() ? "" : "\n",
-            mistake->is_rule() ? "draws by the rule" : "makes the mistake", mistake->name,
-            mistake->says,
-            mistake->is_rule() ? "" : fmt::format("; right: {}", mistake->should));
+        text += fmt::format("{}{} {}: {}{}", text.empty() ? "" : "\n",
+                            mistake->is_rule() ? "draws by the rule" : "makes the mistake",
+                            mistake->name, mistake->says,
+                            mistake->is_rule() ? "" : fmt::format("; right: {}", mistake->should));
     return text;
 }
 
@@ -254,8 +253,8 @@ std::string details(const Diagnosis& found, const std::vector<DrawnPair>& pairs,
                         found.rows.empty() ? "" : "; it differs on " + rows_in_words(found.rows));
     for (const Mistake* const mistake : rule.mistakes)
         if (!mistake->is_rule())
-            text += fmt::format("  mend it     where the code has {}, write {}\n",
-                                mistake->says, mistake->should);
+            text += fmt::format("  mend it     where the code has {}, write {}\n", mistake->says,
+                                mistake->should);
     if (rule.mistakes.empty())
         text += "  mend it     draw as the scene asks, or say in the scene what is meant\n";
     text += fmt::format("  test        rastertrace {} {} {}\n",
@@ -364,7 +363,7 @@ ExitStatus list_mistakes(const std::string& name, bool json) {
     if (!name.empty() && one == nullptr)
         refuse_value("--list", "a name that `rastertrace diagnose --list` lists", name,
                      did_you_mean(name, names));
-    print(one != nullptr ? mistake_text(*one) : json ? mistakes_json() : mistakes_text());
+    print(one != nullptr ? mistake_text(*one) : json ? mistakes_json().line() : mistakes_text());
     return exit_fine;
 }
 

@@ -7,7 +7,6 @@
 #include "app/option_values.h"
 #include "app/progress.h"
 #include "app/shared_options.h"
-#include "commands/diff_json.h"
 #include "commands/diff_report.h"
 
 #include <rastertrace/trace/audit/redo.h>
@@ -159,7 +158,7 @@ TraceDiff diff_of_inputs(const std::string& path_a, const std::string& path_b,
 }
 
 ExitStatus tell(const DiffCommand& command, const TraceDiff& found) {
-    print(command.json ? diff_json(found)
+    print(command.json ? diff_json(found).line()
                        : diff_in_color(diff_text(found), output_colors(command.color)));
     for (const Problem& problem : found.damage)
         print_error(problem);

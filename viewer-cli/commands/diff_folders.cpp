@@ -3,7 +3,6 @@
 
 #include "app/load.h"
 #include "commands/diff_command.h"
-#include "commands/diff_json.h"
 #include "commands/diff_report.h"
 
 #include <rastertrace/trace/tell/step_text.h>
@@ -78,10 +77,10 @@ ExitStatus diff_folders(const DiffCommand& command) {
     const FilesOfBoth files = files_of(command.files);
     std::size_t differing = 0, unread = 0;
     std::string text;
-    std::vector<std::string> json;
-    const auto tell = [&](const std::string& name, std::string_view key, const std::string& value,
+    std::vector<JsonText> json;
+    const auto tell = [&](const std::string& name, std::string_view key, const JsonText& value,
                           const std::string& words) {
-        json.push_back(fmt::format("{{\"name\":{},\"{}\":{}}}", json_quoted(name), key, value));
+        json.push_back(JsonText{{"name", name}, {key, value}});
         text += fmt::format("{}: {}\n", printable(name), words);
     };
     for (const auto& [name, places] : files) {
@@ -92,7 +91,7 @@ ExitStatus diff_folders(const DiffCommand& command) {
         try {
             if (places != in_both) {
                 ++differing;
-                tell(name, "only", places[0] ? "\"a\"" : "\"b\"",
+                tell(name, "only", places[0] ? "a" : "b",
                      places[0] ? said("only in a") : said("only in b"));
             } else if (const TraceDiff found = diff_of_files(pair); !found.damage.empty()) {
                 throw found.damage.front();
@@ -107,18 +106,26 @@ ExitStatus diff_folders(const DiffCommand& command) {
                 throw;
             ++unread;
             print_error(problem);
-            tell(name, "problem", json_quoted(to_text(problem)), said("cannot be read"));
+            tell(name, "problem", to_text(problem), said("cannot be read"));
         }
+    }
+    const ExitStatus status = unread > 0      ? exit_bad_input
+                              : differing > 0 ? exit_difference
+                                              : exit_fine;
+    if (command.json) {
+        print(JsonText{{"compared", files.size()},
+                       {"differ", differing},
+                       {"unread", unread},
+                       {"files", JsonText::lines(json)}}
+                  .line());
+        return status;
     }
     text += said("{} compared, {}", files.size(), differing) +
             (differing == 1 ? said(" differs") : said(" differ"));
     if (unread > 0)
         text += said(", {} cannot be read", unread);
-    if (command.json)
-        text = fmt::format(R"({{"compared":{},"differ":{},"unread":{},"files":[{}]}})",
-                           files.size(), differing, unread, joined(json, ",\n"));
     print(text + "\n");
-    return unread > 0 ? exit_bad_input : differing > 0 ? exit_difference : exit_fine;
+    return status;
 }
 
 } // namespace rastertrace

@@ -6,6 +6,7 @@
 
 #include <rastertrace/trace/explain/explain.h>
 #include <rastertrace/trace/tell/step_text.h>
+#include <rastertrace/trace/text/color_text.h>
 #include <rastertrace/trace/text/text.h>
 
 #include <algorithm>
@@ -27,6 +28,77 @@ struct MarkRow {
 };
 constexpr std::array mark_rows{MarkRow{'!', of_a}, MarkRow{'?', of_b},
                                MarkRow{'~', Color(200, 120, 0)}};
+
+/// JSON of a trace; null where there is none.
+JsonText value_json(const std::string& value) {
+    return value.empty() ? JsonText(nullptr) : JsonText::of(json_printable(value));
+}
+
+JsonText field_json(const FieldDifference& field) {
+    JsonText json{{"field", field.name}, {"a", value_json(field.a)}, {"b", value_json(field.b)}};
+    return field.distance ? json.add("distance", *field.distance) : json;
+}
+
+JsonText step_json(const std::optional<DiffStep>& step) {
+    if (!step)
+        return nullptr;
+    return {{"number", step->number},
+            {"line", step->line == 0 ? std::nullopt : std::optional(step->line)},
+            {"step", value_json(step->json)},
+            {"sentence", step->sentence}};
+}
+
+JsonText first_json(const TraceDiff& found) {
+    if (!found.first)
+        return nullptr;
+    const StepDifference& first = *found.first;
+    const JsonText led_to{{"pixels", found.led_to.count},
+                          {"only_a", found.led_to.only_a},
+                          {"only_b", found.led_to.only_b},
+                          {"colors", found.led_to.colors},
+                          {"owners", found.led_to.owners}};
+    return {{"kind", first.kind},
+            {"primitive", first.primitive.empty() ? JsonText(nullptr) : first.primitive},
+            {"moved", first.is_moved},
+            {"a", step_json(first.a)},
+            {"b", step_json(first.b)},
+            {"fields", JsonText::list(first.fields, field_json)},
+            {"led_to", led_to}};
+}
+
+JsonText kind_json(const KindDifference& kind) {
+    const auto summary_json = [](const FieldSummary& field) {
+        return JsonText{{"field", field.name}, {"count", field.count}, {"largest", field.largest}};
+    };
+    return {{"kind", kind.kind},     {"changed", kind.changed},
+            {"only_a", kind.only_a}, {"only_b", kind.only_b},
+            {"moved", kind.moved},   {"fields", JsonText::list(kind.fields, summary_json)}};
+}
+
+JsonText owner_json(const std::optional<PixelOwner>& owner) {
+    if (!owner)
+        return nullptr;
+    return {{"primitive", owner->primitive}, {"color", to_text(owner->color)}};
+}
+
+JsonText pixel_json(const PixelDifference& one) {
+    return {
+        {"x", one.pixel.x}, {"y", one.pixel.y}, {"a", owner_json(one.a)}, {"b", owner_json(one.b)}};
+}
+
+JsonText picture_json(const std::optional<PictureDifference>& picture) {
+    if (!picture)
+        return nullptr;
+    return {{"only_a", picture->only_a},
+            {"only_b", picture->only_b},
+            {"colors", picture->colors},
+            {"owners", picture->owners},
+            {"pixels", JsonText::list(picture->pixels, pixel_json)},
+            {"left", picture->left},
+            {"top", picture->top},
+            {"down", picture->down},
+            {"rows", picture->rows}};
+}
 
 } // namespace
 
@@ -83,6 +155,23 @@ std::string diff_in_color(const std::string& text, ColorDepth colors) {
     }
     colored.pop_back();
     return colored;
+}
+
+JsonText diff_json(const TraceDiff& found) {
+    std::vector<FieldDifference> header = found.header;
+    header.insert(header.end(), found.end.begin(), found.end.end());
+    // What is missing of a trace that breaks off may differ.
+    const bool is_unknown = found.is_same && !found.damage.empty();
+    const auto problem_json = [](const Problem& problem) { return to_text(problem); };
+    return {{"same", is_unknown ? std::nullopt : std::optional(found.is_same)},
+            {"a", found.name_a},
+            {"b", found.name_b},
+            {"header", JsonText::list(header, field_json)},
+            {"first", first_json(found)},
+            {"kinds", JsonText::list(found.kinds, kind_json)},
+            {"picture", picture_json(found.picture)},
+            {"remarks", found.remarks},
+            {"damage", JsonText::list(found.damage, problem_json)}};
 }
 
 } // namespace rastertrace

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// What two traces do differently, for a terminal.
+// What two traces do differently, for a terminal and as JSON.
 //
 //     print(diff_in_color(diff_text(found), output_colors(ColorChoice::automatic)));
 
+#include "app/json_text.h"
 #include "frames/terminal_text.h"
 
 #include <rastertrace/trace/compare/diff.h>
@@ -28,5 +29,8 @@ std::string sentence_of(const std::optional<DiffStep>& step);
 
 /// What diff_text says with colors: a in red, b in green, and the marks of pictures.
 std::string diff_in_color(const std::string& text, ColorDepth colors);
+
+/// docs/diff.md describes the keys.
+JsonText diff_json(const TraceDiff& found);
 
 } // namespace rastertrace

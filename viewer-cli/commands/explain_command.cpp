@@ -60,7 +60,7 @@ ExitStatus tell(const ExplainCommand& command, const Trace& trace, const Trace* 
         other = {command.against, answer_there(*against, trace, command.question),
                  first_difference(trace, *against, command.question)};
     if (command.json) {
-        print(explanation_json(explanation, other));
+        print(explanation_json(explanation, other).line());
     } else {
         print(shortened(printable(trace.title), 79) + "\n");
         print(explanation_text(explanation));

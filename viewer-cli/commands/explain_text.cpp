@@ -132,6 +132,42 @@ std::string step_text(const std::string& who, const std::optional<Try>& step) {
                 : said("  {}  no such step\n", who);
 }
 
+/// The step as the trace has it, with what is said of it as more keys.
+JsonText try_json(const Try& one) {
+    JsonText json = JsonText::of(one.step.empty() ? "{}" : one.step);
+    json.add("number", one.number).add("sentence", one.sentence);
+    if (!one.primitive.empty())
+        json.add("primitive", one.primitive);
+    if (!one.before.empty())
+        json.add("before", one.before).add("after", one.after);
+    return json.add("working", one.working);
+}
+
+JsonText why_not_json(const WhyNot& why) {
+    return {{"primitive", why.primitive},
+            {"reason", why.reason},
+            {"sentence", why.sentence},
+            {"distance", why.distance},
+            {"working", why.working}};
+}
+
+JsonText edge_pixel_json(const PixelAlongEdge& one) {
+    return {{"x", one.pixel.x},
+            {"y", one.pixel.y},
+            {"owners", one.owners},
+            {"told", one.is_told},
+            {"why", one.why}};
+}
+
+/// Adds the keys of an answer.
+JsonText& add_answer(JsonText& json, const Explanation& explanation) {
+    return json.add("answer", explanation.answer)
+        .add("tries", JsonText::list(explanation.tries, try_json))
+        .add("why_not", JsonText::list(explanation.why_not, why_not_json))
+        .add("pixels", JsonText::list(explanation.pixels, edge_pixel_json))
+        .add("lacks", explanation.lacks);
+}
+
 } // namespace
 
 std::string explanation_text(const Explanation& explanation) {
@@ -149,6 +185,23 @@ std::string other_answer_text(const OtherAnswer& other) {
     return text + said("\nthe first decision that differs\n") +
            step_text(here, other.difference->one) +
            step_text(padded(method, columns_in(here)), other.difference->other);
+}
+
+JsonText explanation_json(const Explanation& explanation, const std::optional<OtherAnswer>& other) {
+    JsonText json{{"question", explanation.question}};
+    add_answer(json, explanation);
+    if (!other)
+        return json;
+    const auto step_or_null = [](const std::optional<Try>& step) {
+        return step ? try_json(*step) : nullptr;
+    };
+    JsonText against{{"method", other->method}};
+    json.add("against", add_answer(against, other->explanation));
+    const auto& difference = other->difference;
+    return json.add("first_difference", difference
+                                            ? JsonText{{"here", step_or_null(difference->one)},
+                                                       {"there", step_or_null(difference->other)}}
+                                            : nullptr);
 }
 
 } // namespace rastertrace

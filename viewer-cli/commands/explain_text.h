@@ -3,6 +3,8 @@
 
 // The answers of `rastertrace explain`, as text and as JSON.
 
+#include "app/json_text.h"
+
 #include <rastertrace/trace/explain/explain.h>
 
 #include <optional>
@@ -24,7 +26,6 @@ std::string explanation_text(const Explanation& explanation);
 std::string other_answer_text(const OtherAnswer& other);
 
 /// Both as one JSON object; docs/explain.md describes it.
-std::string explanation_json(const Explanation& explanation,
-                             const std::optional<OtherAnswer>& other);
+JsonText explanation_json(const Explanation& explanation, const std::optional<OtherAnswer>& other);
 
 } // namespace rastertrace

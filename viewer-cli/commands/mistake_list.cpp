@@ -7,7 +7,6 @@
 #include <fmt/core.h>
 
 #include <string>
-#include <string_view>
 
 namespace rastertrace {
 
@@ -19,9 +18,8 @@ std::string mistakes_text() {
 }
 
 std::string mistake_text(const Mistake& mistake) {
-    std::string text =
-        fmt::format("{}{}\n  it says   {}\n", mistake.name,
-                    mistake.is_rule() ? ", a rule of others" : "", mistake.says);
+    std::string text = fmt::format("{}{}\n  it says   {}\n", mistake.name,
+                                   mistake.is_rule() ? ", a rule of others" : "", mistake.says);
     if (!mistake.is_rule())
         text += fmt::format("  should    {}\n", mistake.should);
     text += fmt::format("  changes   {}\n  symptom   {}\n  source    {}\n", mistake.step,
@@ -31,18 +29,13 @@ std::string mistake_text(const Mistake& mistake) {
     return text;
 }
 
-std::string mistakes_json() {
-    std::string text = "{\"mistakes\":[";
-    std::string_view separator = "\n";
-    for (const Mistake& mistake : mistakes()) {
-        text += fmt::format(
-            R"({}{{"name":"{}","says":{},"should":{},"step":"{}","symptom":{},"source":{},"setting":"{}"}})",
-            separator, mistake.name, json_quoted(mistake.says),
-            json_quoted(mistake.should), mistake.step, json_quoted(mistake.symptom),
-            json_quoted(mistake.source), mistake.setting);
-        separator = ",\n";
-    }
-    return text + "\n]}\n";
+JsonText mistakes_json() {
+    return {{"mistakes", JsonText::lines(mistakes(), [](const Mistake& mistake) {
+                 return JsonText{{"name", mistake.name},       {"says", mistake.says},
+                                 {"should", mistake.should},   {"step", mistake.step},
+                                 {"symptom", mistake.symptom}, {"source", mistake.source},
+                                 {"setting", mistake.setting}};
+             })}};
 }
 
 } // namespace rastertrace

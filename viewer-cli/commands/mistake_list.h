@@ -3,6 +3,8 @@
 
 // The known mistakes of rasterizers, as `rastertrace diagnose --list` prints them.
 
+#include "app/json_text.h"
+
 #include <rastertrace/core/draw/model/mistakes.h>
 
 #include <string>
@@ -16,6 +18,6 @@ std::string mistakes_text();
 std::string mistake_text(const Mistake& mistake);
 
 /// All that is known of each.
-std::string mistakes_json();
+JsonText mistakes_json();
 
 } // namespace rastertrace

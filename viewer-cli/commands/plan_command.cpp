@@ -2,6 +2,7 @@
 // rastertrace plan: which stages a scene needs, and why.
 
 #include "app/command.h"
+#include "app/json_text.h"
 #include "app/load.h"
 #include "app/shared_options.h"
 
@@ -69,23 +70,25 @@ std::string as_text(const Scene& scene, const Plan& plan) {
     return text;
 }
 
-std::string as_json(const Scene& scene, const Plan& plan) {
-    std::string text = fmt::format(R"({{"title":{},"stages":[)", json_quoted(scene.title));
-    std::string_view separator;
-    for (const StageDecision& decision : plan.stages.decisions) {
-        text += fmt::format(R"({}{{"stage":"{}",)", separator, name_of(decision.stage));
-        if (!decision.plane.empty())
-            text += fmt::format(R"("plane":"{}",)", decision.plane);
-        text += fmt::format(R"("kept":{},"why":{},"saves":{{"bytes":{},"steps":{},"pixels":{}}}}})",
-                            decision.is_kept, json_quoted(decision.why), decision.saved.bytes,
-                            decision.saved.steps, decision.saved.pixels);
-        separator = ",";
-    }
-    text += "],\"rules\":[";
+JsonText json_of(const StageDecision& decision) {
+    JsonText json{{"stage", name_of(decision.stage)}};
+    if (!decision.plane.empty())
+        json.add("plane", decision.plane);
+    const Savings& saved = decision.saved;
+    return json.add("kept", decision.is_kept)
+        .add("why", decision.why)
+        .add("saves", {{"bytes", saved.bytes}, {"steps", saved.steps}, {"pixels", saved.pixels}});
+}
+
+JsonText json_of(const Scene& scene, const Plan& plan) {
+    std::vector<JsonText> rules;
     if (const ConventionRow* const row = row_of(scene.method.convention))
-        text += fmt::format(R"({{"rule":"convention","value":"{}","note":{}}})", row->name,
-                            json_quoted(note_on(*row, scene)));
-    return text + "]}\n";
+        rules.push_back(
+            JsonText{{"rule", "convention"}, {"value", row->name}, {"note", note_on(*row, scene)}});
+    return {{"title", scene.title},
+            {"stages", JsonText::list(plan.stages.decisions,
+                                      [](const auto& decision) { return json_of(decision); })},
+            {"rules", rules}};
 }
 
 } // namespace
@@ -95,7 +98,7 @@ int run(const PlanCommand& command) {
         load_scene(command.scene,
                    {.method = command.method, .limits = command.input, .frames = command.frames});
     scene.title = shown_title(scene.title, command.scene);
-    print(command.json ? as_json(scene, plan) : as_text(scene, plan));
+    print(command.json ? json_of(scene, plan).line() : as_text(scene, plan));
     return exit_fine;
 }
 

@@ -103,7 +103,7 @@ int run(const StatsCommand& command) {
         throw problem_of(command.trace, "--fail-on: expected a trace with all its steps, found one "
                                         "that steps were left out of");
     const Stats stats = stats_of(trace);
-    print(command.json ? stats_json(trace, stats) : stats_text(trace, stats));
+    print(command.json ? stats_json(trace, stats).line() : stats_text(trace, stats));
 
     std::vector<StatsFinding> found;
     for (const StatsFinding finding : command.fail_on)

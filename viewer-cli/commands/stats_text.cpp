@@ -196,6 +196,27 @@ std::string as_text(const std::vector<WrongRow>& rows) {
     return text;
 }
 
+JsonText json_of(const PixelList& pixels) {
+    return {{"count", pixels.count}, {"pixels", pixels.kept}};
+}
+
+JsonText json_of(const WrongRow& row) {
+    return {
+        {"step", row.step}, {"primitive", row.primitive}, {"y", row.y},          {"from", row.from},
+        {"to", row.to},     {"missing", row.missing},     {"others", row.others}};
+}
+
+JsonText json_of(const PrimitiveStats& primitive) {
+    JsonText json{{"kind", primitive.kind},     {"name", primitive.name},
+                  {"writes", primitive.writes}, {"pixels", primitive.pixels},
+                  {"over", primitive.over},     {"hidden", primitive.hidden}};
+    if (!primitive.skipped.empty())
+        json.add("skipped", primitive.skipped);
+    if (const auto& coverage = primitive.coverage)
+        json.add("holes", json_of(coverage->holes)).add("outside", json_of(coverage->outside));
+    return json;
+}
+
 } // namespace
 
 std::string stats_text(const Trace& trace, const Stats& stats) {
@@ -219,6 +240,34 @@ std::string stats_text(const Trace& trace, const Stats& stats) {
     if (trace.is_partial)
         text += "steps were left out when this trace was written; the counts are of those it has\n";
     return text;
+}
+
+JsonText stats_json(const Trace& trace, const Stats& stats) {
+    JsonText count{};
+    for (const auto& [kind, number] : stats.count)
+        count.add(kind, number);
+    JsonText json{{"title", trace.title},   {"steps", stats.steps},
+                  {"count", count},         {"canvas", stats.canvas},
+                  {"pixels", stats.pixels}, {"writes", stats.writes},
+                  {"frame", stats.frame},   {"frame_differs", stats.frame_differs}};
+    if (const auto& sample = stats.sample)
+        json.add("sample", {{"judged_by", sample->is_center ? "center" : "integer"},
+                            {"explains_all", sample->explains_all}});
+    const auto any_json = [](const auto& one) { return json_of(one); };
+    const auto edge_json = [&](const SharedEdge& edge) {
+        const std::vector<std::string> triangles{stats.primitives[edge.one].name,
+                                                 stats.primitives[edge.other].name};
+        return JsonText{{"edge", name_of(edge, stats, trace)},
+                        {"triangles", triangles},
+                        {"twice", json_of(edge.twice)},
+                        {"never", json_of(edge.never)}};
+    };
+    json.add("primitives", JsonText::list(stats.primitives, any_json))
+        .add("edges", JsonText::list(stats.edges, edge_json))
+        .add("wrong_rows", JsonText::list(stats.wrong_rows, any_json));
+    const bool has_depth = std::ranges::any_of(
+        stats.count, [](const auto& entry) { return entry.first == name_of(StepKind::depth); });
+    return has_depth ? json.add("depth_ties", json_of(stats.depth_ties)) : json;
 }
 
 } // namespace rastertrace

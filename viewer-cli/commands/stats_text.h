@@ -3,6 +3,8 @@
 
 // What a trace amounts to, as `rastertrace stats` prints it.
 
+#include "app/json_text.h"
+
 #include <rastertrace/trace/audit/stats.h>
 #include <rastertrace/trace/record/trace.h>
 
@@ -14,6 +16,6 @@ namespace rastertrace {
 std::string stats_text(const Trace& trace, const Stats& stats);
 
 /// The same as JSON, with everything one by one.
-std::string stats_json(const Trace& trace, const Stats& stats);
+JsonText stats_json(const Trace& trace, const Stats& stats);
 
 } // namespace rastertrace

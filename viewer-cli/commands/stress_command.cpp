@@ -3,7 +3,7 @@
 
 #include "app/command.h"
 #include "app/exit_status.h"
-#include "app/json_list.h"
+#include "app/json_text.h"
 #include "app/load.h"
 #include "app/option_values.h"
 #include "app/progress.h"
@@ -21,7 +21,6 @@
 #include <algorithm>
 #include <array>
 #include <atomic>
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
@@ -174,59 +173,54 @@ std::string as_text(const RunCase& one) {
 
 // JSON.
 
-/// A number that JSON can hold.
-std::string number_or_null(double value) {
-    return std::isfinite(value) ? fmt::format("{}", value) : "null";
-}
-
-std::string as_json(const Documented& documented) {
-    std::string text = fmt::format(R"({{"verdict":"{}")", name_of(documented.verdict));
+JsonText json_of(const Documented& documented) {
+    JsonText json{{"verdict", name_of(documented.verdict)}};
     if (documented.verdict == Verdict::wrong) {
-        text += fmt::format(R"(,"wrong":{})", documented.wrong);
+        json.add("wrong", documented.wrong);
         if (!documented.worst.empty())
-            text += fmt::format(R"(,"worst":{})", documented.worst);
+            json.add("worst", JsonText::of(std::string(documented.worst)));
     }
     if (documented.verdict == Verdict::within)
-        text += fmt::format(R"(,"bound":{})", number_or_null(documented.bound));
-    if (!documented.note.empty())
-        text += fmt::format(R"(,"note":{})", json_quoted(documented.note));
-    return text + "}";
+        json.add("bound", documented.bound);
+    return documented.note.empty() ? json : json.add("note", documented.note);
 }
 
-std::string as_json(const StressRow& row) {
+JsonText json_of(const StressRow& row) {
     const Measured& measured = row.measured;
-    std::string text = fmt::format(
-        R"({{"scalar":{},"method":{},"verdict":"{}","as_documented":{},"wrong":{},"unit":{})",
-        json_quoted(row.scalar), json_quoted(row.method), name_of(verdict_of(row)),
-        is_as_documented(row), measured.wrong, json_quoted(measured.unit));
+    JsonText json{{"scalar", row.scalar},
+                  {"method", row.method},
+                  {"verdict", name_of(verdict_of(row))},
+                  {"as_documented", is_as_documented(row)},
+                  {"wrong", measured.wrong},
+                  {"unit", measured.unit}};
     if (!measured.worst_unit.empty())
-        text += fmt::format(R"(,"worst":{},"worst_unit":{})", number_or_null(measured.worst),
-                            json_quoted(measured.worst_unit));
+        json.add("worst", measured.worst).add("worst_unit", measured.worst_unit);
     if (!measured.note.empty())
-        text += fmt::format(R"(,"{}":{})", measured.is_refused ? "message" : "note",
-                            json_quoted(measured.note));
-    return text + fmt::format(R"(,"documented":{}}})", as_json(row.documented));
+        json.add(measured.is_refused ? "message" : "note", measured.note);
+    return json.add("documented", json_of(row.documented));
 }
 
-std::string as_json(const RunCase& one) {
+JsonText json_of(const RunCase& one) {
     const StressCase& about = *one.about;
-    return fmt::format(
-        R"({{"id":{},"family":{},"title":{},"input":{},"why":{},"holds":{},"scenes":{},)"
-        R"("as_documented":{},"rows":{}}})",
-        json_quoted(about.id), json_quoted(family_of(about)), json_quoted(about.title),
-        json_quoted(about.input), json_quoted(about.why), json_quoted(about.holds),
-        list_json(about.scenes(), [](const StressScene& scene) { return json_quoted(scene.name); }),
-        one.failed() == 0, list_json(one.rows, [](const StressRow& row) { return as_json(row); }));
+    return {
+        {"id", about.id},
+        {"family", family_of(about)},
+        {"title", about.title},
+        {"input", about.input},
+        {"why", about.why},
+        {"holds", about.holds},
+        {"scenes", JsonText::list(about.scenes(), [](const auto& scene) { return scene.name; })},
+        {"as_documented", one.failed() == 0},
+        {"rows", JsonText::list(one.rows, [](const auto& row) { return json_of(row); })}};
 }
 
-std::string as_json(const std::vector<RunCase>& cases) {
+JsonText json_of(const std::vector<RunCase>& cases) {
     std::vector<std::string_view> failed;
     for (const RunCase& one : cases)
         if (one.failed() > 0)
             failed.push_back(one.about->id);
-    return fmt::format("{{\"cases\":{},\n\"failed\":{}}}\n",
-                       list_json(cases, [](const RunCase& one) { return "\n" + as_json(one); }),
-                       list_json(failed, json_quoted));
+    return {{"cases", JsonText::lines(cases, [](const auto& one) { return json_of(one); })},
+            {"failed", failed}};
 }
 
 // Which cases.
@@ -299,28 +293,27 @@ std::string as_text(const std::string& title, const std::vector<CliffGroup>& gro
     return text;
 }
 
-std::string as_json(const std::string& title, const std::vector<CliffGroup>& groups,
-                    const std::vector<ComparedPicture>& pictures) {
-    const auto cliff_as_json = [](const Cliff& cliff) {
-        return fmt::format(R"({{"where":{},"how_near":{}}})", json_quoted(cliff.where),
-                           json_quoted(cliff.how_near));
+JsonText json_of(const std::string& title, const std::vector<CliffGroup>& groups,
+                 const std::vector<ComparedPicture>& pictures) {
+    const auto cliff_json = [](const Cliff& cliff) {
+        return JsonText{{"where", cliff.where}, {"how_near", cliff.how_near}};
     };
-    const auto group_as_json = [&](const CliffGroup& group) {
-        return fmt::format(R"({{"cliff":"{}","meaning":{},"worst":{},"more":{}}})",
-                           name_of(group.kind), json_quoted(meaning_of(group.kind)),
-                           list_json(group.worst, cliff_as_json), group.more);
+    const auto group_json = [&](const CliffGroup& group) {
+        return JsonText{{"cliff", name_of(group.kind)},
+                        {"meaning", meaning_of(group.kind)},
+                        {"worst", JsonText::list(group.worst, cliff_json)},
+                        {"more", group.more}};
     };
-    const auto picture_as_json = [](const ComparedPicture& picture) {
-        std::string text = fmt::format(R"({{"scalar":{},)", json_quoted(picture.scalar));
+    const auto picture_json = [](const ComparedPicture& picture) {
+        JsonText json{{"scalar", picture.scalar}};
         if (!picture.refusal.empty())
-            return text + fmt::format(R"("refused":{}}})", json_quoted(picture.refusal));
-        text += fmt::format(R"("pixels":{},"differing":{})", picture.pixels, picture.differing);
-        if (picture.first)
-            text += fmt::format(R"(,"first":[{},{}])", picture.first->x, picture.first->y);
-        return text + "}";
+            return json.add("refused", picture.refusal);
+        json.add("pixels", picture.pixels).add("differing", picture.differing);
+        return picture.first ? json.add("first", *picture.first) : json;
     };
-    return fmt::format("{{\"title\":{},\"cliffs\":{},\"pictures\":{}}}\n", json_quoted(title),
-                       list_json(groups, group_as_json), list_json(pictures, picture_as_json));
+    return {{"title", title},
+            {"cliffs", JsonText::list(groups, group_json)},
+            {"pictures", JsonText::list(pictures, picture_json)}};
 }
 
 /// Looks at the user's own scene.
@@ -342,7 +335,8 @@ int look_at_scene(const StressCommand& command) {
         pictures = compared_pictures(source, command.method, command.input, command.frames);
     }
     const std::string title = shown_title(scene.title, command.scene);
-    print(command.json ? as_json(title, groups, pictures) : as_text(title, groups, pictures));
+    print(command.json ? json_of(title, groups, pictures).line()
+                       : as_text(title, groups, pictures));
     return exit_fine;
 }
 
@@ -365,7 +359,7 @@ int run_stress(const StressCommand& command) {
         }
     }
     if (command.json) {
-        print(as_json(cases));
+        print(json_of(cases).line());
     } else if (command.cases.empty()) {
         print(as_table(cases));
     } else {

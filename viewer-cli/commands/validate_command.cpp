@@ -2,16 +2,17 @@
 // `rastertrace validate`: whether files are scenes, traces or claims that can be used.
 
 #include "app/command.h"
+#include "app/json_text.h"
 #include "app/load.h"
 #include "app/option_values.h"
 #include "app/shared_options.h"
 
-#include <rastertrace/trace/check/schema.h>
 #include <rastertrace/core/draw/plan/stages.h>
 #include <rastertrace/trace/audit/redo.h>
 #include <rastertrace/trace/audit/stats_needs.h>
 #include <rastertrace/trace/check/check.h>
 #include <rastertrace/trace/check/claims.h>
+#include <rastertrace/trace/check/schema.h>
 #include <rastertrace/trace/record/trace.h>
 #include <rastertrace/trace/record/write_trace.h>
 #include <rastertrace/trace/scene/scene_file.h>
@@ -287,25 +288,26 @@ void print_text(const ValidatedFile& file) {
         print(fmt::format("{}: {}\n", printable(file.name), file.about));
 }
 
-std::string as_json(const std::vector<Problem>& problems) {
+JsonText json_of(const Problem& problem) {
     const auto number = [](std::size_t value) {
-        return value == 0 ? std::string("null") : fmt::format("{}", value);
+        return value == 0 ? std::nullopt : std::optional(value);
     };
-    std::vector<std::string> all;
-    for (const Problem& problem : problems)
-        all.push_back(fmt::format(R"({{"file":{},"line":{},"column":{},"message":{},"hint":{}}})",
-                                  json_quoted(problem.file), number(problem.line),
-                                  number(problem.column), json_quoted(problem.message),
-                                  json_quoted(problem.hint)));
-    return "[" + joined(all, ",") + "]";
+    return {{"file", problem.file},
+            {"line", number(problem.line)},
+            {"column", number(problem.column)},
+            {"message", problem.message},
+            {"hint", problem.hint}};
 }
 
-std::string as_json(const ValidatedFile& file) {
-    return fmt::format(
-        R"({{"file":{},"kind":{},"valid":{},"about":{},"problems":{},"all_told":{},"remarks":{}}})",
-        json_quoted(file.name), file.kind ? json_quoted(name_of(*file.kind)) : "null",
-        file.is_valid(), json_quoted(file.is_valid() ? file.about : ""), as_json(file.problems),
-        file.all_told(), as_json(file.remarks));
+JsonText json_of(const ValidatedFile& file) {
+    const auto problem_json = [](const Problem& problem) { return json_of(problem); };
+    return {{"file", file.name},
+            {"kind", file.kind ? JsonText(name_of(*file.kind)) : nullptr},
+            {"valid", file.is_valid()},
+            {"about", file.is_valid() ? file.about : ""},
+            {"problems", JsonText::list(file.problems, problem_json)},
+            {"all_told", file.all_told()},
+            {"remarks", JsonText::list(file.remarks, problem_json)}};
 }
 
 } // namespace
@@ -316,17 +318,17 @@ int run(const ValidateCommand& command) {
         return exit_fine;
     }
     bool all_valid = true;
-    std::vector<std::string> reports;
+    std::vector<JsonText> reports;
     for (const std::string& path : command.files) {
         const ValidatedFile file = validated(path, command);
         all_valid = all_valid && file.is_valid();
         if (command.json)
-            reports.push_back(as_json(file));
+            reports.push_back(json_of(file));
         else
             print_text(file);
     }
     if (command.json)
-        print("[" + joined(reports, ",\n") + "]\n");
+        print(JsonText::lines(reports).line());
     return all_valid ? exit_fine : exit_bad_input;
 }
 
