@@ -4,6 +4,7 @@
 // The options that many commands have: how a scene is drawn, how much is read, which frame.
 
 #include "app/command.h"
+#include "app/load.h"
 
 #include <rastertrace/trace/compare/diff.h>
 #include <rastertrace/trace/scene/scene_file.h>
@@ -105,11 +106,10 @@ public:
         frames_.add_to(options, without_frame);
     }
 
-    /// Sets `method`, `input` and `frames` of what a command is asked.
-    template <typename Asked> void read_into(Asked& asked) const {
-        asked.method = method_.overrides();
-        asked.input = input_.limits();
-        asked.frames = frames_.choice();
+    /// Throws a Problem.
+    SceneOptions scene_options() const {
+        return {
+            .method = method_.overrides(), .limits = input_.limits(), .frames = frames_.choice()};
     }
 
 private:

@@ -24,48 +24,6 @@ namespace rastertrace {
 
 namespace {
 
-struct CheckCommand {
-    std::vector<std::string>
-        files; ///< a scene or a trace, then claims; or claims that name their scenes
-    bool json = false;
-    CheckTold told = CheckTold::answers;
-    MethodOverrides method;
-    InputLimits input;
-    FrameChoice frames;
-};
-
-SceneOptions options_of(const CheckCommand& command) {
-    return {.method = command.method, .limits = command.input, .frames = command.frames};
-}
-
-/// Checks each file of a pile. One that cannot be read is told, and the others go on.
-std::vector<CheckedFile> check_pile(const CheckCommand& command, ClaimsChecker& checker,
-                                    std::optional<Source> first,
-                                    const std::vector<std::string>& paths) {
-    std::vector<CheckedFile> files;
-    const auto add = [&](const std::string& name, auto&& check_file) {
-        try {
-            files.push_back(check_file());
-            if (!command.json) { // a line needs only what is counted
-                files.back().claims = {};
-                files.back().checked.claims.clear();
-            }
-        } catch (const Problem& problem) {
-            if (problem.cause == Problem::Cause::system)
-                throw;
-            print_error(problem);
-            files.push_back({.name = name, .problem = problem});
-        }
-    };
-    if (first) {
-        const std::string name = first->name;
-        add(name, [&] { return checker.check(std::move(*first)); });
-    }
-    for (const std::string& path : paths)
-        add(path, [&] { return checker.check(load_scene_trace_or_claims(path, command.input)); });
-    return files;
-}
-
 ExitStatus status_of(const std::vector<CheckedFile>& files) {
     std::size_t problems = 0;
     std::size_t wrong = 0;
@@ -76,45 +34,7 @@ ExitStatus status_of(const std::vector<CheckedFile>& files) {
     return problems > 0 ? exit_bad_input : wrong > 0 ? exit_difference : exit_fine;
 }
 
-/// Checks the claims in `first`, if there are any, and in the files; prints what is found.
-ExitStatus tell(const CheckCommand& command, ClaimsChecker& checker, std::optional<Source> first,
-                const std::vector<std::string>& paths) {
-    std::vector<CheckedFile> files;
-    if (paths.size() + (first ? 1U : 0U) == 1)
-        files.push_back(checker.check(
-            first ? *std::move(first) : load_scene_trace_or_claims(paths.front(), command.input)));
-    else
-        files = check_pile(command, checker, std::move(first), paths);
-    print(command.json ? check_json(files, command.told).line() : check_text(files, command.told));
-    const ExitStatus damage = checker.report();
-    return damage == exit_fine ? status_of(files) : damage;
-}
-
-} // namespace
-
-int run(const CheckCommand& command) {
-    ClaimsChecker checker(options_of(command), [](const Problem& remark) { print_error(remark); });
-    Source first = load_scene_trace_or_claims(command.files.front(), command.input);
-
-    // The scene comes first, or the claims say which one it is.
-    std::vector<std::string> rest(command.files.begin() + 1, command.files.end());
-    const bool is_scene_named = is_claims(first);
-    const std::string first_name = first.name;
-    std::optional<Source> claims;
-    if (is_scene_named)
-        claims = std::move(first);
-    else
-        checker.hold_against(std::move(first)); // or tells why it is no scene, as of broken JSON
-    if (!is_scene_named && rest.empty())
-        throw problem_of(first_name, "expected claims behind the scene, found none",
-                         "rastertrace sheet SCENE writes a sheet to fill in");
-
-    return tell(command, checker, std::move(claims), rest);
-}
-
-namespace {
-
-class CheckCommandLine final : public Command {
+class CheckCommand final : public Command {
 public:
     CommandAbout about() const override {
         return {"check", "Say which line of a worked example is wrong, and why",
@@ -129,13 +49,13 @@ public:
     void add_to(OptionList& options) override {
         options
             .option(
-                "file", command_.files,
+                "file", files_,
                 "A scene or a trace, then files of claims, of which several get a line each; or "
                 "only claims that name their scenes; - for standard input",
                 "[SCENE] CLAIMS")
             .required();
         options.option("--format", format_, "How to print", "NAME").values({"text", "json"});
-        options.flag("--json", command_.json, "Short for --format json");
+        options.flag("--json", json_, "Short for --format json");
         OptionList told = options.one_of("Answers", "How much is given away");
         told.flag("--answers", has_answers_,
                   "The right numbers, their working, likely slips: the default");
@@ -157,31 +77,91 @@ public:
     }
 
     void read() override {
-        command_.json = is_json(format_, command_.json);
+        json_ = is_json(format_, json_);
         const std::vector<std::string_view> levels{"1", "2"};
         if (has_no_answers_)
-            command_.told = CheckTold::verdicts;
+            told_ = CheckTold::verdicts;
         else if (hint_)
-            command_.told =
+            told_ =
                 value_of<int>("--hint", *hint_, levels) == 1 ? CheckTold::formula : CheckTold::rule;
-        drawing_.read_into(command_);
+        scenes_ = drawing_.scene_options();
     }
 
-    int run() override { return rastertrace::run(command_); }
+    int run() override {
+        ClaimsChecker checker(scenes_, [](const Problem& remark) { print_error(remark); });
+        Source first = load_scene_trace_or_claims(files_.front(), scenes_.limits);
+
+        // The scene comes first, or the claims say which one it is.
+        const std::vector<std::string> rest(files_.begin() + 1, files_.end());
+        const bool is_scene_named = is_claims(first);
+        const std::string first_name = first.name;
+        std::optional<Source> claims;
+        if (is_scene_named)
+            claims = std::move(first);
+        else
+            checker.hold_against(
+                std::move(first)); // or tells why it is no scene, as of broken JSON
+        if (!is_scene_named && rest.empty())
+            throw problem_of(first_name, "expected claims behind the scene, found none",
+                             "rastertrace sheet SCENE writes a sheet to fill in");
+
+        std::vector<CheckedFile> files;
+        if (rest.size() + (claims ? 1U : 0U) == 1)
+            files.push_back(
+                checker.check(claims ? *std::move(claims)
+                                     : load_scene_trace_or_claims(rest.front(), scenes_.limits)));
+        else
+            files = check_pile(checker, std::move(claims), rest);
+        print(json_ ? check_json(files, told_).line() : check_text(files, told_));
+        const ExitStatus damage = checker.report();
+        return damage == exit_fine ? status_of(files) : damage;
+    }
 
 private:
-    CheckCommand command_;
+    /// Checks each file of a pile. One that cannot be read is told, and the others go on.
+    std::vector<CheckedFile> check_pile(ClaimsChecker& checker, std::optional<Source> first,
+                                        const std::vector<std::string>& paths) const {
+        std::vector<CheckedFile> files;
+        const auto add = [&](const std::string& name, auto&& check_file) {
+            try {
+                files.push_back(check_file());
+                if (!json_) { // a line needs only what is counted
+                    files.back().claims = {};
+                    files.back().checked.claims.clear();
+                }
+            } catch (const Problem& problem) {
+                if (problem.cause == Problem::Cause::system)
+                    throw;
+                print_error(problem);
+                files.push_back({.name = name, .problem = problem});
+            }
+        };
+        if (first) {
+            const std::string name = first->name;
+            add(name, [&] { return checker.check(std::move(*first)); });
+        }
+        for (const std::string& path : paths)
+            add(path,
+                [&] { return checker.check(load_scene_trace_or_claims(path, scenes_.limits)); });
+        return files;
+    }
+
+    std::vector<std::string>
+        files_; ///< a scene or a trace, then claims; or claims that name their scenes
     std::string format_;
+    bool json_ = false;
     bool has_answers_ = false;
     bool has_no_answers_ = false;
     std::optional<std::string> hint_;
+    CheckTold told_ = CheckTold::answers;
     DrawingOptions drawing_;
+    SceneOptions scenes_;
 };
 
 } // namespace
 
 std::unique_ptr<Command> check_command() {
-    return std::make_unique<CheckCommandLine>();
+    return std::make_unique<CheckCommand>();
 }
 
 } // namespace rastertrace

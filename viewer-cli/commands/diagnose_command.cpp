@@ -32,16 +32,6 @@ namespace rastertrace {
 
 namespace {
 
-struct DiagnoseCommand {
-    std::vector<std::string> files; ///< a scene, what was drawn of it, and so on; or a folder
-    DiagnoseOptions options;
-    std::string predicted; ///< a scene that is to be drawn as theirs would be
-    std::string folder;    ///< for scenes that tell rules apart
-    bool writes_probes = false;
-    std::vector<std::string> rules_apart; ///< two that a scene is to be found for
-    MethodOverrides method;               ///< of that scene
-};
-
 struct PairOfFiles {
     std::string scene;
     std::string theirs;
@@ -272,66 +262,6 @@ std::string explained_pixel(const Diagnosis& found, const PairOfFiles& files) {
                        explanation_text(explanation));
 }
 
-ExitStatus answer(const DiagnoseCommand& command) {
-    const std::vector<PairOfFiles> files = pairs_of(command.files);
-    std::vector<DrawnPair> pairs;
-    for (const PairOfFiles& pair : files)
-        pairs.push_back(drawn_pair(pair));
-    const Diagnosis found = diagnose(pairs, command.options);
-    if (!command.predicted.empty() && !found.answer.empty()) {
-        const auto drawn =
-            drawn_by(found.answer.front().rule, load_scene_source(command.predicted));
-        if (!drawn)
-            throw problem_of(command.predicted,
-                             fmt::format("expected a scene that can be drawn by {}, found another",
-                                         name_of(found.answer.front().rule)));
-        Picture picture{drawn->canvas().width, drawn->canvas().height, drawn->colors()};
-        std::string text;
-        for (const std::string& row : picture_rows(picture))
-            text += row + "\n";
-        print(text);
-        return found.is_as_asked() ? exit_fine : exit_difference;
-    }
-    if (found.is_as_asked()) {
-        const bool is_recolored = has_other_colors(pairs);
-        print(fmt::format("drawn as the scene asks{}\n{}", is_recolored ? ", in other colors" : "",
-                          remarks_on(pairs, files)));
-        return is_recolored ? exit_difference : exit_fine;
-    }
-    if (found.answer.empty()) {
-        print(fmt::format("nothing that I know: {} {} are not as the scene asks; the closest rule, "
-                          "{}, leaves {} wrong\n"
-                          "  see         rastertrace {} {} {}\n",
-                          found.differing, counted(pairs), name_of(*found.runner_up),
-                          found.unexplained, pairs.front().claims ? "check" : "diff",
-                          shell_word(files.front().scene), shell_word(files.front().theirs)) +
-              remarks_on(pairs, files));
-        return exit_difference;
-    }
-    const Scene asked = value_or_throw(read_scene(pairs[found.pair].scene)).scene;
-    std::string text = headline(found.answer.front(), asked) + "\n" + details(found, pairs, files);
-    if (found.pixel)
-        text += explained_pixel(found, files[found.pair]);
-    print(text);
-    return exit_difference;
-}
-
-ExitStatus write_probes(const DiagnoseCommand& command) {
-    make_folder(command.folder);
-    std::string text;
-    std::size_t number = 0;
-    for (const Source& scene : probe_scenes(command.options.jobs)) {
-        const std::string path =
-            (std::filesystem::path(command.folder) / fmt::format("probe-{:02}.json", ++number))
-                .string();
-        write_file(path, scene.text);
-        text += fmt::format("written: {}\n", printable(path));
-    }
-    print(text +
-          "Draw each with your renderer, as probe-01.png and so on, and diagnose the folder.\n");
-    return exit_fine;
-}
-
 Rule rule_in(const std::string& name) {
     if (name == "asked")
         return {};
@@ -341,33 +271,7 @@ Rule rule_in(const std::string& name) {
                  "a mistake, a convention, settings like rounding=truncate, or `asked`", name);
 }
 
-ExitStatus tell_apart(const DiagnoseCommand& command) {
-    const std::string& a = command.rules_apart[0];
-    const std::string& b = command.rules_apart[1];
-    const auto scene = scene_apart(rule_in(a), rule_in(b), command.method);
-    if (!scene) {
-        print_error(fmt::format(
-            "rastertrace: no scene found that {} and {} draw differently, in {} random ones\n",
-            printable(a), printable(b), most_seeds));
-        return exit_difference;
-    }
-    print(scene->text);
-    return exit_fine;
-}
-
-ExitStatus list_mistakes(const std::string& name, bool json) {
-    std::vector<std::string_view> names;
-    for (const Mistake& mistake : mistakes())
-        names.push_back(mistake.name);
-    const Mistake* const one = find_mistake(name);
-    if (!name.empty() && one == nullptr)
-        refuse_value("--list", "a name that `rastertrace diagnose --list` lists", name,
-                     did_you_mean(name, names));
-    print(one != nullptr ? mistake_text(*one) : json ? mistakes_json().line() : mistakes_text());
-    return exit_fine;
-}
-
-class DiagnoseCommandLine final : public Command {
+class DiagnoseCommand final : public Command {
 public:
     CommandAbout about() const override {
         return {
@@ -384,13 +288,13 @@ public:
     }
 
     void add_to(OptionList& options) override {
-        options.option("files", command_.files,
+        options.option("files", files_,
                        "A scene and what was drawn of it, pair by pair; or a folder", "FILE");
         options.option("--meant", meant_,
                        "What the scene's method is: scene, as it says, which it is if not given; "
                        "or any: nobody knows",
                        "NAME");
-        options.option("--predict", command_.predicted, "Print what they would draw of this scene",
+        options.option("--predict", predicted_, "Print what they would draw of this scene",
                        "SCENE");
         OptionList alone = options.one_of("Without what a renderer has drawn", "");
         list_ = alone
@@ -401,36 +305,34 @@ public:
                     .with_optional_value()
                     .names_of(NamesOf::mistakes);
         alone
-            .option("--tell-apart", command_.rules_apart,
+            .option("--tell-apart", rules_apart_,
                     "Print a small scene that two rules draw differently", "RULE RULE")
             .names_of(NamesOf::mistakes);
-        alone.flag("--probe", command_.writes_probes,
-                   "Write a few scenes that tell the known rules apart");
+        alone.flag("--probe", writes_probes_, "Write a few scenes that tell the known rules apart");
         options.flag("--json", json_, "Print the list as JSON");
-        options.option("-o", command_.folder, "Where to write the scenes; probes if not given",
-                       "FOLDER");
+        options.option("-o", folder_, "Where to write the scenes; probes if not given", "FOLDER");
         options.option("--jobs", jobs_, "Threads; one for each core if not given", "N");
         method_.add_to(options);
     }
 
     void read() override {
-        command_.options.jobs = usual_jobs();
+        options_.jobs = usual_jobs();
         if (const auto jobs = number_in_option<std::size_t>("--jobs", jobs_, 1, 1024))
-            command_.options.jobs = *jobs;
+            options_.jobs = *jobs;
         if (!meant_.empty() && meant_ != "scene" && meant_ != "any")
             refuse_value("--meant", "scene or any", meant_);
-        command_.options.any_convention = meant_ == "any";
-        if (command_.folder.empty())
-            command_.folder = "probes";
-        command_.method = method_.overrides();
-        const bool tells_apart = !command_.rules_apart.empty();
-        if (tells_apart && command_.rules_apart.size() != 2)
-            refuse_value("--tell-apart", "two rules", joined(command_.rules_apart, " "));
-        if (!tells_apart && !command_.method.empty())
+        options_.any_convention = meant_ == "any";
+        if (folder_.empty())
+            folder_ = "probes";
+        overrides_ = method_.overrides();
+        const bool tells_apart = !rules_apart_.empty();
+        if (tells_apart && rules_apart_.size() != 2)
+            refuse_value("--tell-apart", "two rules", joined(rules_apart_, " "));
+        if (!tells_apart && !overrides_.empty())
             throw problem_of("", "expected --tell-apart beside a choice of the method, found none",
                              "a scene says its method itself");
-        const bool is_alone = list_->is_given() || tells_apart || command_.writes_probes;
-        if (command_.files.empty() != is_alone)
+        const bool is_alone = list_->is_given() || tells_apart || writes_probes_;
+        if (files_.empty() != is_alone)
             throw problem_of("", is_alone
                                      ? "expected --list, --tell-apart or --probe alone, found "
                                        "files beside it"
@@ -439,26 +341,123 @@ public:
 
     int run() override {
         if (list_->is_given())
-            return list_mistakes(mistake_, json_);
-        if (!command_.rules_apart.empty())
-            return tell_apart(command_);
-        return command_.writes_probes ? write_probes(command_) : answer(command_);
+            return list_mistakes();
+        if (!rules_apart_.empty())
+            return tell_apart();
+        return writes_probes_ ? write_probes() : answer();
     }
 
 private:
-    DiagnoseCommand command_;
+    ExitStatus answer() const {
+        const std::vector<PairOfFiles> files = pairs_of(files_);
+        std::vector<DrawnPair> pairs;
+        for (const PairOfFiles& pair : files)
+            pairs.push_back(drawn_pair(pair));
+        const Diagnosis found = diagnose(pairs, options_);
+        if (!predicted_.empty() && !found.answer.empty()) {
+            const auto drawn = drawn_by(found.answer.front().rule, load_scene_source(predicted_));
+            if (!drawn)
+                throw problem_of(
+                    predicted_,
+                    fmt::format("expected a scene that can be drawn by {}, found another",
+                                name_of(found.answer.front().rule)));
+            Picture picture{drawn->canvas().width, drawn->canvas().height, drawn->colors()};
+            std::string text;
+            for (const std::string& row : picture_rows(picture))
+                text += row + "\n";
+            print(text);
+            return found.is_as_asked() ? exit_fine : exit_difference;
+        }
+        if (found.is_as_asked()) {
+            const bool is_recolored = has_other_colors(pairs);
+            print(fmt::format("drawn as the scene asks{}\n{}",
+                              is_recolored ? ", in other colors" : "", remarks_on(pairs, files)));
+            return is_recolored ? exit_difference : exit_fine;
+        }
+        if (found.answer.empty()) {
+            print(fmt::format(
+                      "nothing that I know: {} {} are not as the scene asks; the closest rule, "
+                      "{}, leaves {} wrong\n"
+                      "  see         rastertrace {} {} {}\n",
+                      found.differing, counted(pairs), name_of(*found.runner_up), found.unexplained,
+                      pairs.front().claims ? "check" : "diff", shell_word(files.front().scene),
+                      shell_word(files.front().theirs)) +
+                  remarks_on(pairs, files));
+            return exit_difference;
+        }
+        const Scene asked = value_or_throw(read_scene(pairs[found.pair].scene)).scene;
+        std::string text =
+            headline(found.answer.front(), asked) + "\n" + details(found, pairs, files);
+        if (found.pixel)
+            text += explained_pixel(found, files[found.pair]);
+        print(text);
+        return exit_difference;
+    }
+
+    ExitStatus write_probes() const {
+        make_folder(folder_);
+        std::string text;
+        std::size_t number = 0;
+        for (const Source& scene : probe_scenes(options_.jobs)) {
+            const std::string path =
+                (std::filesystem::path(folder_) / fmt::format("probe-{:02}.json", ++number))
+                    .string();
+            write_file(path, scene.text);
+            text += fmt::format("written: {}\n", printable(path));
+        }
+        print(
+            text +
+            "Draw each with your renderer, as probe-01.png and so on, and diagnose the folder.\n");
+        return exit_fine;
+    }
+
+    ExitStatus tell_apart() const {
+        const std::string& a = rules_apart_[0];
+        const std::string& b = rules_apart_[1];
+        const auto scene = scene_apart(rule_in(a), rule_in(b), overrides_);
+        if (!scene) {
+            print_error(fmt::format(
+                "rastertrace: no scene found that {} and {} draw differently, in {} random ones\n",
+                printable(a), printable(b), most_seeds));
+            return exit_difference;
+        }
+        print(scene->text);
+        return exit_fine;
+    }
+
+    ExitStatus list_mistakes() const {
+        std::vector<std::string_view> names;
+        for (const Mistake& mistake : mistakes())
+            names.push_back(mistake.name);
+        const Mistake* const one = find_mistake(mistake_);
+        if (!mistake_.empty() && one == nullptr)
+            refuse_value("--list", "a name that `rastertrace diagnose --list` lists", mistake_,
+                         did_you_mean(mistake_, names));
+        print(one != nullptr ? mistake_text(*one)
+              : json_        ? mistakes_json().line()
+                             : mistakes_text());
+        return exit_fine;
+    }
+
+    std::vector<std::string> files_; ///< a scene, what was drawn of it, and so on; or a folder
+    DiagnoseOptions options_;
+    std::string predicted_; ///< a scene that is to be drawn as theirs would be
+    std::string folder_;    ///< for scenes that tell rules apart
+    bool writes_probes_ = false;
+    std::vector<std::string> rules_apart_; ///< two that a scene is to be found for
     std::string meant_;
     std::string jobs_;
     std::string mistake_;
     bool json_ = false;
     std::optional<AddedOption> list_;
     MethodOptions method_;
+    MethodOverrides overrides_; ///< of that scene
 };
 
 } // namespace
 
 std::unique_ptr<Command> diagnose_command() {
-    return std::make_unique<DiagnoseCommandLine>();
+    return std::make_unique<DiagnoseCommand>();
 }
 
 } // namespace rastertrace

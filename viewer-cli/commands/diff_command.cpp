@@ -34,13 +34,6 @@ namespace rastertrace {
 
 namespace {
 
-SceneOptions options_of(const DiffCommand& command) {
-    return {.method = command.method,
-            .limits = command.input,
-            .frames = command.frames,
-            .is_quiet = command.is_quiet};
-}
-
 /// Marks, on one side, the sentences of steps that tell something else than their numbers give, as `show` does.
 void mark_wrong_sentences(Trace& trace, std::vector<DiffStep>& before,
                           std::optional<DiffStep>& differing, std::vector<DiffStep>& after) {
@@ -59,18 +52,18 @@ void mark_wrong_sentences(Trace& trace, std::vector<DiffStep>& before,
 /// What a picture shows otherwise than the trace or scene at `path` draws it, with the explanation of a pixel.
 TraceDiff diff_of_picture(const std::string& path, const Picture& picture,
                           const std::string& picture_path, bool is_picture_first,
-                          const DiffCommand& command) {
-    PictureDiffOptions how = picture_options(command.options);
-    how.name = picture_path;
-    how.is_picture_first = is_picture_first;
-    how.background = command.background;
-    Source source = load_input(path, command.input);
-    SceneOptions options = options_of(command);
+                          const FileComparison& how) {
+    PictureDiffOptions picture_how = picture_options(how.options);
+    picture_how.name = picture_path;
+    picture_how.is_picture_first = is_picture_first;
+    picture_how.background = how.background;
+    Source source = load_input(path, how.scenes.limits);
+    SceneOptions options = how.scenes;
     const bool is_drawn = !is_trace(source);
     if (!is_drawn)
         refuse_scene_options(source, options);
     TraceDiff found =
-        diff_with_picture(trace_to_compare(std::move(source), path, options), picture, how);
+        diff_with_picture(trace_to_compare(std::move(source), path, options), picture, picture_how);
     const std::uint64_t differing = count_pixels(found);
     if (differing == 0)
         return found;
@@ -83,8 +76,9 @@ TraceDiff diff_of_picture(const std::string& path, const Picture& picture,
             break;
         SceneOptions other = options;
         other.method.emplace_back("sample", sample);
-        const TraceDiff moved = diff_with_picture(
-            trace_to_compare(load_input(path, command.input), path, other), picture, how);
+        const TraceDiff moved =
+            diff_with_picture(trace_to_compare(load_input(path, how.scenes.limits), path, other),
+                              picture, picture_how);
         if (const std::uint64_t left = count_pixels(moved); left * explains <= differing)
             found.remarks.push_back(
                 said("with --sample {}: then {}", sample,
@@ -95,12 +89,12 @@ TraceDiff diff_of_picture(const std::string& path, const Picture& picture,
 
 /// Compares two traces or scenes. Options that say how to draw are about those that are scenes.
 TraceDiff diff_of_traces(const std::string& path_a, const std::string& path_b,
-                         const DiffCommand& command) {
+                         const FileComparison& how) {
     if (path_a == "-" && path_b == "-")
         throw problem_of("standard input", "expected one of the two there, found both");
-    Source source_a = load_input(path_a, command.input);
-    Source source_b = load_input(path_b, command.input);
-    const SceneOptions options = options_of(command);
+    Source source_a = load_input(path_a, how.scenes.limits);
+    Source source_b = load_input(path_b, how.scenes.limits);
+    const SceneOptions& options = how.scenes;
     const bool draws_a = !is_trace(source_a);
     const bool draws_b = !is_trace(source_b);
     if (!draws_a && !draws_b)
@@ -109,14 +103,14 @@ TraceDiff diff_of_traces(const std::string& path_a, const std::string& path_b,
                                    draws_a ? path_b : path_a, options);
     // A foreign trace, which says nothing of stages, may tell what the scene does not need.
     SceneOptions other_options = options;
-    if (command.options.compares_common && draws_a != draws_b &&
+    if (how.options.compares_common && draws_a != draws_b &&
         given.header_json.find("\"stages\"") == std::string::npos)
         std::ranges::copy(every_stage_kept(), std::back_inserter(other_options.method));
     Trace other = trace_to_compare(std::move(draws_a ? source_a : source_b),
                                    draws_a ? path_a : path_b, other_options);
     Trace& a = draws_a ? other : given;
     Trace& b = draws_a ? given : other;
-    TraceDiff found = diff(a, b, command.options);
+    TraceDiff found = diff(a, b, how.options);
     if (found.first) {
         mark_wrong_sentences(a, found.before_a, found.first->a, found.after_a);
         mark_wrong_sentences(b, found.before_b, found.first->b, found.after_b);
@@ -124,81 +118,37 @@ TraceDiff diff_of_traces(const std::string& path_a, const std::string& path_b,
     return found;
 }
 
-/// Compares a scene with itself, drawn by another method.
-TraceDiff diff_of_methods(const DiffCommand& command) {
-    const std::string& path = command.files.front();
-    if (path == "-")
-        throw problem_of("standard input", "expected a file with --against, which reads it twice");
-    DiffCommand other = command;
-    const auto changes = value_or_throw(parse_method({"--against", command.against}));
-    other.method.insert(other.method.end(), changes.begin(), changes.end());
-    const auto trace_by = [&path](const DiffCommand& method) {
-        Source source = load_input(path, method.input);
-        if (is_trace(source))
-            refuse_scene_options(source, options_of(method));
-        return trace_to_compare(std::move(source), path, options_of(method));
-    };
-    // That the method differs is what was asked for.
-    other.options.ignored.emplace_back("header");
-    TraceDiff found = diff(trace_by(command), trace_by(other), other.options);
-    found.name_b += said(" with {}", command.against);
-    return found;
-}
-
 /// Compares two files of any kind.
 TraceDiff diff_of_inputs(const std::string& path_a, const std::string& path_b,
-                         const DiffCommand& command) {
-    const auto a = picture_in_file(path_a, command.input);
-    const auto b = picture_in_file(path_b, command.input);
+                         const FileComparison& how) {
+    const auto a = picture_in_file(path_a, how.scenes.limits);
+    const auto b = picture_in_file(path_b, how.scenes.limits);
     if (a && !b)
-        return diff_of_picture(path_b, *a, path_a, true, command);
+        return diff_of_picture(path_b, *a, path_a, true, how);
     if (b && !a)
-        return diff_of_picture(path_a, *b, path_b, false, command);
-    return diff_of_traces(path_a, path_b, command);
-}
-
-ExitStatus tell(const DiffCommand& command, const TraceDiff& found) {
-    print(command.json ? diff_json(found).line()
-                       : diff_in_color(diff_text(found), output_colors(command.color)));
-    for (const Problem& problem : found.damage)
-        print_error(problem);
-    if (!found.damage.empty())
-        return exit_bad_input;
-    return found.is_same ? exit_fine : exit_difference;
+        return diff_of_picture(path_a, *b, path_b, false, how);
+    return diff_of_traces(path_a, path_b, how);
 }
 
 } // namespace
 
-TraceDiff diff_of_files(const DiffCommand& command) {
-    TraceDiff found = diff_of_inputs(command.files[0], command.files[1], command);
+TraceDiff diff_of_files(const std::string& path_a, const std::string& path_b,
+                        const FileComparison& how) {
+    TraceDiff found = diff_of_inputs(path_a, path_b, how);
     if (!found.is_same && found.damage.empty())
-        for (const std::string& other : other_goldens(command.files[0]))
-            if (TraceDiff accepted = diff_of_inputs(other, command.files[1], command);
+        for (const std::string& other : other_goldens(path_a))
+            if (TraceDiff accepted = diff_of_inputs(other, path_b, how);
                 accepted.is_same && accepted.damage.empty()) {
-                accepted.remarks.push_back(said("{} is accepted besides {}", printable(other),
-                                                printable(command.files[0])));
+                accepted.remarks.push_back(
+                    said("{} is accepted besides {}", printable(other), printable(path_a)));
                 return accepted;
             }
     return found;
 }
 
-int run(const DiffCommand& command) {
-    if (!command.against.empty())
-        return tell(command, diff_of_methods(command));
-    std::error_code error;
-    if (std::filesystem::is_directory(command.files[0], error))
-        return diff_folders(command);
-    if (error && cause_of_open_error(error.value()) == Problem::Cause::system)
-        throw problem_of_system(command.files[0], "could not be read", error.value());
-    std::optional<Progress> progress(std::in_place, reading_of("diff", command.files));
-    const TraceDiff found = diff_of_files(command);
-    progress.reset();
-    return tell(command, found);
-}
-
 namespace {
 
-class DiffCommandLine final : public Command {
+class DiffCommand final : public Command {
 public:
     CommandAbout about() const override {
         return {"diff", "Say what two traces do differently",
@@ -211,51 +161,99 @@ public:
 
     void add_to(OptionList& options) override {
         options
-            .option("traces", command_.files,
+            .option("traces", files_,
                     "Two traces, or scenes, which are drawn first; - for standard input; or two "
                     "folders of them",
                     "A B")
             .required();
-        options.option("--against", command_.against,
+        options.option("--against", against_,
                        "Compare the only scene with itself, drawn by another method, like "
                        "scalar=double",
                        "METHOD");
         comparison_.add_to(options);
         options.option("--format", format_, "How to print", "NAME").values({"text", "json"});
-        options.flag("--json", command_.json, "Short for --format json");
-        options.option("--color", color_, "Colors", "WHEN").values(color_choices);
+        options.flag("--json", json_, "Short for --format json");
+        options.option("--color", color_name_, "Colors", "WHEN").values(color_choices);
         options.language();
         drawing_.add_to(options, Holds::steps);
     }
 
     void read() override {
-        command_.json = is_json(format_, command_.json);
-        command_.color = color_choice_of(color_);
-        command_.options = comparison_.options();
-        command_.background = comparison_.background();
-        drawing_.read_into(command_);
-        const std::size_t count = command_.files.size();
-        if (count != (command_.against.empty() ? 2 : 1))
+        json_ = is_json(format_, json_);
+        color_ = color_choice_of(color_name_);
+        how_.options = comparison_.options();
+        how_.background = comparison_.background();
+        how_.scenes = drawing_.scene_options();
+        const std::size_t count = files_.size();
+        if (count != (against_.empty() ? 2 : 1))
             throw problem_of(
-                "", fmt::format("diff: expected {}, found {}",
-                                command_.against.empty() ? "two files" : "one scene with --against",
-                                count));
+                "",
+                fmt::format("diff: expected {}, found {}",
+                            against_.empty() ? "two files" : "one scene with --against", count));
     }
 
-    int run() override { return rastertrace::run(command_); }
+    int run() override {
+        if (!against_.empty())
+            return tell(diff_of_methods());
+        std::error_code error;
+        if (std::filesystem::is_directory(files_[0], error))
+            return diff_folders(files_, how_, json_, color_);
+        if (error && cause_of_open_error(error.value()) == Problem::Cause::system)
+            throw problem_of_system(files_[0], "could not be read", error.value());
+        std::optional<Progress> progress(std::in_place, reading_of("diff", files_));
+        const TraceDiff found = diff_of_files(files_[0], files_[1], how_);
+        progress.reset();
+        return tell(found);
+    }
 
 private:
-    DiffCommand command_;
+    /// Compares a scene with itself, drawn by another method.
+    TraceDiff diff_of_methods() const {
+        const std::string& path = files_.front();
+        if (path == "-")
+            throw problem_of("standard input",
+                             "expected a file with --against, which reads it twice");
+        FileComparison other = how_;
+        std::ranges::copy(value_or_throw(parse_method({"--against", against_})),
+                          std::back_inserter(other.scenes.method));
+        const auto trace_by = [&path](const SceneOptions& scenes) {
+            Source source = load_input(path, scenes.limits);
+            if (is_trace(source))
+                refuse_scene_options(source, scenes);
+            return trace_to_compare(std::move(source), path, scenes);
+        };
+        // That the method differs is what was asked for.
+        other.options.ignored.emplace_back("header");
+        TraceDiff found = diff(trace_by(how_.scenes), trace_by(other.scenes), other.options);
+        found.name_b += said(" with {}", against_);
+        return found;
+    }
+
+    ExitStatus tell(const TraceDiff& found) const {
+        print(json_ ? diff_json(found).line()
+                    : diff_in_color(diff_text(found), output_colors(color_)));
+        for (const Problem& problem : found.damage)
+            print_error(problem);
+        if (!found.damage.empty())
+            return exit_bad_input;
+        return found.is_same ? exit_fine : exit_difference;
+    }
+
+    std::vector<std::string> files_; ///< two scenes or traces; or one scene, and `against_`
+    std::string against_;            ///< METHOD: the only scene, drawn by another one
     ComparisonOptions comparison_;
+    FileComparison how_;
     std::string format_;
-    std::string color_;
+    bool json_ = false;
+    std::string color_name_;
+    ColorChoice color_ = ColorChoice::automatic;
     DrawingOptions drawing_;
 };
 
 } // namespace
 
 std::unique_ptr<Command> diff_command() {
-    return std::make_unique<DiffCommandLine>();
+    return std::make_unique<DiffCommand>();
 }
 
 } // namespace rastertrace

@@ -73,8 +73,10 @@ std::string indented(const std::string& text) {
 
 } // namespace
 
-ExitStatus diff_folders(const DiffCommand& command) {
-    const FilesOfBoth files = files_of(command.files);
+ExitStatus diff_folders(const std::vector<std::string>& folders, FileComparison how, bool as_json,
+                        ColorChoice color) {
+    how.scenes.is_quiet = true;
+    const FilesOfBoth files = files_of(folders);
     std::size_t differing = 0, unread = 0;
     std::string text;
     std::vector<JsonText> json;
@@ -84,21 +86,21 @@ ExitStatus diff_folders(const DiffCommand& command) {
         text += fmt::format("{}: {}\n", printable(name), words);
     };
     for (const auto& [name, places] : files) {
-        DiffCommand pair = command;
-        pair.is_quiet = true;
-        for (std::string& path : pair.files)
-            path = (std::filesystem::path(path) / name).string();
+        std::vector<std::string> paths;
+        for (const std::string& folder : folders)
+            paths.push_back((std::filesystem::path(folder) / name).string());
         try {
             if (places != in_both) {
                 ++differing;
                 tell(name, "only", places[0] ? "a" : "b",
                      places[0] ? said("only in a") : said("only in b"));
-            } else if (const TraceDiff found = diff_of_files(pair); !found.damage.empty()) {
+            } else if (const TraceDiff found = diff_of_files(paths[0], paths[1], how);
+                       !found.damage.empty()) {
                 throw found.damage.front();
             } else if (!found.is_same) {
                 ++differing;
                 const std::string lines =
-                    diff_in_color(without_kinds(diff_text(found)), output_colors(command.color));
+                    diff_in_color(without_kinds(diff_text(found)), output_colors(color));
                 tell(name, "diff", diff_json(found), diff_summary(found) + "\n" + indented(lines));
             }
         } catch (const Problem& problem) {
@@ -112,7 +114,7 @@ ExitStatus diff_folders(const DiffCommand& command) {
     const ExitStatus status = unread > 0      ? exit_bad_input
                               : differing > 0 ? exit_difference
                                               : exit_fine;
-    if (command.json) {
+    if (as_json) {
         print(JsonText{{"compared", files.size()},
                        {"differ", differing},
                        {"unread", unread},

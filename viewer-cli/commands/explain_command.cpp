@@ -24,24 +24,6 @@ namespace rastertrace {
 
 namespace {
 
-struct ExplainCommand {
-    std::string trace;
-    Question question;
-    std::string against; ///< METHOD: the same question under another one; empty: none
-    bool json = false;
-    MethodOverrides method;
-    InputLimits input;
-    FrameChoice frames;
-};
-
-/// The trace of the scene drawn by the method that --against names.
-Trace trace_against(const ExplainCommand& command, const InputFrames& input) {
-    const auto changes = value_or_throw(parse_method({"--against", command.against}));
-    MethodOverrides method = command.method;
-    method.insert(method.end(), changes.begin(), changes.end());
-    return input.trace_by(input.first(), method);
-}
-
 /// What the trace drawn by another method answers; that it has no answer is one too.
 Explanation answer_there(const Trace& against, const Trace& trace, const Question& question) {
     const auto same = question_for(against, trace, question);
@@ -51,41 +33,6 @@ Explanation answer_there(const Trace& against, const Trace& trace, const Questio
     return answer ? std::move(answer.value())
                   : Explanation{.answer = said("no answer: {}", answer.problem().message)};
 }
-
-/// Answers the question, and once more with the trace drawn by another method, if there is one.
-ExitStatus tell(const ExplainCommand& command, const Trace& trace, const Trace* against = nullptr) {
-    const Explanation explanation = value_or_throw(explain(trace, command.question));
-    std::optional<OtherAnswer> other;
-    if (against != nullptr)
-        other = {command.against, answer_there(*against, trace, command.question),
-                 first_difference(trace, *against, command.question)};
-    if (command.json) {
-        print(explanation_json(explanation, other).line());
-    } else {
-        print(shortened(printable(trace.title), 79) + "\n");
-        print(explanation_text(explanation));
-        if (other)
-            print(other_answer_text(*other));
-    }
-    return report_damage(trace);
-}
-
-} // namespace
-
-int run(const ExplainCommand& command) {
-    const SceneOptions options{.method = command.method,
-                               .limits = command.input,
-                               .frames = command.frames,
-                               .tells_steps = true};
-    if (!command.against.empty()) {
-        InputFrames input(command.trace, options);
-        const Trace against = trace_against(command, input);
-        return tell(command, input.trace(input.first()), &against);
-    }
-    return tell(command, load_trace(command.trace, options));
-}
-
-namespace {
 
 /// 4,2, or (4, 2) as it is printed.
 std::optional<Pixel> pixel_in(std::string_view text) {
@@ -99,7 +46,7 @@ std::optional<Pixel> pixel_in(std::string_view text) {
     return x && y ? std::optional(Pixel{*x, *y}) : std::nullopt;
 }
 
-class ExplainCommandLine final : public Command {
+class ExplainCommand final : public Command {
 public:
     CommandAbout about() const override {
         return {
@@ -111,7 +58,7 @@ public:
     }
 
     void add_to(OptionList& options) override {
-        options.option("trace", command_.trace, trace_input, "TRACE").required();
+        options.option("trace", trace_, trace_input, "TRACE").required();
         OptionList what = options.one_of("What is asked", "One of these", true);
         what.option("--pixel", pixel_, "Who drew it, and why others did not", "X,Y");
         what.option("--scanline", row_, "Both ends of the row", "Y");
@@ -127,25 +74,53 @@ public:
         add_text("--pair", "Who has each pixel along the edge of two triangles", "NAME,NAME")
             .names_of(NamesOf::triangles);
         add_text("--step", "One step: a number, or like \"scanline y=2\"", "STEP");
-        options.option("--against", command_.against,
+        options.option("--against", against_,
                        "Ask the same of the scene drawn by another method, like "
                        "rounding=truncate,sample=center",
                        "METHOD");
         options.option("--format", format_, "How to print", "NAME").values({"text", "json"});
-        options.flag("--json", command_.json, "Short for --format json");
+        options.flag("--json", json_, "Short for --format json");
         options.language();
         drawing_.add_to(options, Holds::steps);
     }
 
     void read() override {
-        command_.json = is_json(format_, command_.json);
-        command_.question = explain_question();
-        drawing_.read_into(command_);
+        json_ = is_json(format_, json_);
+        question_ = explain_question();
+        scenes_ = drawing_.scene_options();
+        scenes_.tells_steps = true;
     }
 
-    int run() override { return rastertrace::run(command_); }
+    int run() override {
+        if (against_.empty())
+            return tell(load_trace(trace_, scenes_));
+        InputFrames input(trace_, scenes_);
+        const auto changes = value_or_throw(parse_method({"--against", against_}));
+        MethodOverrides method = scenes_.method;
+        method.insert(method.end(), changes.begin(), changes.end());
+        const Trace against = input.trace_by(input.first(), method);
+        return tell(input.trace(input.first()), &against);
+    }
 
 private:
+    /// Answers the question, and once more with the trace drawn by another method, if there is one.
+    ExitStatus tell(const Trace& trace, const Trace* against = nullptr) const {
+        const Explanation explanation = value_or_throw(explain(trace, question_));
+        std::optional<OtherAnswer> other;
+        if (against != nullptr)
+            other = {against_, answer_there(*against, trace, question_),
+                     first_difference(trace, *against, question_)};
+        if (json_) {
+            print(explanation_json(explanation, other).line());
+        } else {
+            print(shortened(printable(trace.title), 79) + "\n");
+            print(explanation_text(explanation));
+            if (other)
+                print(other_answer_text(*other));
+        }
+        return report_damage(trace);
+    }
+
     /// What `explain` is asked.
     Question explain_question() const {
         if (!pixel_.empty()) {
@@ -169,18 +144,22 @@ private:
         return {};
     }
 
-    ExplainCommand command_;
+    std::string trace_;
     std::string pixel_;
     std::string row_;
     std::map<std::string, std::string> texts_; ///< --face, --vertex, ...
+    Question question_;
+    std::string against_; ///< METHOD: the same question under another one; empty: none
     std::string format_;
+    bool json_ = false;
     DrawingOptions drawing_;
+    SceneOptions scenes_;
 };
 
 } // namespace
 
 std::unique_ptr<Command> explain_command() {
-    return std::make_unique<ExplainCommandLine>();
+    return std::make_unique<ExplainCommand>();
 }
 
 } // namespace rastertrace

@@ -29,7 +29,7 @@ void check_option(bool is_there, std::string_view option, FigureFormat format,
 
 /// Refuses what other formats have and a page does not: it has all steps, and its reader chooses what it shows.
 void check_options_of_page(const FigureCommand& command) {
-    const FigureOptions& options = command.options;
+    const FigureOptions& options = command.figure;
     using enum FigureFormat;
     const auto refuse_if = [](bool is_there, std::string_view option) {
         check_option(is_there, option, html, {svg, png, tex, txt, gif});
@@ -50,7 +50,7 @@ void check_options_in_space(const FigureCommand& command, FigureFormat format) {
         throw problem_of("", "--view space: expected one of svg, png, tex, gif, found html",
                          "a page has the picture in space beside the pixels");
     check_option(true, "--view space", format, {svg, png, tex, gif});
-    const FigureOptions& options = command.options;
+    const FigureOptions& options = command.figure;
     const auto refuse_if = [](bool is_there, std::string_view option) {
         if (is_there)
             throw problem_of("", fmt::format("--view space: expected no {}, found one", option),
@@ -83,7 +83,7 @@ void check_format(const FigureCommand& command, FigureFormat format) {
                                          name_of(format)));
     using enum FigureFormat;
     check_option(command.frames_in_space.has_value(), "--sheet", format, {svg, png, tex, gif});
-    if (command.options.is_in_space)
+    if (command.figure.is_in_space)
         check_options_in_space(command, format);
     if (format == html)
         check_options_of_page(command);
@@ -96,7 +96,7 @@ void check_format(const FigureCommand& command, FigureFormat format) {
                          "--width says how wide the picture is, --scale how wide a unit");
     check_option(command.style.seconds.has_value(), "--seconds", format, {svg, gif});
     const auto is_drawn = [](FigurePart part) { return part != FigurePart::working; };
-    const FigureOptions& options = command.options;
+    const FigureOptions& options = command.figure;
     check_option(std::any_of(options.with.begin(), options.with.end(), is_drawn), "--with", format,
                  {svg, png, tex, gif});
     check_option(!command.against.empty(), "--against", format, {svg, png, tex, gif});

@@ -82,7 +82,7 @@ std::vector<FigureFrame> frames_of(const Trace& trace, const FigureCommand& comm
                             most),
                 "--every chooses what is a frame, like --every primitive; --step "
                 "shows one step");
-        refuse_large_film(trace.canvas, command.options.region, frames.size());
+        refuse_large_film(trace.canvas, command.figure.region, frames.size());
         if (!frames.empty())
             return frames;
         break;
@@ -127,7 +127,7 @@ bool has_pixel(const Frame& frame, const Region& region) {
 Trace other_trace(const FigureCommand& command, const InputFrames& input, std::size_t frame) {
     if (command.against.find('=') != std::string::npos)
         return input.trace_by(frame, value_or_throw(parse_method({"--against", command.against})));
-    return load_trace(command.against, {.limits = command.input});
+    return load_trace(command.against, {.limits = command.scenes.limits});
 }
 
 /// A trace, its frames, and who draws them.
@@ -135,7 +135,7 @@ class TraceFigures {
 public:
     TraceFigures(const FigureCommand& command, InputFrames& input, std::size_t frame)
         : command_(command), trace_(input.trace(frame)), frames_(frames_of(trace_, command)) {
-        FigureOptions options = command.options;
+        FigureOptions options = command.figure;
         if (options.region)
             check_region(*options.region, trace_.canvas);
         if (!command.against.empty()) {
@@ -175,7 +175,7 @@ public:
         const FigureFrame& last = frames_.back();
         const Frame frame = frame_after(trace_, last.steps.last - (last.is_question ? 1 : 0));
         const Canvas& canvas = trace_.canvas;
-        if (has_pixel(frame, command_.options.region.value_or(all_of(canvas))))
+        if (has_pixel(frame, command_.figure.region.value_or(all_of(canvas))))
             return {};
         if (has_pixel(frame, all_of(canvas)))
             return "without --region, the figure has the pixels outside of it";
@@ -191,7 +191,7 @@ public:
     /// sequence keep them.
     std::string text(std::size_t n, FaceGroups& lettered) {
         const FigureFrame& frame = frames_[n];
-        const View view = command_.options.view.value_or(default_view(trace_));
+        const View view = command_.figure.view.value_or(default_view(trace_));
         if (!replay_) {
             replay_.emplace(trace_, parts_for(view, trace_));
             if (view == View::faces) {
@@ -199,11 +199,11 @@ public:
                 faces_ = lettered = lettered_faces(*replay_, lettered);
             }
         }
-        FrameText about{.caption = printable(command_.options.caption.value_or("")),
+        FrameText about{.caption = printable(command_.figure.caption.value_or("")),
                         .first_step = frame.steps.first,
                         .last_step = frame.steps.last,
                         .view = view,
-                        .region = command_.options.region,
+                        .region = command_.figure.region,
                         .faces = &faces_};
         if (frame.is_question) {
             about.first_step = about.last_step = frame.steps.first - 1;
@@ -211,9 +211,9 @@ public:
             if (frame.steps.first == 0)
                 about.first_step = about.last_step;
             replay_->go_to(about.first_step);
-            if (!command_.options.caption)
+            if (!command_.figure.caption)
                 about.caption = describe_step(*replay_);
-            const auto& with = command_.options.with;
+            const auto& with = command_.figure.with;
             if (std::find(with.begin(), with.end(), FigurePart::working) != with.end())
                 about.working = working_of(*replay_);
         }
@@ -399,10 +399,7 @@ private:
 
 /// Writes the frames of one step in space, on a sheet. Throws a Problem.
 ExitStatus write_space_frames(const FigureCommand& command, FigureFormat format) {
-    InputFrames input(command.trace, {.method = command.method,
-                                      .limits = command.input,
-                                      .frames = command.frames,
-                                      .tells_steps = true});
+    InputFrames input(command.trace, command.scenes);
     if (input.is_sequence())
         throw problem_of("", "--sheet: expected one scene, found a sequence",
                          "--frame N takes one");
@@ -415,7 +412,7 @@ ExitStatus write_space_frames(const FigureCommand& command, FigureFormat format)
     }
     const ExitStatus status = report_damage(trace);
     const auto draw = [&](double letter_scale) {
-        return space_frames(trace, *command.frames_in_space, step, command.options.eye,
+        return space_frames(trace, *command.frames_in_space, step, command.figure.eye,
                             letter_scale);
     };
     const Drawing drawing = draw(
@@ -432,43 +429,37 @@ ExitStatus write_space_frames(const FigureCommand& command, FigureFormat format)
 
 } // namespace
 
-int run(const FigureCommand& asked) {
-    FigureCommand command = asked;
-    const FigureFormat format = format_of(command);
-    check_format(command, format);
-    if (command.frames_in_space)
-        return write_space_frames(command, format);
-    if (format == FigureFormat::html) {
+int FigureCommand::run() {
+    const FigureFormat chosen = format_of(*this);
+    check_format(*this, chosen);
+    if (frames_in_space)
+        return write_space_frames(*this, chosen);
+    if (chosen == FigureFormat::html) {
         const Progress progress({.doing = "drawing a page"});
-        return write_page(command);
+        return write_page(*this);
     }
-    InputFrames input(command.trace, {.method = command.method,
-                                      .limits = command.input,
-                                      .frames = command.frames,
-                                      .tells_steps = true});
+    InputFrames input(trace, scenes);
     // A sequence is a film already.
-    if (command.which == FigureCommand::Which::last && !command.sheet &&
-        is_animation(command, format) && !input.is_sequence())
-        command.which = FigureCommand::Which::film;
-    AllFigures figures(command, input);
+    if (which == Which::last && !sheet && is_animation(*this, chosen) && !input.is_sequence())
+        which = Which::film;
+    AllFigures figures(*this, input);
     std::optional<Progress> progress;
     if (figures.count() > 1)
         progress.emplace(
             LongWork{.doing = "figure", .unit = "frames", .total = figures.count(), .done = [&] {
                          return figures.drawn();
                      }});
-    if (chooses_letters(command, format)) {
-        const std::size_t columns =
-            command.sheet ? std::min(command.sheet->columns, figures.count()) : 1;
+    if (chooses_letters(*this, chosen)) {
+        const std::size_t columns = sheet ? std::min(sheet->columns, figures.count()) : 1;
         figures.set_letter_scale(letter_scale_for_tex(
             [&](double scale) {
                 figures.set_letter_scale(scale);
                 return static_cast<double>(columns) * figures.width();
             },
-            command.style));
+            style));
     }
-    FigureFiles files(command, format, figures);
-    if (command.output == "-") {
+    FigureFiles files(*this, chosen, figures);
+    if (output == "-") {
         if (files.count() > 1)
             throw problem_of(
                 "", fmt::format("expected one figure for standard output, found {}", files.count()),
@@ -477,9 +468,9 @@ int run(const FigureCommand& asked) {
         progress.reset();
         print(bytes);
     } else if (files.count() == 1) {
-        write_file(command.output, files.content(0));
+        write_file(output, files.content(0));
     } else {
-        FrameFiles outputs(command.output, files.count());
+        FrameFiles outputs(output, files.count());
         for (std::size_t i = 0; i < files.count(); ++i)
             outputs.open(i + 1).write(files.content(i));
         outputs.commit();

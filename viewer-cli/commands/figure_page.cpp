@@ -9,8 +9,8 @@
 #include <rastertrace/figures/figure.h>
 #include <rastertrace/figures/page.h>
 #include <rastertrace/figures/svg.h>
-#include <rastertrace/trace/tell/selector.h>
 #include <rastertrace/trace/scene/scene_file.h>
+#include <rastertrace/trace/tell/selector.h>
 #include <rastertrace/trace/text/canvas_json.h>
 #include <rastertrace/trace/text/output.h>
 #include <rastertrace/wasm/module.h>
@@ -93,7 +93,7 @@ std::string input_of_page(const FigureCommand& command, const InputFrames& input
     if (command.trace == "-")
         return {};
     std::string text = shell_word(std::filesystem::path(command.trace).filename().string());
-    for (const auto& [key, value] : command.method)
+    for (const auto& [key, value] : command.scenes.method)
         text += fmt::format(" --{} {}", key, value);
     if (input.is_sequence())
         text += fmt::format(" --frame {}", frame);
@@ -122,14 +122,14 @@ std::string picture_without_script(const Trace& trace, const FigureCommand& comm
     if (std::max(trace.canvas.width, trace.canvas.height) > largest_side_with_why_not)
         return {};
     const std::vector<FigureFrame> last{{.steps = {0, trace.size()}}};
-    FigureMaker maker(trace, last, {.view = command.options.view});
+    FigureMaker maker(trace, last, {.view = command.figure.view});
     return value_or_throw(svg_of(maker.figure(0), command.style.theme));
 }
 
 /// What the page says of its first frame.
 void set_options(const FigureCommand& command, const InputFrames& input, const Trace& trace,
                  PageOptions& options) {
-    options.title = command.options.title.value_or(trace.title);
+    options.title = command.figure.title.value_or(trace.title);
     if (command.which == FigureCommand::Which::step) {
         const Selector selector =
             value_or_throw(parse_selector({"--step", command.selector}, trace));
@@ -137,7 +137,7 @@ void set_options(const FigureCommand& command, const InputFrames& input, const T
     }
     options.picture = picture_without_script(trace, command);
     if (const Source* const scene = input.given_scene())
-        options.scene = scene_of_page(*scene, command.method, trace.canvas);
+        options.scene = scene_of_page(*scene, command.scenes.method, trace.canvas);
 }
 
 /// The traces of all frames. Those that have no room on the page are refused before any is written down.
@@ -162,12 +162,9 @@ std::vector<Trace> traces_of_page(InputFrames& input) {
 } // namespace
 
 ExitStatus write_page(const FigureCommand& command) {
-    InputFrames input(command.trace, {.method = command.method,
-                                      .limits = command.input,
-                                      .frames = command.frames,
-                                      .tells_steps = true});
+    InputFrames input(command.trace, command.scenes);
     ExitStatus status = exit_fine;
-    PageOptions options{.theme = command.style.theme, .view = command.options.view};
+    PageOptions options{.theme = command.style.theme, .view = command.figure.view};
     options.module = module_for_pages();
     std::vector<PageFrame> frames;
     bool is_needed = false; // the scene, to be drawn by the page
@@ -184,7 +181,7 @@ ExitStatus write_page(const FigureCommand& command) {
                                   trace.size() <= most_steps_with_working);
         frames.push_back(
             {.label = input.is_sequence() ? input.label(frame) : std::string(),
-             .data = page_data(trace, detail, steps_in_space(trace, command.options.eye).get()),
+             .data = page_data(trace, detail, steps_in_space(trace, command.figure.eye).get()),
              .file = input_of_page(command, input, frame)});
     }
     if (!is_needed)

@@ -36,16 +36,12 @@ namespace rastertrace {
 
 namespace {
 
-struct FuzzCommand {
-    std::vector<std::string> words; ///< the program and its arguments
-    std::uint64_t first_seed = 1;
-    std::uint64_t runs = 1000;
+/// Which scenes a program is run on.
+struct FuzzSeeds {
+    std::uint64_t first = 1;
+    std::uint64_t count = 1000;
     std::size_t jobs = 1;
-    std::size_t most_tries = 2000; ///< to shrink what was found
-    std::string folder = "fuzz";
     FuzzChoice choice{.has_near_ties = true};
-    ComparisonOptions comparison;
-    std::size_t seconds = 10; ///< that a run may take
 };
 
 /// A scene that the program fails on.
@@ -58,20 +54,20 @@ struct FoundScene {
 /// Runs the program on the scenes of all seeds, several at once. What is found does not depend on how many.
 class FuzzRuns {
 public:
-    FuzzRuns(const FuzzCommand& command, const DrivenProgram& program)
-        : command_(command), program_(program), end_(command.runs) {}
+    FuzzRuns(const FuzzSeeds& seeds, const DrivenProgram& program)
+        : seeds_(seeds), program_(program), end_(seeds.count) {}
 
     /// The failing scene of the smallest seed; nothing if there is none. Throws a Problem.
     std::optional<FoundScene> run() {
         // Signals come again while progress is still known: they tell it.
         const Progress progress(
-            {.doing = "fuzz", .unit = "scenes", .total = command_.runs, .done = [this] {
+            {.doing = "fuzz", .unit = "scenes", .total = seeds_.count, .done = [this] {
                  return done_.load();
              }});
         const EndingHeldBack ending;
-        in_threads(end_, command_.jobs, [this](std::size_t number, std::size_t) {
+        in_threads(end_, seeds_.jobs, [this](std::size_t number, std::size_t) {
             try {
-                try_seed(command_.first_seed + number, number);
+                try_seed(seeds_.first + number, number);
                 ++done_;
             } catch (...) {
                 const std::scoped_lock lock(mutex_);
@@ -84,7 +80,7 @@ public:
         });
         if (failure_)
             std::rethrow_exception(failure_);
-        if (undrawn_ == command_.runs)
+        if (undrawn_ == seeds_.count)
             throw *refusal_;
         return std::move(found_);
     }
@@ -93,7 +89,7 @@ public:
 
 private:
     void try_seed(std::uint64_t seed, std::size_t number) {
-        FuzzScene scene = random_scene(seed, command_.choice);
+        FuzzScene scene = random_scene(seed, seeds_.choice);
         const auto reference = program_.reference(scene);
         auto finding = reference ? program_.difference(scene, reference.value()) : std::nullopt;
         const std::scoped_lock lock(mutex_);
@@ -107,7 +103,7 @@ private:
         end_ = std::min<std::size_t>(end_, number);
     }
 
-    const FuzzCommand& command_;
+    const FuzzSeeds& seeds_;
     const DrivenProgram& program_;
     std::atomic<std::uint64_t> done_ = 0;
     std::atomic<std::size_t> end_; ///< no run from this one on is begun; changed under the mutex
@@ -124,101 +120,7 @@ std::string script_word(const std::string& word) {
     return word.starts_with("$here/") ? '"' + word + '"' : shell_word(word);
 }
 
-std::string test_script(const FuzzCommand& command, const DrivenProgram& program,
-                        const FoundScene& found, const std::string& name) {
-    const std::string out = "$here/" + name + ".out";
-    std::vector<std::string> words;
-    for (const std::string& word :
-         program.words_for("$here/" + name + std::string(program.ending()), out))
-        words.push_back(script_word(word));
-    return fmt::format(
-        "#!/bin/sh\n"
-        "# Fails until the program draws this scene as its golden says. To be run in the folder "
-        "in\n"
-        "# which rastertrace fuzz was run. Seed {}: {}\n"
-        "here=$(dirname \"$0\")\n"
-        "timeout {} {}{} &&\n"
-        "  rastertrace diff --common --any-order {} \"$here/{}.golden.jsonl\" \"{}\"\n",
-        found.seed, found.finding.first, command.seconds, joined(words, " "),
-        program.answers_in_file() ? "" : fmt::format(" > \"{}\"", out),
-        command.comparison.words(program.ignored()), name, out);
-}
-
-/// Writes what was found; returns the names of the files.
-std::vector<std::string> write_findings(const FuzzCommand& command, const DrivenProgram& program,
-                                        const FoundScene& found) {
-    make_folder(command.folder);
-    const std::string name = fmt::format("seed-{}", found.seed);
-    std::vector<std::string> written;
-    const auto write = [&](const std::string& ending, const std::string& text) {
-        written.push_back((std::filesystem::path(command.folder) / (name + ending)).string());
-        write_file(written.back(), text);
-    };
-    write(".json", scene_json(found.scene));
-    if (program.ending() != ".json")
-        write(std::string(program.ending()), program.scene_text(found.scene));
-    write(".golden.jsonl", value_or_throw(program.reference(found.scene)));
-    write(".sh", test_script(command, program, found, name));
-    std::error_code ignored;
-    if (folder_of_outputs().empty())
-        std::filesystem::permissions(written.back(), std::filesystem::perms::owner_exec,
-                                     std::filesystem::perm_options::add, ignored);
-    return written;
-}
-
-/// The smallest scene that fails as the one found does.
-FoundScene shrunk_finding(const FuzzCommand& command, const DrivenProgram& program,
-                          FoundScene found, std::size_t& tries) {
-    const auto fails = [&](const FuzzScene& scene) {
-        const auto reference = program.reference(scene);
-        if (!reference)
-            return false; // we do not draw it
-        auto finding = program.difference(scene, reference.value());
-        const bool is_it = finding && finding->kind == found.finding.kind;
-        if (is_it)
-            found.finding = *std::move(finding);
-        return is_it;
-    };
-    Shrunk small = shrunk(std::move(found.scene), fails, command.most_tries);
-    found.scene = std::move(small.scene);
-    tries = small.tries;
-    return found;
-}
-
-ExitStatus drive(const FuzzCommand& command) {
-    const DrivenProgram program(command.words, command.comparison,
-                                std::chrono::seconds(command.seconds));
-    FuzzRuns runs(command, program);
-    auto found = runs.run();
-    const std::string seeds =
-        fmt::format("seeds {} to {}", command.first_seed, command.first_seed + command.runs - 1);
-    if (!found) {
-        std::string text =
-            fmt::format("{}, {}: no difference\n", counted(command.runs, "run"), seeds);
-        if (runs.undrawn() > 0)
-            text +=
-                fmt::format("{} of them not compared: we do not draw the scene\n", runs.undrawn());
-        print(text + program.remarks());
-        return exit_fine;
-    }
-    std::size_t tries = 0;
-    const FoundScene small = shrunk_finding(command, program, *std::move(found), tries);
-    const bool has_lines = small.scene.kind == FuzzKind::lines;
-    const std::size_t vertices = fuzz_vertices(small.scene).size();
-    std::string text =
-        fmt::format("seed {}: {} {}\n{}\nshrunk by {} to {}, {} {}, {}x{} pixels\n\n{}{}",
-                    small.seed, printable(command.words.front()), words_of(small.finding.kind),
-                    small.finding.first, counted(tries, "run"),
-                    counted(small.scene.primitives.size(), has_lines ? "line" : "triangle"),
-                    vertices, vertices == 1 ? "vertex" : "vertices", small.scene.width,
-                    small.scene.height, triangles_text(small.scene), small.finding.text);
-    for (const std::string& file : write_findings(command, program, small))
-        text += fmt::format("written: {}\n", printable(file));
-    print(text);
-    return exit_difference;
-}
-
-class FuzzCommandLine final : public Command {
+class FuzzCommand final : public Command {
 public:
     CommandAbout about() const override {
         return {
@@ -231,10 +133,10 @@ public:
     }
 
     void add_to(OptionList& options) override {
-        program_ = options
-                       .option("program", command_.words,
-                               "Behind --: the program, and its arguments", "PROGRAM")
-                       .required();
+        program_ =
+            options
+                .option("program", words_, "Behind --: the program, and its arguments", "PROGRAM")
+                .required();
         options.option("--runs", runs_, "How many scenes; 1000 if not given", "N");
         options.option("--seed", seed_, "Of the first one; the next has the next; 1 if not given",
                        "N");
@@ -244,9 +146,8 @@ public:
         options.option("--jobs", jobs_, "Runs at once; one for each core if not given", "N");
         options.option("--shrink", tries_, "Runs to shrink a scene; 2000 if not given, 0 for none",
                        "N");
-        options.option("-o", command_.folder, "Where to write what is found; fuzz if not given",
-                       "FOLDER");
-        command_.comparison.add_to(options);
+        options.option("-o", folder_, "Where to write what is found; fuzz if not given", "FOLDER");
+        comparison_.add_to(options);
         method_.add_to(options);
     }
 
@@ -256,7 +157,7 @@ public:
     }
 
     void take_plain_words(std::span<const char* const> words) override {
-        command_.words.assign(words.begin(), words.end());
+        words_.assign(words.begin(), words.end());
         program_->required(words.empty());
     }
 
@@ -268,23 +169,120 @@ public:
             if (const auto given = number_in_option(option, text, least, largest))
                 number = static_cast<Number>(*given);
         };
-        command_.jobs = usual_jobs();
-        read_number("--runs", runs_, command_.runs, 1, most);
-        read_number("--seed", seed_, command_.first_seed, 0, most);
-        read_number("--time", time_, command_.seconds, 1, 86'400);
-        read_number("--jobs", jobs_, command_.jobs, 1, 1024);
-        read_number("--shrink", tries_, command_.most_tries, 0, most);
+        seeds_.jobs = usual_jobs();
+        read_number("--runs", runs_, seeds_.count, 1, most);
+        read_number("--seed", seed_, seeds_.first, 0, most);
+        read_number("--time", time_, seconds_, 1, 86'400);
+        read_number("--jobs", jobs_, seeds_.jobs, 1, 1024);
+        read_number("--shrink", tries_, most_tries_, 0, most);
         auto kinds = values_of("--kinds", "kinds", kinds_,
                                {fuzz_kind_names.begin(), fuzz_kind_names.end()}, fuzz_kind_named);
         if (!kinds.empty())
-            command_.choice.kinds = std::move(kinds);
-        command_.choice.method = method_.overrides();
+            seeds_.choice.kinds = std::move(kinds);
+        seeds_.choice.method = method_.overrides();
     }
 
-    int run() override { return drive(command_); }
+    int run() override {
+        const DrivenProgram program(words_, comparison_, std::chrono::seconds(seconds_));
+        FuzzRuns runs(seeds_, program);
+        auto found = runs.run();
+        const std::string seeds =
+            fmt::format("seeds {} to {}", seeds_.first, seeds_.first + seeds_.count - 1);
+        if (!found) {
+            std::string text =
+                fmt::format("{}, {}: no difference\n", counted(seeds_.count, "run"), seeds);
+            if (runs.undrawn() > 0)
+                text += fmt::format("{} of them not compared: we do not draw the scene\n",
+                                    runs.undrawn());
+            print(text + program.remarks());
+            return exit_fine;
+        }
+        std::size_t tries = 0;
+        const FoundScene small = shrunk_finding(program, *std::move(found), tries);
+        const bool has_lines = small.scene.kind == FuzzKind::lines;
+        const std::size_t vertices = fuzz_vertices(small.scene).size();
+        std::string text =
+            fmt::format("seed {}: {} {}\n{}\nshrunk by {} to {}, {} {}, {}x{} pixels\n\n{}{}",
+                        small.seed, printable(words_.front()), words_of(small.finding.kind),
+                        small.finding.first, counted(tries, "run"),
+                        counted(small.scene.primitives.size(), has_lines ? "line" : "triangle"),
+                        vertices, vertices == 1 ? "vertex" : "vertices", small.scene.width,
+                        small.scene.height, triangles_text(small.scene), small.finding.text);
+        for (const std::string& file : write_findings(program, small))
+            text += fmt::format("written: {}\n", printable(file));
+        print(text);
+        return exit_difference;
+    }
 
 private:
-    FuzzCommand command_;
+    std::string test_script(const DrivenProgram& program, const FoundScene& found,
+                            const std::string& name) const {
+        const std::string out = "$here/" + name + ".out";
+        std::vector<std::string> words;
+        for (const std::string& word :
+             program.words_for("$here/" + name + std::string(program.ending()), out))
+            words.push_back(script_word(word));
+        return fmt::format(
+            "#!/bin/sh\n"
+            "# Fails until the program draws this scene as its golden says. To be run in the "
+            "folder "
+            "in\n"
+            "# which rastertrace fuzz was run. Seed {}: {}\n"
+            "here=$(dirname \"$0\")\n"
+            "timeout {} {}{} &&\n"
+            "  rastertrace diff --common --any-order {} \"$here/{}.golden.jsonl\" \"{}\"\n",
+            found.seed, found.finding.first, seconds_, joined(words, " "),
+            program.answers_in_file() ? "" : fmt::format(" > \"{}\"", out),
+            comparison_.words(program.ignored()), name, out);
+    }
+
+    /// Writes what was found; returns the names of the files.
+    std::vector<std::string> write_findings(const DrivenProgram& program,
+                                            const FoundScene& found) const {
+        make_folder(folder_);
+        const std::string name = fmt::format("seed-{}", found.seed);
+        std::vector<std::string> written;
+        const auto write = [&](const std::string& ending, const std::string& text) {
+            written.push_back((std::filesystem::path(folder_) / (name + ending)).string());
+            write_file(written.back(), text);
+        };
+        write(".json", scene_json(found.scene));
+        if (program.ending() != ".json")
+            write(std::string(program.ending()), program.scene_text(found.scene));
+        write(".golden.jsonl", value_or_throw(program.reference(found.scene)));
+        write(".sh", test_script(program, found, name));
+        std::error_code ignored;
+        if (folder_of_outputs().empty())
+            std::filesystem::permissions(written.back(), std::filesystem::perms::owner_exec,
+                                         std::filesystem::perm_options::add, ignored);
+        return written;
+    }
+
+    /// The smallest scene that fails as the one found does.
+    FoundScene shrunk_finding(const DrivenProgram& program, FoundScene found,
+                              std::size_t& tries) const {
+        const auto fails = [&](const FuzzScene& scene) {
+            const auto reference = program.reference(scene);
+            if (!reference)
+                return false; // we do not draw it
+            auto finding = program.difference(scene, reference.value());
+            const bool is_it = finding && finding->kind == found.finding.kind;
+            if (is_it)
+                found.finding = *std::move(finding);
+            return is_it;
+        };
+        Shrunk small = shrunk(std::move(found.scene), fails, most_tries_);
+        found.scene = std::move(small.scene);
+        tries = small.tries;
+        return found;
+    }
+
+    std::vector<std::string> words_; ///< the program and its arguments
+    FuzzSeeds seeds_;
+    std::size_t most_tries_ = 2000; ///< to shrink what was found
+    std::string folder_ = "fuzz";
+    ComparisonOptions comparison_;
+    std::size_t seconds_ = 10; ///< that a run may take
     std::optional<AddedOption> program_;
     std::string runs_;
     std::string seed_;
@@ -298,7 +296,7 @@ private:
 } // namespace
 
 std::unique_ptr<Command> fuzz_command() {
-    return std::make_unique<FuzzCommandLine>();
+    return std::make_unique<FuzzCommand>();
 }
 
 } // namespace rastertrace

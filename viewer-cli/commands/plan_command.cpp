@@ -23,14 +23,6 @@ namespace rastertrace {
 
 namespace {
 
-struct PlanCommand {
-    std::string scene;
-    bool json = false;
-    MethodOverrides method;
-    InputLimits input;
-    FrameChoice frames;
-};
-
 /// What leaving a stage out saves: "2097152 bytes, 9 steps, up to 1234 pixels".
 std::string as_text(const Savings& saved) {
     std::string text;
@@ -91,20 +83,7 @@ JsonText json_of(const Scene& scene, const Plan& plan) {
             {"rules", rules}};
 }
 
-} // namespace
-
-int run(const PlanCommand& command) {
-    auto [scene, plan, remarks] =
-        load_scene(command.scene,
-                   {.method = command.method, .limits = command.input, .frames = command.frames});
-    scene.title = shown_title(scene.title, command.scene);
-    print(command.json ? json_of(scene, plan).line() : as_text(scene, plan));
-    return exit_fine;
-}
-
-namespace {
-
-class PlanCommandLine final : public Command {
+class PlanCommand final : public Command {
 public:
     CommandAbout about() const override {
         return {"plan", "Say which stages of drawing a scene needs, and why",
@@ -112,25 +91,32 @@ public:
     }
 
     void add_to(OptionList& options) override {
-        options.option("scene", command_.scene, "A scene; - for standard input", "SCENE")
-            .required();
-        options.flag("--json", command_.json, "Print JSON");
+        options.option("scene", scene_, "A scene; - for standard input", "SCENE").required();
+        options.flag("--json", json_, "Print JSON");
         drawing_.add_to(options, Holds::no_steps);
     }
 
-    void read() override { drawing_.read_into(command_); }
+    void read() override { scenes_ = drawing_.scene_options(); }
 
-    int run() override { return rastertrace::run(command_); }
+    int run() override {
+        PlannedScene planned = load_scene(scene_, scenes_);
+        Scene& scene = planned.scene;
+        scene.title = shown_title(scene.title, scene_);
+        print(json_ ? json_of(scene, planned.plan).line() : as_text(scene, planned.plan));
+        return exit_fine;
+    }
 
 private:
-    PlanCommand command_;
+    std::string scene_;
+    bool json_ = false;
     DrawingOptions drawing_;
+    SceneOptions scenes_;
 };
 
 } // namespace
 
 std::unique_ptr<Command> plan_command() {
-    return std::make_unique<PlanCommandLine>();
+    return std::make_unique<PlanCommand>();
 }
 
 } // namespace rastertrace

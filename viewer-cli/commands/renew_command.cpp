@@ -30,11 +30,6 @@ namespace rastertrace {
 
 namespace {
 
-struct RenewCommand {
-    std::vector<std::string> pages;
-    bool check = false; ///< write nothing, tell what differs
-};
-
 /// A page, and what its commands print now.
 struct RenewedPage {
     Source page;
@@ -111,15 +106,16 @@ std::vector<std::string> stale_files(const std::filesystem::path& folder) {
 }
 
 /// Runs the commands of a page. One that is only checked leaves all files as they are.
-RenewedPage renew_page(const std::string& path, const RenewCommand& all) {
+RenewedPage renew_page(const std::string& path, bool is_only_checked,
+                       const std::vector<std::string>& pages) {
     RenewedPage renewed{.page = load_page(path)};
     renewed.commands = commands_on(renewed.page);
     for (const PageCommand& command : renewed.commands) {
         std::optional<TemporaryFolder> files;
-        if (all.check)
+        if (is_only_checked)
             files.emplace("rastertrace-page");
         renewed.outputs.push_back(
-            output_of(renewed.page, command, files ? files->path().string() : "", all.pages));
+            output_of(renewed.page, command, files ? files->path().string() : "", pages));
         for (const std::string& file :
              files ? stale_files(files->path()) : std::vector<std::string>())
             renewed.stale_files.push_back(problem_at(
@@ -191,25 +187,7 @@ void write(const std::vector<RenewedPage>& pages) {
     outputs.commit();
 }
 
-} // namespace
-
-int run(const RenewCommand& command) {
-    // A page with a mistake leaves all of them as they were.
-    std::vector<RenewedPage> pages;
-    for (const std::string& path : command.pages)
-        pages.push_back(renew_page(path, command));
-    if (command.check)
-        return check(pages);
-    write(pages);
-    for (const RenewedPage& page : pages)
-        print(fmt::format("{}: {}, {} renewed\n", printable(page.page.name),
-                          counted(page.commands.size(), "command"), differences_in(page).size()));
-    return exit_fine;
-}
-
-namespace {
-
-class RenewCommandLine final : public Command {
+class RenewCommand final : public Command {
 public:
     CommandAbout about() const override {
         return {
@@ -222,26 +200,40 @@ public:
 
     void add_to(OptionList& options) override {
         options
-            .option("page", command_.pages,
-                    "Markdown files; their commands run in the current folder", "FILE")
+            .option("page", pages_, "Markdown files; their commands run in the current folder",
+                    "FILE")
             .required();
-        options.flag("--check", command_.check,
+        options.flag("--check", is_check_,
                      "Write no page and no other file; tell where one is not as its commands "
                      "print it, with exit status 1");
     }
 
     void read() override {}
 
-    int run() override { return rastertrace::run(command_); }
+    int run() override {
+        // A page with a mistake leaves all of them as they were.
+        std::vector<RenewedPage> pages;
+        for (const std::string& path : pages_)
+            pages.push_back(renew_page(path, is_check_, pages_));
+        if (is_check_)
+            return check(pages);
+        write(pages);
+        for (const RenewedPage& page : pages)
+            print(fmt::format("{}: {}, {} renewed\n", printable(page.page.name),
+                              counted(page.commands.size(), "command"),
+                              differences_in(page).size()));
+        return exit_fine;
+    }
 
 private:
-    RenewCommand command_;
+    std::vector<std::string> pages_;
+    bool is_check_ = false; ///< write nothing, tell what differs
 };
 
 } // namespace
 
 std::unique_ptr<Command> renew_command() {
-    return std::make_unique<RenewCommandLine>();
+    return std::make_unique<RenewCommand>();
 }
 
 } // namespace rastertrace

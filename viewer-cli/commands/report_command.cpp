@@ -27,17 +27,6 @@ namespace rastertrace {
 
 namespace {
 
-struct ReportCommand {
-    std::vector<std::string> scenes;
-    std::vector<ReportJob> jobs;      ///< none: all of them
-    std::vector<std::string> outputs; ///< none: standard output
-    std::optional<ReportFormat> format;
-    bool quick = false;
-    MethodOverrides method;
-    InputLimits input;
-    FrameChoice frames;
-};
-
 /// What a setting may take when there is no time: enough to see what is fast and what is slow.
 constexpr TimingRules quick_timing{.runs = 20, .shortest_run = 2e-5, .most_time = 0.03};
 
@@ -62,53 +51,7 @@ std::string reasons_of(const SceneReport& scene) {
     return text;
 }
 
-int run_report(const ReportCommand& command) {
-    // Everything that can be refused is, before minutes of measuring: the scenes, and the files.
-    std::vector<Scene> scenes;
-    for (const std::string& path : command.scenes) {
-        PlannedScene planned = load_scene(
-            path, {.method = command.method, .limits = command.input, .frames = command.frames});
-        planned.scene.title = shown_title(planned.scene.title, path);
-        scenes.push_back(std::move(planned.scene));
-    }
-    std::vector<ReportFormat> formats;
-    for (const std::string& path : command.outputs)
-        formats.push_back(command.format ? *command.format : format_of(path));
-    FileOutputs outputs;
-    std::vector<FileOutput*> files;
-    for (const std::string& path : command.outputs)
-        files.push_back(&outputs.open(path));
-
-    MeasuredReport report{.machine = this_machine(), .timing = {}, .scenes = {}};
-    if (command.quick)
-        report.timing = quick_timing;
-    {
-        Progress progress({.doing = "report"});
-        for (std::size_t i = 0; i < scenes.size(); ++i) {
-            const std::string title = shortened(printable(scenes[i].title), 40);
-            ReportOptions options{.timing = report.timing, .progress = [&](std::string_view what) {
-                                      progress.say(fmt::format("{}: {}", title, what));
-                                  }};
-            if (!command.jobs.empty())
-                options.jobs = command.jobs;
-            SceneReport scene = report_of(scenes[i], options);
-            if (!scene.has_measured())
-                throw problem_of(command.scenes[i],
-                                 fmt::format("expected something to measure, found none ({})",
-                                             reasons_of(scene)));
-            report.scenes.push_back(std::move(scene));
-        }
-    }
-
-    if (files.empty())
-        print(report_in(command.format.value_or(ReportFormat::text), report));
-    for (std::size_t i = 0; i < files.size(); ++i)
-        files[i]->write(report_in(formats[i], report));
-    outputs.commit();
-    return exit_fine;
-}
-
-class ReportCommandLine final : public Command {
+class ReportCommand final : public Command {
 public:
     CommandAbout about() const override {
         return {"report", "Measure error against run time, for every method and scalar",
@@ -116,29 +59,74 @@ public:
     }
 
     void add_to(OptionList& options) override {
-        options.option("scene", command_.scenes, "Scenes; - for standard input", "SCENE...")
-            .required();
+        options.option("scene", scenes_, "Scenes; - for standard input", "SCENE...").required();
         options
-            .option("-o,--output", command_.outputs,
+            .option("-o,--output", outputs_,
                     "Write to this file instead of standard output: .svg, .html, .json, .csv "
                     "or .txt; may be given again",
                     "FILE")
             .repeatable();
-        options.option("--format", format_, "How to write it, whatever the file's name", "NAME")
+        options
+            .option("--format", format_name_, "How to write it, whatever the file's name", "NAME")
             .values({"text", "json", "csv", "svg", "html"});
-        options.option("--jobs", jobs_, "Measure only these jobs", "JOB,...").values(job_names());
-        options.flag("--quick", command_.quick, "Take seconds, not minutes; times are rough");
+        options.option("--jobs", names_of_jobs_, "Measure only these jobs", "JOB,...")
+            .values(job_names());
+        options.flag("--quick", quick_, "Take seconds, not minutes; times are rough");
         drawing_.add_to(options, Holds::no_steps);
     }
 
     void read() override {
         const std::vector<std::string_view> formats{"text", "json", "csv", "svg", "html"};
-        command_.format = value_of<ReportFormat>("--format", format_, formats);
-        command_.jobs = values_of("--jobs", "jobs", jobs_, job_names(), report_job_named);
-        drawing_.read_into(command_);
+        format_ = value_of<ReportFormat>("--format", format_name_, formats);
+        jobs_ = values_of("--jobs", "jobs", names_of_jobs_, job_names(), report_job_named);
+        options_ = drawing_.scene_options();
     }
 
-    int run() override { return run_report(command_); }
+    int run() override {
+        // Everything that can be refused is, before minutes of measuring: the scenes, and the files.
+        std::vector<Scene> scenes;
+        for (const std::string& path : scenes_) {
+            PlannedScene planned = load_scene(path, options_);
+            planned.scene.title = shown_title(planned.scene.title, path);
+            scenes.push_back(std::move(planned.scene));
+        }
+        std::vector<ReportFormat> formats;
+        for (const std::string& path : outputs_)
+            formats.push_back(format_ ? *format_ : format_of(path));
+        FileOutputs outputs;
+        std::vector<FileOutput*> files;
+        for (const std::string& path : outputs_)
+            files.push_back(&outputs.open(path));
+
+        MeasuredReport report{.machine = this_machine(), .timing = {}, .scenes = {}};
+        if (quick_)
+            report.timing = quick_timing;
+        {
+            Progress progress({.doing = "report"});
+            for (std::size_t i = 0; i < scenes.size(); ++i) {
+                const std::string title = shortened(printable(scenes[i].title), 40);
+                ReportOptions options{.timing = report.timing,
+                                      .progress = [&](std::string_view what) {
+                                          progress.say(fmt::format("{}: {}", title, what));
+                                      }};
+                if (!jobs_.empty())
+                    options.jobs = jobs_;
+                SceneReport scene = report_of(scenes[i], options);
+                if (!scene.has_measured())
+                    throw problem_of(scenes_[i],
+                                     fmt::format("expected something to measure, found none ({})",
+                                                 reasons_of(scene)));
+                report.scenes.push_back(std::move(scene));
+            }
+        }
+
+        if (files.empty())
+            print(report_in(format_.value_or(ReportFormat::text), report));
+        for (std::size_t i = 0; i < files.size(); ++i)
+            files[i]->write(report_in(formats[i], report));
+        outputs.commit();
+        return exit_fine;
+    }
 
 private:
     static std::vector<std::string_view> job_names() {
@@ -148,16 +136,21 @@ private:
         return names;
     }
 
-    ReportCommand command_;
-    std::string format_;
-    std::string jobs_;
+    std::vector<std::string> scenes_;
+    std::vector<std::string> outputs_; ///< none: standard output
+    std::string format_name_;
+    std::optional<ReportFormat> format_;
+    std::string names_of_jobs_;
+    std::vector<ReportJob> jobs_; ///< none: all of them
+    bool quick_ = false;
     DrawingOptions drawing_;
+    SceneOptions options_;
 };
 
 } // namespace
 
 std::unique_ptr<Command> report_command() {
-    return std::make_unique<ReportCommandLine>();
+    return std::make_unique<ReportCommand>();
 }
 
 } // namespace rastertrace

@@ -95,7 +95,7 @@ public:
     }
 
     void read() override {
-        drawing_.read_into(options_);
+        scenes_ = drawing_.scene_options();
         if (!seed_.empty())
             exercise_ = value_or_throw(exercise_id(seed_));
         if (!format_name_.empty())
@@ -105,7 +105,7 @@ public:
     }
 
     int run() override {
-        Source source = load_scene_trace_or_claims(path_, options_.input);
+        Source source = load_scene_trace_or_claims(path_, scenes_.limits);
         if (is_claims(source))
             throw problem_of(source.name, "expected a scene or a trace, found claims");
         if (!exercise_.empty()) {
@@ -114,9 +114,7 @@ public:
             source = exercises_like(source)(exercise_);
         }
         const Source scene = exercise_.empty() ? Source{} : source;
-        InputFrames input(
-            path_, std::move(source),
-            {.method = options_.method, .limits = options_.input, .frames = options_.frames});
+        InputFrames input(path_, std::move(source), scenes_);
         const Trace trace = input.trace(input.first());
         const std::string sheet = sheet_of(scene, trace);
         if (output_.empty() || output_ == "-") {
@@ -129,12 +127,6 @@ public:
     }
 
 private:
-    struct Options {
-        MethodOverrides method;
-        InputLimits input;
-        FrameChoice frames;
-    };
-
     std::string sheet_of(const Source& scene, const Trace& trace) const {
         const bool is_text = format_ == SheetFormat::text;
         std::string head = exercise_.empty() ? "" : exercise_line(exercise_);
@@ -152,8 +144,8 @@ private:
     std::string output_;
     std::string format_name_;
     SheetFormat format_ = SheetFormat::text;
-    Options options_;
     DrawingOptions drawing_;
+    SceneOptions scenes_;
 };
 
 } // namespace

@@ -2,11 +2,7 @@
 // `rastertrace show`: prints frames of a trace as text.
 
 #include "commands/show_command.h"
-#include "app/command.h"
-#include "app/load.h"
 #include "app/option_values.h"
-#include "app/shared_options.h"
-#include "commands/step_table.h"
 #include "frames/frame_text.h"
 #include "frames/off_canvas.h"
 #include "frames/terminal.h"
@@ -185,122 +181,92 @@ ExitStatus show(const Trace& trace, const ShowCommand& command, FaceGroups& face
 
 } // namespace
 
-int run(ShowCommand command) {
-    const SceneOptions options{.method = command.method,
-                               .limits = command.input,
-                               .frames = command.frames,
-                               .tells_steps = true};
-    InputFrames input(command.trace, options);
-    check_sequence(command, input);
-    if (input.first() < input.last() && command.which == ShowCommand::Which::summary)
-        command.which = ShowCommand::Which::last;
-    ExitStatus status = exit_fine;
-    FaceGroups faces;
-    for (std::size_t frame = input.first(); frame <= input.last(); ++frame) {
-        if (frame > input.first())
-            print("\n");
-        if (input.is_sequence() && !command.bare)
-            print(printable(input.label(frame)) + "\n");
-        status = show(input.trace(frame), command, faces);
-    }
-    return status;
-}
-
-namespace {
-
-class ShowCommandLine final : public Command {
-public:
-    CommandAbout about() const override {
-        return {
-            "show", "Print frames of a trace as text",
+CommandAbout ShowCommand::about() const {
+    return {"show", "Print frames of a trace as text",
             "rastertrace show examples/t0-fill/first-triangle.json --every scanline\n\n"
             "In a frame, . is empty, # plotted, @ plotted by the step shown, x tested and not "
             "drawn, a letter a\nvertex; --view faces, shade, depth, writes or coverage show more.\n"
             "STEP is a number, first, last, or a kind of step with what it has:\n"
             "  14, scanline, \"scanline y=2\", \"depth x=3 y=2 fail\", \"pixel in=ABC\""};
+}
+
+void ShowCommand::add_to(OptionList& options) {
+    options.option("trace", trace, trace_input, "TRACE").required();
+    OptionList frames = options.one_of(
+        "Which frames",
+        "One of these; if none is given, what the scene is about and all of its picture");
+    frames.option("--step", step_, "After this step, from 0", "STEP");
+    frames.option("--every", every_,
+                  "After every such step, together with the pixels that belong to it", "STEP");
+    frames.flag("--all", all_, "After every step");
+    options.flag("--bare", bare, "Only the grid: . empty, # plotted, top row first");
+    add_view_to(options, view_name_);
+    options.option("--region", region_text_, "Show only these pixels", "x0,y0,x1,y1");
+    options.flag("--working", has_working,
+                 "Write out how the numbers of a step come of one another");
+    options
+        .option("--format", format_name_, "With --every or --step: the steps in this form", "NAME")
+        .values(table_format_names());
+    options.flag("--json", is_json_, "The same: short for --format json");
+    options.option("--color", color_name_, "Colors, on a terminal", "WHEN").values(color_choices);
+    options.language();
+    drawing_.add_to(options, Holds::steps, "all if not given");
+}
+
+void ShowCommand::read() {
+    if (bare || has_working)
+        which = Which::last;
+    if (!step_.empty())
+        which = Which::step;
+    if (!every_.empty())
+        which = Which::every;
+    selector = step_ + every_; // one of them, at most
+    if (all_)
+        which = Which::all;
+    view = value_of("--view", view_name_, view_names(), view_named);
+    region = region_of(region_text_);
+    if (bare && has_working)
+        refuse_value("--bare", "only the grid, without --working", "--bare");
+    if (is_json_) {
+        if (!format_name_.empty())
+            refuse_value("--json", "no --format beside it", format_name_);
+        if (!tells_steps() || bare || asks_for_frames())
+            refuse_value("--json", "--every or --step beside it, and no grid", "--json");
+        format_name_ = "json";
     }
-
-    void add_to(OptionList& options) override {
-        options.option("trace", command_.trace, trace_input, "TRACE").required();
-        OptionList which = options.one_of(
-            "Which frames",
-            "One of these; if none is given, what the scene is about and all of its picture");
-        which.option("--step", step_, "After this step, from 0", "STEP");
-        which.option("--every", every_,
-                     "After every such step, together with the pixels that belong to it", "STEP");
-        which.flag("--all", all_, "After every step");
-        options.flag("--bare", command_.bare, "Only the grid: . empty, # plotted, top row first");
-        add_view_to(options, view_);
-        options.option("--region", region_, "Show only these pixels", "x0,y0,x1,y1");
-        options.flag("--working", command_.has_working,
-                     "Write out how the numbers of a step come of one another");
-        options
-            .option("--format", format_, "With --every or --step: the steps in this form", "NAME")
-            .values(table_format_names());
-        options.flag("--json", is_json_, "The same: short for --format json");
-        options.option("--color", color_, "Colors, on a terminal", "WHEN").values(color_choices);
-        options.language();
-        drawing_.add_to(options, Holds::steps, "all if not given");
+    format = value_of("--format", format_name_, table_format_names(), table_format_named);
+    if (format) {
+        if (!tells_steps())
+            refuse_value("--format", "--every or --step beside it", format_name_);
+        if (has_working && format != TableFormat::table)
+            refuse_value("--working", "sentences, without --format " + format_name_, "--working");
+        if (bare || asks_for_frames())
+            refuse_value("--format", "a table, without --bare, --view and --region", format_name_);
     }
+    color = color_choice_of(color_name_);
+    scenes = drawing_.scene_options();
+    scenes.tells_steps = true;
+}
 
-    void read() override {
-        if (command_.bare || command_.has_working)
-            command_.which = ShowCommand::Which::last;
-        if (!step_.empty())
-            command_.which = ShowCommand::Which::step;
-        if (!every_.empty())
-            command_.which = ShowCommand::Which::every;
-        command_.selector = step_ + every_; // one of them, at most
-        if (all_)
-            command_.which = ShowCommand::Which::all;
-        command_.view = value_of("--view", view_, view_names(), view_named);
-        command_.region = region_of(region_);
-        if (command_.bare && command_.has_working)
-            refuse_value("--bare", "only the grid, without --working", "--bare");
-        if (is_json_) {
-            if (!format_.empty())
-                refuse_value("--json", "no --format beside it", format_);
-            if (!tells_steps() || command_.bare || command_.asks_for_frames())
-                refuse_value("--json", "--every or --step beside it, and no grid", "--json");
-            format_ = "json";
-        }
-        command_.format = value_of("--format", format_, table_format_names(), table_format_named);
-        if (command_.format) {
-            if (!tells_steps())
-                refuse_value("--format", "--every or --step beside it", format_);
-            if (command_.has_working && command_.format != TableFormat::table)
-                refuse_value("--working", "sentences, without --format " + format_, "--working");
-            if (command_.bare || command_.asks_for_frames())
-                refuse_value("--format", "a table, without --bare, --view and --region", format_);
-        }
-        command_.color = color_choice_of(color_);
-        drawing_.read_into(command_);
+int ShowCommand::run() {
+    InputFrames input(trace, scenes);
+    check_sequence(*this, input);
+    if (input.first() < input.last() && which == Which::summary)
+        which = Which::last;
+    ExitStatus status = exit_fine;
+    FaceGroups faces;
+    for (std::size_t frame = input.first(); frame <= input.last(); ++frame) {
+        if (frame > input.first())
+            print("\n");
+        if (input.is_sequence() && !bare)
+            print(printable(input.label(frame)) + "\n");
+        status = show(input.trace(frame), *this, faces);
     }
-
-    int run() override { return rastertrace::run(command_); }
-
-private:
-    bool tells_steps() const {
-        return command_.which == ShowCommand::Which::every ||
-               command_.which == ShowCommand::Which::step;
-    }
-
-    ShowCommand command_;
-    std::string step_;
-    std::string every_;
-    bool all_ = false;
-    std::string view_;
-    std::string region_;
-    std::string format_;
-    bool is_json_ = false;
-    std::string color_;
-    DrawingOptions drawing_;
-};
-
-} // namespace
+    return status;
+}
 
 std::unique_ptr<Command> show_command() {
-    return std::make_unique<ShowCommandLine>();
+    return std::make_unique<ShowCommand>();
 }
 
 } // namespace rastertrace

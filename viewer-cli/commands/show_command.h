@@ -3,21 +3,22 @@
 
 // What `rastertrace show` is asked. `play` asks the same where there is no terminal.
 
+#include "app/command.h"
+#include "app/load.h"
+#include "app/shared_options.h"
 #include "commands/step_table.h"
 #include "frames/terminal_text.h"
 
 #include <rastertrace/trace/record/trace_options.h>
-#include <rastertrace/trace/scene/scene_file.h>
 #include <rastertrace/trace/tell/view.h>
-#include <rastertrace/trace/text/input.h>
-#include <rastertrace/trace/text/method_names.h>
 
 #include <optional>
 #include <string>
 
 namespace rastertrace {
 
-struct ShowCommand {
+class ShowCommand final : public Command {
+public:
     enum class Which {
         summary, ///< what the scene is about, and the last frame
         last,
@@ -25,6 +26,11 @@ struct ShowCommand {
         every,
         all
     };
+
+    CommandAbout about() const override;
+    void add_to(OptionList& options) override;
+    void read() override;
+    int run() override;
 
     std::string trace;
     Which which = Which::summary;
@@ -35,13 +41,23 @@ struct ShowCommand {
     bool has_working = false;          ///< how the numbers of each step come of one another
     std::optional<TableFormat> format; ///< of Which::every: a table of any kind
     ColorChoice color = ColorChoice::automatic;
-    MethodOverrides method;
-    InputLimits input;
-    FrameChoice frames;
+    SceneOptions scenes;
 
     /// True if an option is about the grid of a frame.
     bool asks_for_frames() const { return view || region; }
+
+private:
+    bool tells_steps() const { return which == Which::every || which == Which::step; }
+
+    std::string step_;
+    std::string every_;
+    bool all_ = false;
+    std::string view_name_;
+    std::string region_text_;
+    std::string format_name_;
+    bool is_json_ = false;
+    std::string color_name_;
+    DrawingOptions drawing_;
 };
-int run(ShowCommand command);
 
 } // namespace rastertrace

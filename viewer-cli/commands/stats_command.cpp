@@ -26,34 +26,6 @@ namespace rastertrace {
 
 namespace {
 
-struct StatsCommand {
-    std::string trace;
-    bool json = false;
-    std::vector<StatsFinding> fail_on; ///< exit status 1 if there is any of these
-    MethodOverrides method;
-    InputLimits input;
-    FrameChoice frames;
-};
-
-/// Tells which of the findings that were asked for cannot be judged, and what the trace lacks.
-ExitStatus report_unjudged(const StatsCommand& command, const Stats& stats) {
-    ExitStatus status = exit_fine;
-    for (const auto& [findings, lacks] : stats.unjudged) {
-        std::vector<StatsFinding> asked;
-        std::copy_if(findings.begin(), findings.end(), std::back_inserter(asked),
-                     [&command](StatsFinding finding) {
-                         return std::find(command.fail_on.begin(), command.fail_on.end(),
-                                          finding) != command.fail_on.end();
-                     });
-        if (asked.empty())
-            continue;
-        print_error(problem_of(command.trace, fmt::format("--fail-on: {} cannot be judged: {}",
-                                                          names_of(asked), lacks)));
-        status = exit_bad_input;
-    }
-    return status;
-}
-
 /// True if there is anything of the kind.
 bool has(const Stats& stats, StatsFinding finding) {
     const auto any_primitive = [&stats](PixelList Coverage::*list) {
@@ -90,38 +62,7 @@ bool has_wrong_decision(const Trace& trace, const std::string& path) {
     return redone.wrong > 0;
 }
 
-} // namespace
-
-int run(const StatsCommand& command) {
-    const Trace trace = [&] {
-        const Progress progress(reading_of("stats", {command.trace}));
-        return load_trace(
-            command.trace,
-            {.method = command.method, .limits = command.input, .frames = command.frames});
-    }();
-    if (trace.is_partial && !command.fail_on.empty())
-        throw problem_of(command.trace, "--fail-on: expected a trace with all its steps, found one "
-                                        "that steps were left out of");
-    const Stats stats = stats_of(trace);
-    print(command.json ? stats_json(trace, stats).line() : stats_text(trace, stats));
-
-    std::vector<StatsFinding> found;
-    for (const StatsFinding finding : command.fail_on)
-        if (finding == StatsFinding::redo ? has_wrong_decision(trace, command.trace)
-                                          : has(stats, finding))
-            found.push_back(finding);
-    if (!found.empty())
-        print_error(fmt::format("rastertrace: --fail-on: found {}\n", names_of(found)));
-    const ExitStatus unjudged = report_unjudged(command, stats);
-    const ExitStatus damage = report_damage(trace);
-    if (damage != exit_fine || unjudged != exit_fine)
-        return exit_bad_input;
-    return found.empty() ? exit_fine : exit_difference;
-}
-
-namespace {
-
-class StatsCommandLine final : public Command {
+class StatsCommand final : public Command {
 public:
     CommandAbout about() const override {
         return {"stats", "Count the steps, pixels and writes of a trace",
@@ -129,9 +70,9 @@ public:
     }
 
     void add_to(OptionList& options) override {
-        options.option("trace", command_.trace, trace_input, "TRACE").required();
-        options.flag("--json", command_.json, "Print JSON");
-        options.option("--fail-on", fail_on_,
+        options.option("trace", trace_, trace_input, "TRACE").required();
+        options.flag("--json", json_, "Print JSON");
+        options.option("--fail-on", fail_on_names_,
                        fmt::format("End with status 1 if there are any of these, with 2 if that "
                                    "cannot be judged: {}",
                                    joined(finding_names, ",")),
@@ -140,24 +81,67 @@ public:
     }
 
     void read() override {
-        command_.fail_on = values_of<StatsFinding>(
-            "--fail-on", "findings", fail_on_, {finding_names.begin(), finding_names.end()},
+        fail_on_ = values_of<StatsFinding>(
+            "--fail-on", "findings", fail_on_names_, {finding_names.begin(), finding_names.end()},
             [](std::string_view name) { return value_named<StatsFinding>(finding_names, name); });
-        drawing_.read_into(command_);
+        scenes_ = drawing_.scene_options();
     }
 
-    int run() override { return rastertrace::run(command_); }
+    int run() override {
+        const Trace trace = [&] {
+            const Progress progress(reading_of("stats", {trace_}));
+            return load_trace(trace_, scenes_);
+        }();
+        if (trace.is_partial && !fail_on_.empty())
+            throw problem_of(trace_, "--fail-on: expected a trace with all its steps, found one "
+                                     "that steps were left out of");
+        const Stats stats = stats_of(trace);
+        print(json_ ? stats_json(trace, stats).line() : stats_text(trace, stats));
+
+        std::vector<StatsFinding> found;
+        for (const StatsFinding finding : fail_on_)
+            if (finding == StatsFinding::redo ? has_wrong_decision(trace, trace_)
+                                              : has(stats, finding))
+                found.push_back(finding);
+        if (!found.empty())
+            print_error(fmt::format("rastertrace: --fail-on: found {}\n", names_of(found)));
+        const ExitStatus unjudged = report_unjudged(stats);
+        const ExitStatus damage = report_damage(trace);
+        if (damage != exit_fine || unjudged != exit_fine)
+            return exit_bad_input;
+        return found.empty() ? exit_fine : exit_difference;
+    }
 
 private:
-    StatsCommand command_;
-    std::string fail_on_;
+    /// Tells which of the findings that were asked for cannot be judged, and what the trace lacks.
+    ExitStatus report_unjudged(const Stats& stats) const {
+        ExitStatus status = exit_fine;
+        for (const auto& [findings, lacks] : stats.unjudged) {
+            std::vector<StatsFinding> asked;
+            std::ranges::copy_if(findings, std::back_inserter(asked), [&](StatsFinding finding) {
+                return std::ranges::find(fail_on_, finding) != fail_on_.end();
+            });
+            if (asked.empty())
+                continue;
+            print_error(problem_of(
+                trace_, fmt::format("--fail-on: {} cannot be judged: {}", names_of(asked), lacks)));
+            status = exit_bad_input;
+        }
+        return status;
+    }
+
+    std::string trace_;
+    bool json_ = false;
+    std::string fail_on_names_;
+    std::vector<StatsFinding> fail_on_; ///< exit status 1 if there is any of these
     DrawingOptions drawing_;
+    SceneOptions scenes_;
 };
 
 } // namespace
 
 std::unique_ptr<Command> stats_command() {
-    return std::make_unique<StatsCommandLine>();
+    return std::make_unique<StatsCommand>();
 }
 
 } // namespace rastertrace

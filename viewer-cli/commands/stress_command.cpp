@@ -33,17 +33,6 @@ namespace rastertrace {
 
 namespace {
 
-struct StressCommand {
-    std::string scene;                            ///< empty: the catalogue
-    std::vector<std::string> cases;               ///< ids; none: all of them, as a table
-    std::optional<std::size_t> scene_number = {}; ///< print this scene of the only case, from 1
-    bool json = false;
-    bool quick = false;
-    MethodOverrides method; ///< for the scene
-    InputLimits input;
-    FrameChoice frames;
-};
-
 /// How wide the text is, in columns.
 constexpr std::size_t text_width = 100;
 
@@ -316,65 +305,7 @@ JsonText json_of(const std::string& title, const std::vector<CliffGroup>& groups
             {"pictures", JsonText::list(pictures, picture_json)}};
 }
 
-/// Looks at the user's own scene.
-int look_at_scene(const StressCommand& command) {
-    const Source source = load_scene_source(command.scene, command.input);
-    // What a scalar refuses is part of the answer; only what none can draw is a bad scene.
-    MethodOverrides exact = command.method;
-    exact.emplace_back("scalar", "exact");
-    const auto planned = read_scene(source, exact, command.input, command.frames);
-    if (!planned)
-        throw planned.problem();
-    const Scene& scene = planned.value().scene;
-    std::vector<CliffGroup> groups;
-    std::vector<ComparedPicture> pictures;
-    {
-        Progress progress({.doing = "looking for cliffs"});
-        groups = cliffs_of(scene);
-        progress.say("drawing with every scalar");
-        pictures = compared_pictures(source, command.method, command.input, command.frames);
-    }
-    const std::string title = shown_title(scene.title, command.scene);
-    print(command.json ? json_of(title, groups, pictures).line()
-                       : as_text(title, groups, pictures));
-    return exit_fine;
-}
-
-int run_stress(const StressCommand& command) {
-    if (!command.scene.empty())
-        return look_at_scene(command);
-    const auto chosen = chosen_cases(command.cases);
-    if (command.scene_number)
-        return print_scene(*chosen.front(), *command.scene_number);
-
-    std::vector<RunCase> cases;
-    {
-        std::atomic<std::uint64_t> done = 0;
-        Progress progress(
-            {.unit = "cases", .total = chosen.size(), .done = [&] { return done.load(); }});
-        for (const StressCase* one : chosen) {
-            progress.say(fmt::format("{} {}", one->id, one->title));
-            cases.push_back({one, rows_of(*one, {.quick = command.quick})});
-            ++done;
-        }
-    }
-    if (command.json) {
-        print(json_of(cases).line());
-    } else if (command.cases.empty()) {
-        print(as_table(cases));
-    } else {
-        std::string_view separator;
-        for (const RunCase& one : cases) {
-            print(std::string(separator) + as_text(one));
-            separator = "\n";
-        }
-    }
-    const bool has_failed = std::any_of(cases.begin(), cases.end(),
-                                        [](const RunCase& one) { return one.failed() > 0; });
-    return has_failed ? exit_difference : exit_fine;
-}
-
-class StressCommandLine final : public Command {
+class StressCommand final : public Command {
 public:
     CommandAbout about() const override {
         return {
@@ -393,11 +324,11 @@ public:
 
     void add_to(OptionList& options) override {
         options.option(
-            "scene", command_.scene,
+            "scene", scene_file_,
             "A scene; - for standard input. Is it near any cliff, and does a scalar fall?",
             "SCENE");
         options
-            .option("--case", command_.cases,
+            .option("--case", ids_,
                     "Only these cases, in full: L1 to L13, S1 to S14, C1 to C18, Z1 to Z14, P1 to "
                     "P12, X1 to X9",
                     "ID,...")
@@ -406,61 +337,121 @@ public:
                      .option("--scene", number_,
                              "Print the scene of the case, or its Nth scene, to draw it", "[N]")
                      .with_optional_value();
-        options.flag("--quick", command_.quick, "Every case, the longest with one scalar only");
-        options.flag("--json", command_.json, "Print JSON");
+        options.flag("--quick", quick_, "Every case, the longest with one scalar only");
+        options.flag("--json", json_, "Print JSON");
         drawing_.add_to(options, Holds::no_steps);
     }
 
     void read() override {
-        drawing_.read_into(command_);
+        scenes_ = drawing_.scene_options();
         check_stress();
     }
 
-    int run() override { return run_stress(command_); }
+    int run() override {
+        if (!scene_file_.empty())
+            return look_at_scene();
+        const auto chosen = chosen_cases(ids_);
+        if (scene_number_)
+            return print_scene(*chosen.front(), *scene_number_);
+
+        std::vector<RunCase> cases;
+        {
+            std::atomic<std::uint64_t> done = 0;
+            Progress progress(
+                {.unit = "cases", .total = chosen.size(), .done = [&] { return done.load(); }});
+            for (const StressCase* one : chosen) {
+                progress.say(fmt::format("{} {}", one->id, one->title));
+                cases.push_back({one, rows_of(*one, {.quick = quick_})});
+                ++done;
+            }
+        }
+        if (json_) {
+            print(json_of(cases).line());
+        } else if (ids_.empty()) {
+            print(as_table(cases));
+        } else {
+            std::string_view separator;
+            for (const RunCase& one : cases) {
+                print(std::string(separator) + as_text(one));
+                separator = "\n";
+            }
+        }
+        const bool has_failed = std::any_of(cases.begin(), cases.end(),
+                                            [](const RunCase& one) { return one.failed() > 0; });
+        return has_failed ? exit_difference : exit_fine;
+    }
 
 private:
+    /// Looks at the user's own scene.
+    int look_at_scene() const {
+        const Source source = load_scene_source(scene_file_, scenes_.limits);
+        // What a scalar refuses is part of the answer; only what none can draw is a bad scene.
+        MethodOverrides exact = scenes_.method;
+        exact.emplace_back("scalar", "exact");
+        const auto planned = read_scene(source, exact, scenes_.limits, scenes_.frames);
+        if (!planned)
+            throw planned.problem();
+        const Scene& scene = planned.value().scene;
+        std::vector<CliffGroup> groups;
+        std::vector<ComparedPicture> pictures;
+        {
+            Progress progress({.doing = "looking for cliffs"});
+            groups = cliffs_of(scene);
+            progress.say("drawing with every scalar");
+            pictures = compared_pictures(source, scenes_.method, scenes_.limits, scenes_.frames);
+        }
+        const std::string title = shown_title(scene.title, scene_file_);
+        print(json_ ? json_of(title, groups, pictures).line() : as_text(title, groups, pictures));
+        return exit_fine;
+    }
+
     /// Which options of `stress` go together.
     void check_stress() {
-        const bool has_scene = !command_.scene.empty();
-        if (has_scene && !command_.cases.empty())
-            refuse_value("--case", "cases, or a scene, not both", command_.scene,
-                         find_stress_case(command_.scene) != nullptr
+        const bool has_scene = !scene_file_.empty();
+        if (has_scene && !ids_.empty())
+            refuse_value("--case", "cases, or a scene, not both", scene_file_,
+                         find_stress_case(scene_file_) != nullptr
                              ? fmt::format("several cases are one word: --case {},{}",
-                                           joined(command_.cases, ","), command_.scene)
+                                           joined(ids_, ","), scene_file_)
                              : "");
-        for (const auto& [key, value] : command_.method) {
+        for (const auto& [key, value] : scenes_.method) {
             if (!has_scene)
                 refuse_value(option_named(key), "a scene to draw by another method", "none",
                              "the cases of the catalogue have their own methods");
             if (key == "scalar")
                 refuse_value("--scalar", "no scalar: the scene is drawn with each", value);
         }
-        if (!has_scene && (!command_.frames.vary.empty() || command_.frames.frame))
-            refuse_value(command_.frames.frame ? "--frame" : "--vary", "a scene whose numbers vary",
+        if (!has_scene && (!scenes_.frames.vary.empty() || scenes_.frames.frame))
+            refuse_value(scenes_.frames.frame ? "--frame" : "--vary", "a scene whose numbers vary",
                          "none");
         if (!scene_->is_given())
             return;
-        if (has_scene || command_.cases.size() != 1)
+        if (has_scene || ids_.size() != 1)
             refuse_value("--scene", "one case whose scene to print",
-                         fmt::format("{}", joined(command_.cases, ",")), "say --case S1 --scene");
-        command_.scene_number = 1;
+                         fmt::format("{}", joined(ids_, ",")), "say --case S1 --scene");
+        scene_number_ = 1;
         if (!number_.empty()) {
-            command_.scene_number = whole_number<std::size_t>(number_);
-            if (!command_.scene_number)
+            scene_number_ = whole_number<std::size_t>(number_);
+            if (!scene_number_)
                 refuse_value("--scene", "the number of a scene, from 1", number_);
         }
     }
 
-    StressCommand command_;
+    std::string scene_file_;                  ///< empty: the catalogue
+    std::vector<std::string> ids_;            ///< of cases; none: all of them, as a table
+    std::optional<std::size_t> scene_number_; ///< print this scene of the only case, from 1
+    bool json_ = false;
+    bool quick_ = false;
     std::optional<AddedOption> scene_;
     std::string number_;
     DrawingOptions drawing_;
+    SceneOptions scenes_;
 };
 
 } // namespace
 
 std::unique_ptr<Command> stress_command() {
-    return std::make_unique<StressCommandLine>();
+    return std::make_unique<StressCommand>();
 }
 
 } // namespace rastertrace

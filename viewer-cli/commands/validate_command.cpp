@@ -39,15 +39,6 @@ namespace rastertrace {
 
 namespace {
 
-struct ValidateCommand {
-    std::vector<std::string> files;
-    std::optional<SchemaKind> kind;   ///< what all of them have to be; none: found by content
-    std::optional<SchemaKind> schema; ///< print this one instead
-    bool redo = false;                ///< do every step of a trace again
-    bool json = false;
-    InputLimits input;
-};
-
 /// The most problems of a file that are told one by one.
 constexpr std::size_t most_problems = 100;
 
@@ -156,19 +147,6 @@ void validate_decisions(const Trace& trace, ValidatedFile& file) {
     file.about += fmt::format("; {} done again", counted(redone.values(), "number"));
 }
 
-void validate_trace(Source source, const ValidateCommand& command, ValidatedFile& file) {
-    const Trace trace = value_or_throw(read_trace_to_tell(std::move(source), command.input.steps));
-    StepsSeen seen(trace);
-    for (std::size_t n = 1; n <= trace.size(); ++n) {
-        if (file.all_told())
-            file.add(trace.faults_in_step(n));
-        seen.add(trace, n);
-    }
-    finish_trace(trace, seen, file);
-    if (command.redo && file.is_valid())
-        validate_decisions(trace, file);
-}
-
 /// Claims, or a Problem that says why the file was taken for some, if it does not look like it.
 Claims claims_in(Source source) {
     const std::size_t first = source.text.find_first_not_of(blanks_and_mark);
@@ -234,49 +212,6 @@ void refuse_other_kind(const ValidatedFile& file, std::optional<SchemaKind> want
                                                 with_article(*file.kind)));
 }
 
-void validate_source(Source source, const ValidateCommand& command, ValidatedFile& file) {
-    const std::string_view text = source.view();
-    const std::size_t first = text.find_first_not_of(blanks_and_mark);
-    const std::string expected =
-        command.kind ? std::string(with_article(*command.kind)) : "a scene, a trace or claims";
-    if (first == std::string::npos)
-        throw problem_of(file.name, fmt::format("expected {}, found an empty file", expected));
-    file.kind = kind_by_content(source);
-    // What is no JSON object could be anything: its reader says what it lacks.
-    if (text[first] == '{')
-        refuse_other_kind(file, command.kind);
-    if (command.kind)
-        file.kind = command.kind;
-    if (!file.kind)
-        throw problem_of(file.name, fmt::format("expected {}, found none of them", expected),
-                         R"(a scene has "vertices" or "meshes", a trace begins with )"
-                         R"("rastertrace", claims are lines or have "claims")");
-    switch (*file.kind) {
-    case SchemaKind::scene:
-        return validate_scene(source, command.input, file);
-    case SchemaKind::trace:
-        return validate_trace(std::move(source), command, file);
-    case SchemaKind::claims:
-        return validate_claims(std::move(source), command.input, file);
-    }
-}
-
-/// Only what the system cannot do is thrown.
-ValidatedFile validated(const std::string& path, const ValidateCommand& command) {
-    ValidatedFile file{.name = path == "-" ? "standard input" : path};
-    try {
-        validate_source(value_or_throw(read_source_or_claims(path, command.input)), command, file);
-    } catch (const Problem& problem) {
-        if (problem.cause == Problem::Cause::system)
-            throw;
-        Problem first = problem;
-        const std::vector<Problem> further = std::exchange(first.further, {});
-        file.add({first});
-        file.add(further);
-    }
-    return file;
-}
-
 void print_text(const ValidatedFile& file) {
     for (const std::vector<Problem>& list : {file.problems, file.remarks})
         for (const Problem& problem : list)
@@ -310,31 +245,7 @@ JsonText json_of(const ValidatedFile& file) {
             {"remarks", JsonText::list(file.remarks, problem_json)}};
 }
 
-} // namespace
-
-int run(const ValidateCommand& command) {
-    if (command.schema) {
-        print(schema_of(*command.schema));
-        return exit_fine;
-    }
-    bool all_valid = true;
-    std::vector<JsonText> reports;
-    for (const std::string& path : command.files) {
-        const ValidatedFile file = validated(path, command);
-        all_valid = all_valid && file.is_valid();
-        if (command.json)
-            reports.push_back(json_of(file));
-        else
-            print_text(file);
-    }
-    if (command.json)
-        print(JsonText::lines(reports).line());
-    return all_valid ? exit_fine : exit_bad_input;
-}
-
-namespace {
-
-class ValidateCommandLine final : public Command {
+class ValidateCommand final : public Command {
 public:
     CommandAbout about() const override {
         return {
@@ -346,50 +257,128 @@ public:
     }
 
     void add_to(OptionList& options) override {
-        options.option("file", command_.files, "The files; - for standard input", "FILE");
-        options.option("--kind", kind_, "What each file has to be", "NAME")
+        options.option("file", files_, "The files; - for standard input", "FILE");
+        options.option("--kind", kind_name_, "What each file has to be", "NAME")
             .values(schema_kind_names());
-        options.flag("--redo", command_.redo,
+        options.flag("--redo", redo_,
                      "Do every step of a trace again, and tell the first decision that its numbers "
                      "do not give");
         options.option("--format", format_, "How to print", "NAME").values({"text", "json"});
         options.flag("--json", is_json_, "Short for --format json");
-        options.option("--schema", schema_, "Print a schema instead", "NAME")
+        options.option("--schema", schema_name_, "Print a schema instead", "NAME")
             .values(schema_kind_names());
         input_.add_to(options, Holds::steps);
     }
 
     void read() override {
-        command_.kind = value_of("--kind", kind_, schema_kind_names(), schema_kind_named);
-        command_.schema = value_of("--schema", schema_, schema_kind_names(), schema_kind_named);
-        if (command_.schema && !command_.files.empty())
-            refuse_value("--schema", "no file beside it", command_.files.front());
-        if (!command_.schema && command_.files.empty())
+        kind_ = value_of("--kind", kind_name_, schema_kind_names(), schema_kind_named);
+        schema_ = value_of("--schema", schema_name_, schema_kind_names(), schema_kind_named);
+        if (schema_ && !files_.empty())
+            refuse_value("--schema", "no file beside it", files_.front());
+        if (!schema_ && files_.empty())
             throw problem_of("", "validate: expected a file, found none",
                              "- is standard input; --schema NAME prints a schema");
-        if (std::count(command_.files.begin(), command_.files.end(), "-") > 1)
+        if (std::count(files_.begin(), files_.end(), "-") > 1)
             refuse_value("validate", "standard input once", "-");
         if (is_json_ && !format_.empty())
             refuse_value("--json", "no --format beside it", format_);
-        command_.json = is_json(format_, is_json_);
-        command_.input = input_.limits();
+        is_json_ = is_json(format_, is_json_);
+        limits_ = input_.limits();
     }
 
-    int run() override { return rastertrace::run(command_); }
+    int run() override {
+        if (schema_) {
+            print(schema_of(*schema_));
+            return exit_fine;
+        }
+        bool all_valid = true;
+        std::vector<JsonText> reports;
+        for (const std::string& path : files_) {
+            const ValidatedFile file = validated(path);
+            all_valid = all_valid && file.is_valid();
+            if (is_json_)
+                reports.push_back(json_of(file));
+            else
+                print_text(file);
+        }
+        if (is_json_)
+            print(JsonText::lines(reports).line());
+        return all_valid ? exit_fine : exit_bad_input;
+    }
 
 private:
-    ValidateCommand command_;
-    std::string kind_;
-    std::string schema_;
+    void validate_trace(Source source, ValidatedFile& file) const {
+        const Trace trace = value_or_throw(read_trace_to_tell(std::move(source), limits_.steps));
+        StepsSeen seen(trace);
+        for (std::size_t n = 1; n <= trace.size(); ++n) {
+            if (file.all_told())
+                file.add(trace.faults_in_step(n));
+            seen.add(trace, n);
+        }
+        finish_trace(trace, seen, file);
+        if (redo_ && file.is_valid())
+            validate_decisions(trace, file);
+    }
+
+    void validate_source(Source source, ValidatedFile& file) const {
+        const std::string_view text = source.view();
+        const std::size_t first = text.find_first_not_of(blanks_and_mark);
+        const std::string expected =
+            kind_ ? std::string(with_article(*kind_)) : "a scene, a trace or claims";
+        if (first == std::string::npos)
+            throw problem_of(file.name, fmt::format("expected {}, found an empty file", expected));
+        file.kind = kind_by_content(source);
+        // What is no JSON object could be anything: its reader says what it lacks.
+        if (text[first] == '{')
+            refuse_other_kind(file, kind_);
+        if (kind_)
+            file.kind = kind_;
+        if (!file.kind)
+            throw problem_of(file.name, fmt::format("expected {}, found none of them", expected),
+                             R"(a scene has "vertices" or "meshes", a trace begins with )"
+                             R"("rastertrace", claims are lines or have "claims")");
+        switch (*file.kind) {
+        case SchemaKind::scene:
+            return validate_scene(source, limits_, file);
+        case SchemaKind::trace:
+            return validate_trace(std::move(source), file);
+        case SchemaKind::claims:
+            return validate_claims(std::move(source), limits_, file);
+        }
+    }
+
+    /// Only what the system cannot do is thrown.
+    ValidatedFile validated(const std::string& path) const {
+        ValidatedFile file{.name = path == "-" ? "standard input" : path};
+        try {
+            validate_source(value_or_throw(read_source_or_claims(path, limits_)), file);
+        } catch (const Problem& problem) {
+            if (problem.cause == Problem::Cause::system)
+                throw;
+            Problem first = problem;
+            const std::vector<Problem> further = std::exchange(first.further, {});
+            file.add({first});
+            file.add(further);
+        }
+        return file;
+    }
+
+    std::vector<std::string> files_;
+    std::string kind_name_;
+    std::optional<SchemaKind> kind_; ///< what all of them have to be; none: found by content
+    std::string schema_name_;
+    std::optional<SchemaKind> schema_; ///< print this one instead
+    bool redo_ = false;                ///< do every step of a trace again
     std::string format_;
     bool is_json_ = false;
     InputOptions input_;
+    InputLimits limits_;
 };
 
 } // namespace
 
 std::unique_ptr<Command> validate_command() {
-    return std::make_unique<ValidateCommandLine>();
+    return std::make_unique<ValidateCommand>();
 }
 
 } // namespace rastertrace
