@@ -347,10 +347,11 @@ TEST_F(ValidateTest, TellsInJson) {
         run("validate scene.json bad.json --json"),
         Ends(
             2,
-            R"([{"file":"scene.json","kind":"scene","valid":true,"about":"a scene, 1 triangle, 17 x 14 pixels","problems":[],"all_told":true,"remarks":[]},)"
+            "[\n"
+            R"({"file":"scene.json","kind":"scene","valid":true,"about":"a scene, 1 triangle, 17 x 14 pixels","problems":[],"all_told":true,"remarks":[]},)"
             "\n"
-            R"({"file":"bad.json","kind":"scene","valid":false,"about":"","problems":[{"file":"bad.json","line":1,"column":24,"message":"expected a number, found \"five\"","hint":"a fraction is written \"25/8\", in quotes"}],"all_told":true,"remarks":[]}])"
-            "\n",
+            R"({"file":"bad.json","kind":"scene","valid":false,"about":"","problems":[{"file":"bad.json","line":1,"column":24,"message":"expected a number, found \"five\"","hint":"a fraction is written \"25/8\", in quotes"}],"all_told":true,"remarks":[]})"
+            "\n]\n",
             ""));
 }
 

@@ -68,7 +68,7 @@ public:
             text += fmt::format("{}{}", text.size() > 1 ? "," : "", line_end);
             text += JsonText(make(item)).text_;
         }
-        return of(text.append(line_end) + "]");
+        return of(text.append(text.size() > 1 ? line_end : "") + "]");
     }
 
     /// The same with each item on a line.
