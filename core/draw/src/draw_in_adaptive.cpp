@@ -108,10 +108,10 @@ private:
 };
 
 /// Draws a list. `Sink` is that of pixels.
-template <typename AList, typename Sink> class Drawing {
+template <typename AList, typename Sink> class AdaptiveDrawing {
 public:
-    Drawing(const Scene& scene, const Plan& plan, const AList& list, const Listener& listener,
-            const Sink& sink, Image& image)
+    AdaptiveDrawing(const Scene& scene, const Plan& plan, const AList& list,
+                    const Listener& listener, const Sink& sink, Image& image)
         : scene_(scene), plan_(plan), list_(list), listener_(listener), sink_(sink),
           scratch_(Image::of_one_row(scene.canvas)), trial_{scene, plan, scratch_},
           doubles_{scene, plan, image}, fractions_{scene, plan, image}, exact_(scene, plan) {
@@ -285,7 +285,7 @@ Image draw_in<Interval>(const Scene& scene, const Plan& plan, const Listener& li
     const auto draw = [&]<typename AList>(const AList& list, const auto& sink) {
         if constexpr (!std::same_as<AList, TypedVertices>)
             tell_geometry(scene, list, listener);
-        const Fallbacks found = Drawing(scene, plan, list, listener, sink, image).draw();
+        const Fallbacks found = AdaptiveDrawing(scene, plan, list, listener, sink, image).draw();
         if (fallbacks)
             *fallbacks = found;
     };
