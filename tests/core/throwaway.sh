@@ -21,6 +21,6 @@ done
 "$compiler" -std=c++20 -fsyntax-only -Wswitch "-I$folder" "$@" "-I$draw/src" "$draw/src/draw_in_double.cpp" \
     2>"$folder/warnings" || { cat "$folder/warnings"; exit 1; }
 warnings=$(grep throwaway "$folder/warnings" | sort -u)
-for table in scene/algorithms.h paint/fill.h draw_in.h; do
+for table in scene/algorithms.h paint/fill.h draw_piece.h; do
     echo "$warnings" | grep -q "$table" || { echo "no warning in $table:"; echo "$warnings"; exit 1; }
 done
