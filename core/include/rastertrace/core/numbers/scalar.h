@@ -73,19 +73,19 @@ template <typename Integer> struct NumberTraits<Fraction<Integer>> : FractionNum
 };
 
 /// The largest whole number not above `x`, kept within +-farthest_index.
-template <typename Scalar> inline Index floor_index(const Scalar& x) {
+template <typename Scalar> [[gnu::always_inline]] inline Index floor_index(const Scalar& x) {
     return NumberTraits<Scalar>::floor(x);
 }
 
 /// The smallest whole number not below `x`, kept within +-farthest_index.
-template <typename Scalar> inline Index ceil_index(const Scalar& x) {
+template <typename Scalar> [[gnu::always_inline]] inline Index ceil_index(const Scalar& x) {
     return -floor_index(Scalar(-x));
 }
 
 /// start + slope (at - from): a point on a line.
 template <typename Scalar>
-inline Scalar linear(const Scalar& start, const Scalar& slope, const Scalar& at,
-                     const Scalar& from) {
+[[gnu::always_inline]] inline Scalar linear(const Scalar& start, const Scalar& slope,
+                                            const Scalar& at, const Scalar& from) {
     return start + slope * (at - from);
 }
 
@@ -118,7 +118,8 @@ template <typename Scalar> void require_finite(const Scalar&) {}
 
 /// `x` held between two numbers.
 template <typename Scalar>
-inline Scalar held_between(const Scalar& x, const Scalar& low, const Scalar& high) {
+[[gnu::always_inline]] inline Scalar held_between(const Scalar& x, const Scalar& low,
+                                                  const Scalar& high) {
     return std::clamp(x, low, high);
 }
 

@@ -20,7 +20,7 @@ concept SinkFor = (std::invocable<Sink&, const Steps&> && ...);
 /// Takes every step and keeps none. A fill whose painter passes its steps to a NullSink compiles to
 /// the code of the plain rasterizer.
 struct NullSink {
-    template <typename Step> void operator()(const Step&) const {}
+    template <typename Step> [[gnu::always_inline]] void operator()(const Step&) const {}
 };
 
 /// False for a NullSink: values that are only reported need not be computed.

@@ -109,8 +109,10 @@ template <typename Scalar>
 /// Emits a row: its pixels and, if the sink takes them, the crossings of its edges.
 template <typename Scalar, typename Sink>
 requires SinkFor<Sink, ScanlineSpanned<Scalar>>
-inline void yield_row(const Triangle<Scalar>& triangle, const TriangleOrder& order, bool is_upper,
-                      int y, const SampleGrid<Scalar>& grid, Index from, Index to, Sink&& sink) {
+[[gnu::always_inline]] inline void yield_row(const Triangle<Scalar>& triangle,
+                                             const TriangleOrder& order, bool is_upper, int y,
+                                             const SampleGrid<Scalar>& grid, Index from, Index to,
+                                             Sink&& sink) {
     ScanlineSpanned<Scalar> span{
         .y = y, .left = {}, .right = {}, .from = from, .to = to, .left_edge = {}, .right_edge = {}};
     if (takes<ScanlineSpanned<Scalar>>(sink))
@@ -161,7 +163,7 @@ void fill_top_left(const Triangle<Scalar>& triangle, const SampleGrid<Scalar>& g
     // right edge does not. That, and which rows there are, is the top-left rule.
     SampleWalk<Scalar> along_long_edge(top, bottom, grid, rows.begin);
     const auto fill_half = [&](bool is_upper, const auto& upper, const auto& lower, int begin,
-                               int end) {
+                               int end) __attribute__((always_inline)) {
         if (begin == end)
             return;
         SampleWalk<Scalar> along_short_edge(upper, lower, grid, begin);

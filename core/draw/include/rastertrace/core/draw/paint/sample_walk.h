@@ -190,7 +190,7 @@ Real margin_of(const Vec<Real, 2>& upper, const Vec<Real, 2>& lower) {
 /// True if the crossing is farther than that from the sample that follows it, and from the one
 /// before.
 template <std::floating_point Real>
-inline bool is_off_samples(Real crossing, Index next, Real margin) {
+[[gnu::always_inline]] inline bool is_off_samples(Real crossing, Index next, Real margin) {
     const Real distance = static_cast<Real>(next) - crossing;
     return margin < distance && distance < 1 - margin;
 }
@@ -220,14 +220,14 @@ public:
           margin_(margin_of<Real>(upper.position, lower.position)),
           crossing_(grid.crossing(edge_, row)) {}
 
-    Index first_sample() const {
+    [[gnu::always_inline]] Index first_sample() const {
         const Index guess = ceil_index(crossing_);
         return is_off_samples(crossing_, guess, margin_)
                    ? guess
                    : first_admitted_sample(edge_.start, lower_, grid_, row_, guess);
     }
 
-    void step() {
+    [[gnu::always_inline]] void step() {
         ++row_;
         crossing_ = grid_.crossing(edge_, row_);
     }
