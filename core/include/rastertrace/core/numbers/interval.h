@@ -37,7 +37,7 @@ public:
     Interval(double low, double high) : low_(low), high_(high) {}
 
     /// The interval whose ends were rounded to these.
-    static inline Interval around(double low, double high) {
+    [[gnu::always_inline]] static inline Interval around(double low, double high) {
         const Interval wide(low - unit_of(low), high + unit_of(high));
         const bool is_finite = wide.high_ - wide.low_ <= Limits::max();
         return is_finite ? wide : Interval(Limits::quiet_NaN());
@@ -55,15 +55,17 @@ public:
     /// A trace has the middle.
     operator Quantity() const { return middle(); } // NOLINT: as every number is
 
-    friend inline Interval operator+(Interval a, Interval b) {
+    [[gnu::always_inline]] friend inline Interval operator+(Interval a, Interval b) {
         const double low = a.low_ + b.low_;
         const double high = a.high_ + b.high_;
         const bool is_exact = low == high ? is_exact_sum(a, b, low) : a.is(0) || b.is(0);
         return is_exact ? Interval(low, high) : around(low, high);
     }
     friend Interval operator-(Interval a) { return {-a.high_, -a.low_}; }
-    friend inline Interval operator-(Interval a, Interval b) { return a + -b; }
-    friend inline Interval operator*(Interval a, Interval b) {
+    [[gnu::always_inline]] friend inline Interval operator-(Interval a, Interval b) {
+        return a + -b;
+    }
+    [[gnu::always_inline]] friend inline Interval operator*(Interval a, Interval b) {
         const double p = a.low_ * b.low_, q = a.low_ * b.high_;
         const double r = a.high_ * b.low_, s = a.high_ * b.high_;
         const double low = std::min(std::min(p, q), std::min(r, s));
@@ -72,7 +74,7 @@ public:
         return is_exact ? Interval(low, high) : around(low, high);
     }
     /// Throws Undecided if b may be 0.
-    friend inline Interval operator/(Interval a, Interval b) {
+    [[gnu::always_inline]] friend inline Interval operator/(Interval a, Interval b) {
         if (!(b.low_ > 0 || b.high_ < 0)) [[unlikely]]
             leave_open(b, Interval(0));
         const bool is_negative = b.high_ < 0;
@@ -85,10 +87,10 @@ public:
                                           : below.is(1);
         return is_exact ? Interval(low, high) : around(low, high);
     }
-    Interval& operator+=(Interval b) { return *this = *this + b; }
+    [[gnu::always_inline]] Interval& operator+=(Interval b) { return *this = *this + b; }
 
     // Comparisons throw Undecided.
-    friend inline bool operator<(Interval a, Interval b) {
+    [[gnu::always_inline]] friend inline bool operator<(Interval a, Interval b) {
         if (!(a.high_ < b.low_ || a.low_ >= b.high_)) [[unlikely]]
             leave_open(a, b);
         return a.high_ < b.low_;
@@ -96,7 +98,7 @@ public:
     friend bool operator>(Interval a, Interval b) { return b < a; }
     friend bool operator<=(Interval a, Interval b) { return !(b < a); }
     friend bool operator>=(Interval a, Interval b) { return !(a < b); }
-    friend inline bool operator==(Interval a, Interval b) {
+    [[gnu::always_inline]] friend inline bool operator==(Interval a, Interval b) {
         const bool differ = a.high_ < b.low_ || b.high_ < a.low_;
         if (!differ && !(a.is_exact() && b.is(a.low_))) [[unlikely]]
             leave_open(a, b);
@@ -144,7 +146,7 @@ template <> struct NumberTraits<Interval> : PlainNumber<Interval> {
         return std::abs(whole) <= farthest_index ? Interval(near) : Interval::around(near, near);
     }
     /// Throws Undecided.
-    static inline Index floor(Interval x) {
+    [[gnu::always_inline]] static inline Index floor(Interval x) {
         using OfDouble = NumberTraits<double>;
         if (!x.is_number() || OfDouble::floor(x.low()) != OfDouble::floor(x.high())) [[unlikely]]
             Interval::leave_open(x, Interval(std::floor(x.high())));

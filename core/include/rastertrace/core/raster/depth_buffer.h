@@ -35,8 +35,8 @@ namespace rastertrace {
 /// The algorithm, for the pixels of a row. `cells` and `colors` are those of the column x = 0. The
 /// depths of the row and the cells are turned.
 template <std::floating_point Scalar>
-inline void paint_nearer(PixelSpan pixels, const DepthRow<Scalar>& depths, Scalar* cells,
-                         Color* colors, Color color) {
+[[gnu::always_inline]] inline void paint_nearer(PixelSpan pixels, const DepthRow<Scalar>& depths,
+                                                Scalar* cells, Color* colors, Color color) {
     for (int x = pixels.first; x <= pixels.last; ++x) {
         const Scalar depth = depths.at(x);
         if (depth < cells[x]) {

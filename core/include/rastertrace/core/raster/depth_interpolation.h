@@ -43,7 +43,7 @@ template <typename Scalar> struct DepthRow {
     Scalar slope;                   ///< the change in depth from a pixel to the next
     std::optional<Scalar> end = {}; ///< pixels outside of [x, end] have the depth of the nearer end
 
-    Scalar at(int column) const {
+    [[gnu::always_inline]] Scalar at(int column) const {
         const Scalar here = scalar_from<Scalar>(column);
         return depth + slope * ((end ? held_between(here, x, *end) : here) - x);
     }
@@ -160,7 +160,7 @@ public:
                                          turned(depths[2], larger_passes)} {}
 
     /// The depth where an edge is at height y.
-    Scalar on_edge(const EdgeName& edge, const Scalar& y) {
+    [[gnu::always_inline]] Scalar on_edge(const EdgeName& edge, const Scalar& y) {
         auto& depths = edges_[edge.from + edge.to - 1U];
         if (!depths)
             depths.emplace(positions_[edge.from].y, depths_[edge.from], positions_[edge.to].y,

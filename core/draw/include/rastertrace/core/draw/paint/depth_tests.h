@@ -116,8 +116,8 @@ protected:
 
 /// Tests the depths of a row of a face. Calls `keep(x)` for each pixel that passes.
 template <typename Tests, typename Depth, typename Keep>
-inline void keep_nearer(Tests& tests, int row, PixelSpan pixels, const DepthRow<Depth>& depths,
-                        Keep&& keep) {
+[[gnu::always_inline]] inline void keep_nearer(Tests& tests, int row, PixelSpan pixels,
+                                               const DepthRow<Depth>& depths, Keep&& keep) {
     const DepthRow<Depth> near = depths; // a copy: no depth that is written can be part of it
     auto* const cells = tests.row_from(0, row);
     for (int x = pixels.first; x <= pixels.last; ++x)

@@ -127,7 +127,7 @@ private:
         return {thin.depth, errors_[piece_of(thin.owner)], thin.owner};
     }
     Held held_by(const double& depth) { return {depth, errors_.back(), owner_}; }
-    Held held_by(const Interval& depth) {
+    [[gnu::always_inline]] Held held_by(const Interval& depth) {
         if (is_trial_ && throws_)
             require_finite(depth);          // it is told
         const double error = depth.width(); // of any double in it
@@ -146,7 +146,7 @@ private:
         return tried ? tried : thin_.find(buffer_.index_of(cell));
     }
 
-    bool is_less(const Held& a, const Held& b, const double& cell) {
+    [[gnu::always_inline]] bool is_less(const Held& a, const Held& b, const double& cell) {
         // Both are rounded. The difference has the right sign; the error is enlarged by more than that.
         const double difference = b.near - a.near;
         const double error = (a.error + b.error) * (1 + 4 * std::numeric_limits<double>::epsilon());

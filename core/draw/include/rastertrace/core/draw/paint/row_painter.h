@@ -50,9 +50,11 @@ public:
           sink_(sink) {}
 
     template <typename Step> bool takes() const { return false; }
-    template <typename Step> void operator()(const Step& step) const { sink_(step); }
+    template <typename Step> [[gnu::always_inline]] void operator()(const Step& step) const {
+        sink_(step);
+    }
 
-    void operator()(const ScanlineSpanned<Scalar>& span) const {
+    [[gnu::always_inline]] void operator()(const ScanlineSpanned<Scalar>& span) const {
         const ImageRow row = image_.row(span.y);
         const PixelSpan pixels = span_on_canvas(row, span.from, span.to, tests_canvas_);
         paint_nearer(pixels, plane_.on_row(span.y), tests_.row_from(0, row.index),
@@ -92,7 +94,7 @@ struct RowPainter {
     template <typename Step> void operator()(const Step& step) const { sink(step); }
 
     /// A row from one edge to another.
-    void operator()(const ScanlineSpanned<Scalar>& span) const {
+    [[gnu::always_inline]] void operator()(const ScanlineSpanned<Scalar>& span) const {
         if (plane) {
             sink(span);
             paint(span, plane->on_row(span.y));
@@ -144,7 +146,8 @@ private:
 
     /// Paints the pixels of a row that are on the canvas.
     template <typename... Depths>
-    void paint(const ScanlineSpanned<Scalar>& span, const Depths&... depths) const {
+    [[gnu::always_inline]] void paint(const ScanlineSpanned<Scalar>& span,
+                                      const Depths&... depths) const {
         const ImageRow row = image.row(span.y);
         const PixelSpan pixels = span_on_canvas(row, span.from, span.to, stages.tests_canvas);
         tell_rejected_left(row, span.from, span.to, sink);
