@@ -21,10 +21,8 @@
 #include <rastertrace/core/raster/steps.h>
 
 #include <array>
-#include <cmath>
 #include <concepts>
 #include <cstddef>
-#include <limits>
 #include <optional>
 #include <span>
 #include <string_view>

@@ -282,7 +282,7 @@ Measured pairs_by_codes(const TableRow&, std::string_view) {
 // Z7 and Z12: tests in the trace of a scene.
 
 std::uint64_t depth_tests(const TableRow& row, std::string_view scalar, bool only_passes) {
-    const Trace trace = row.trace(scalar, {StepKind::depth});
+    const Trace trace = row.trace(scalar);
     const auto tests = trace.steps_of({StepKind::depth});
     if (!only_passes)
         return tests.size();

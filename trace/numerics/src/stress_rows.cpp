@@ -2,10 +2,8 @@
 #include "stress_rows.h"
 
 #include <rastertrace/core/draw/draw.h>
-#include <rastertrace/trace/record/write_trace.h>
 #include <rastertrace/trace/scene/scene_file.h>
 #include <rastertrace/trace/text/color_text.h>
-#include <rastertrace/trace/text/output.h>
 #include <rastertrace/trace/text/text.h>
 
 #include <fmt/core.h>
@@ -195,8 +193,8 @@ Scene TableRow::scene(std::string_view scalar, std::string_view key,
     return readable_scene(scene_text(text(key)), method(scalar, method_key));
 }
 
-Trace TableRow::trace(std::string_view scalar, const std::vector<StepKind>& only) const {
-    return trace_of(scene(scalar), only);
+Trace TableRow::trace(std::string_view scalar) const {
+    return trace_of(scene(scalar));
 }
 
 Documented documented_of(const TableRow& row, std::string_view scalar) {
@@ -243,16 +241,8 @@ Scene readable_scene(std::string_view json, const MethodOverrides& method) {
     return std::move(scene.value());
 }
 
-Trace trace_of(const Scene& scene, const std::vector<StepKind>& only) {
-    Source text{.name = "trace", .text = {}};
-    StringOutput output(text.text);
-    TraceOptions options;
-    if (!only.empty())
-        options.filter.only = only;
-    write_trace(scene, options, output);
-    auto trace = read_trace(std::move(text));
-    assert(trace && "our own traces can be read");
-    return std::move(trace.value());
+Trace trace_of(const Scene& scene) {
+    return drawn_trace(scene, plan_for(scene), "trace", any_number);
 }
 
 Measured expected_count(std::uint64_t found, std::uint64_t expected, std::string_view unit) {

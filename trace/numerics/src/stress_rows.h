@@ -79,7 +79,7 @@ struct TableRow {
                 std::string_view method_key = "by") const;
 
     /// Its trace.
-    Trace trace(std::string_view scalar, const std::vector<StepKind>& only = {}) const;
+    Trace trace(std::string_view scalar) const;
 };
 
 /// What is documented of one scalar.
@@ -92,7 +92,7 @@ std::string scene_text(std::string_view name);
 Scene readable_scene(std::string_view json, const MethodOverrides& method);
 
 /// The trace of a scene.
-Trace trace_of(const Scene& scene, const std::vector<StepKind>& only = {});
+Trace trace_of(const Scene& scene);
 
 /// What a row finds with a scalar.
 struct NamedMeasure {
