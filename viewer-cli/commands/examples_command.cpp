@@ -58,7 +58,7 @@ std::string title_of(const Source& file) {
     return title ? title->text : "";
 }
 
-class ExamplesCommandLine final : public Command {
+class ExamplesCommand final : public Command {
 public:
     CommandAbout about() const override {
         return {"examples", "List the examples that the program came with, or copy them",
@@ -127,7 +127,7 @@ private:
 } // namespace
 
 std::unique_ptr<Command> examples_command() {
-    return std::make_unique<ExamplesCommandLine>();
+    return std::make_unique<ExamplesCommand>();
 }
 
 } // namespace rastertrace

@@ -13,9 +13,9 @@ namespace rastertrace {
 
 namespace {
 
-class HelpCommandLine final : public Command {
+class HelpCommand final : public Command {
 public:
-    explicit HelpCommandLine(const std::vector<CommandGroup>& groups) : groups_(groups) {}
+    explicit HelpCommand(const std::vector<CommandGroup>& groups) : groups_(groups) {}
 
     CommandAbout about() const override {
         return {
@@ -82,7 +82,7 @@ private:
 } // namespace
 
 std::unique_ptr<Command> help_command(const std::vector<CommandGroup>& groups) {
-    return std::make_unique<HelpCommandLine>(groups);
+    return std::make_unique<HelpCommand>(groups);
 }
 
 } // namespace rastertrace

@@ -67,7 +67,7 @@ void refuse_filled_sheet(const std::string& path, std::string_view empty) {
                          "give -o another name, or remove the file");
 }
 
-class SheetCommandLine final : public Command {
+class SheetCommand final : public Command {
 public:
     CommandAbout about() const override {
         return {
@@ -151,7 +151,7 @@ private:
 } // namespace
 
 std::unique_ptr<Command> sheet_command() {
-    return std::make_unique<SheetCommandLine>();
+    return std::make_unique<SheetCommand>();
 }
 
 } // namespace rastertrace

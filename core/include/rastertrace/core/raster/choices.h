@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// What the algorithms leave open: the choices of each, which a method names. They stand here and not beside the
-// algorithms, so that what names a choice need not compile an algorithm.
+// What the algorithms leave open, as enumerations and plain structs. Code that names a choice, such as a method, includes
+// this header and no algorithm.
 
 namespace rastertrace {
 
