@@ -5,9 +5,9 @@
 #include "check.h"
 
 #include <page.h>
-#include <rastertrace/trace/tell/selector.h>
 #include <rastertrace/trace/record/write_trace.h>
 #include <rastertrace/trace/scene/scene_file.h>
+#include <rastertrace/trace/tell/selector.h>
 #include <rastertrace/trace/text/method_file.h>
 
 #include <cstddef>

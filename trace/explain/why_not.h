@@ -8,9 +8,9 @@
 #include "explain.h"
 
 #include <rastertrace/core/raster/canvas.h>
-#include <rastertrace/trace/tell/told_samples.h>
 #include <rastertrace/trace/record/trace.h>
 #include <rastertrace/trace/record/traced_steps.h>
+#include <rastertrace/trace/tell/told_samples.h>
 
 #include <cstddef>
 #include <optional>

@@ -7,8 +7,8 @@
 //     checker.hold_against(scene);       // or each file names its scene
 //     checker.check(sheet).checked.wrong;
 
-#include "commands/check_report.h"
 #include "app/load.h"
+#include "commands/check_report.h"
 
 #include <rastertrace/trace/check/check.h>
 #include <rastertrace/trace/check/exercise.h>

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "commands/driven_program.h"
 
-#include "commands/diff_report.h"
 #include "app/load.h"
 #include "app/temporary_folder.h"
+#include "commands/diff_report.h"
 
 #include <rastertrace/trace/picture/picture_diff.h>
 #include <rastertrace/trace/picture/picture_trace.h>

@@ -3,9 +3,9 @@
 
 #include "app/command.h"
 #include "app/completion.h"
-#include "commands/conventions_text.h"
 #include "app/load.h"
 #include "app/option_values.h"
+#include "commands/conventions_text.h"
 
 #include <rastertrace/trace/text/output.h>
 

@@ -11,9 +11,7 @@
 using namespace rastertrace;
 
 struct PixelPrinter {
-    void operator()(const PixelPlotted<>& step) const {
-        std::printf("(%d,%d)", step.x, step.y);
-    }
+    void operator()(const PixelPlotted<>& step) const { std::printf("(%d,%d)", step.x, step.y); }
     void operator()(const auto& /*another step*/) const {}
 };
 

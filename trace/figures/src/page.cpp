@@ -160,8 +160,7 @@ std::string data_text(std::span<const PageFrame> frames) {
 std::string page_element() {
     const std::string resources = fmt::format(
         R"({{"steps_with_working":{},"keys":{},"words":{},"html":{},"css":{}}})",
-        most_steps_with_working, keys_text(), words_json(),
-        json_quoted(squeezed(element_html())),
+        most_steps_with_working, keys_text(), words_json(), json_quoted(squeezed(element_html())),
         json_quoted(squeezed_css(colors_of_themes() + element_css() + rules_of_roles("in-space"))));
     return fmt::format(
         "// SPDX-License-Identifier: MIT\n\"use strict\";\nconst RESOURCES = {};\n{}\n{}",

@@ -5,9 +5,9 @@
 
 #include <rastertrace/trace/compare/diff.h>
 #include <rastertrace/trace/compare/other_goldens.h>
-#include <rastertrace/trace/tell/excerpt.h>
 #include <rastertrace/trace/record/step_kind.h>
 #include <rastertrace/trace/record/trace.h>
+#include <rastertrace/trace/tell/excerpt.h>
 #include <rastertrace/trace/text/input.h>
 #include <rastertrace/trace/text/output.h>
 #include <rastertrace/trace/text/process_files.h>

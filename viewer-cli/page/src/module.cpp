@@ -298,10 +298,10 @@ const char* rastertrace_mistakes(const char* scene) {
         std::vector<std::string> told;
         for (const Mistake& mistake : mistakes())
             if (mistake.concerns(planned.scene))
-                told.push_back(
-                    fmt::format(R"({{"name":{},"says":{},"should":{},"symptom":{}}})",
-                                json_quoted(mistake.name), json_quoted(mistake.says),
-                                json_quoted(mistake.should), json_quoted(mistake.symptom)));
+                told.push_back(fmt::format(R"({{"name":{},"says":{},"should":{},"symptom":{}}})",
+                                           json_quoted(mistake.name), json_quoted(mistake.says),
+                                           json_quoted(mistake.should),
+                                           json_quoted(mistake.symptom)));
         return fmt::format("[{}]", joined(told, ",\n"));
     });
 }
