@@ -28,7 +28,7 @@ Bitmap bitmap_with(std::size_t width, std::size_t height, std::size_t colors) {
     return bitmap;
 }
 
-std::vector<Color> read_back(const std::string& file) {
+std::vector<Color> png_read_back(const std::string& file) {
     png_image image{};
     image.version = PNG_IMAGE_VERSION;
     if (png_image_begin_read_from_memory(&image, file.data(), file.size()) == 0)
@@ -70,7 +70,7 @@ TEST(Png, IsReadBackAsTheBitmap) {
             const Bitmap bitmap = bitmap_with(width, 1 + 4000 / width, colors);
             const auto png = png_of(bitmap);
             ASSERT_TRUE(png);
-            EXPECT_EQ(read_back(png.value()), bitmap.colors) << colors << " colors";
+            EXPECT_EQ(png_read_back(png.value()), bitmap.colors) << colors << " colors";
             EXPECT_EQ(png.value(), png_of(bitmap).value());
         }
 }
@@ -111,7 +111,7 @@ TEST(Png, HasNoPixelsTooManyAndNotNone) {
               "expected 1 to 1000000 pixels a side in a PNG, found 1000001 x 1\n"
               "hint: a smaller --scale makes it smaller");
     const Bitmap longest = bitmap_with(1, 1'000'000, 2);
-    EXPECT_EQ(read_back(png_of(longest).value()), longest.colors);
+    EXPECT_EQ(png_read_back(png_of(longest).value()), longest.colors);
 }
 
 } // namespace

@@ -17,7 +17,7 @@
 namespace rastertrace {
 namespace {
 
-constexpr FrameParts all_parts{.writes = true, .depths = true};
+constexpr FrameParts every_part{.writes = true, .depths = true};
 
 /// Everything that a replay tells.
 void expect_same_told(const Replay& one, const Replay& other) {
@@ -45,14 +45,14 @@ std::string many_triangles(int count) {
 
 /// Random moves of two that share keyframes of so many bytes, each against a replay that plays every step.
 void expect_any_step(const Trace& trace, std::size_t bytes, int moves) {
-    Replay one(trace, all_parts, bytes);
+    Replay one(trace, every_part, bytes);
     Replay other(one);
     Random random(trace.size());
     for (int i = 0; i < moves; ++i) {
         const auto n = static_cast<std::size_t>(random.whole(0, static_cast<int>(trace.size())));
         Replay& replay = random.whole(0, 1) == 0 ? one : other;
         replay.go_to(n);
-        Replay played(trace, all_parts);
+        Replay played(trace, every_part);
         played.go_to(n);
         expect_same_told(replay, played);
     }
@@ -72,8 +72,8 @@ TEST(Replay, GoesBackInHardlyAnyMemory) {
 
 TEST(Replay, KeepsPicturesFromWhenItFirstGoesBackAndToItsMemory) {
     const Trace trace = trace_of(scene_in(many_triangles(120)));
-    Replay many(trace, all_parts);
-    Replay few(trace, all_parts, 500'000);
+    Replay many(trace, every_part);
+    Replay few(trace, every_part, 500'000);
     many.go_to(trace.size());
     EXPECT_EQ(many.bytes(), 0U);
     for (Replay* const replay : {&many, &few}) {

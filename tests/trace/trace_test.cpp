@@ -50,7 +50,7 @@ std::string with(std::string text, const std::string& from, const std::string& t
 }
 
 /// Of the first triangle.
-const std::string first_pixel = R"({"step":"pixel","x":2,"y":5})";
+const std::string first_pixel_step = R"({"step":"pixel","x":2,"y":5})";
 
 TEST(Trace, RoundTripInBothLayouts) {
     for (const TraceLayout layout : {TraceLayout::json, TraceLayout::jsonl}) {
@@ -149,7 +149,7 @@ TEST(Trace, TruncationIsToldWithItsPlace) {
 
 TEST(Trace, UnknownStepsAndFieldsAreKept) {
     const std::string text =
-        with(with(trace_text(first_triangle()), first_pixel,
+        with(with(trace_text(first_triangle()), first_pixel_step,
                   R"({"step":"pixel","x":2,"y":5,"shader":{"name":"caf\u00e9","inputs":[1,2]}},
 {"step":"tile","x":0,"note":"foreign"})"),
              R"("steps":62)", R"("steps":63)");
@@ -198,9 +198,9 @@ TEST(Trace, ANewerVersionIsRefused) {
 
 TEST(Trace, ALineThatIsNoStepIsRefusedWithItsPlace) {
     const std::string whole = trace_text(first_triangle());
-    expect_complaint(with(whole, first_pixel, R"({"step":"pixel","x":2 "y":5})"),
+    expect_complaint(with(whole, first_pixel_step, R"({"step":"pixel","x":2 "y":5})"),
                      "trace.json:7:23: expected ',' or '}', found a string");
-    expect_complaint(with(whole, first_pixel, R"({"step":"pixel","x":2})"),
+    expect_complaint(with(whole, first_pixel_step, R"({"step":"pixel","x":2})"),
                      "trace.json:7:1: expected a pixel step with the key \"y\", found none");
     expect_complaint(with(whole, R"("x":2,"y":5})", R"("x":2.9,"y":5})"),
                      "trace.json:7:21: expected a whole number, found 2.9");
@@ -212,7 +212,7 @@ TEST(Trace, ALineThatIsNoStepIsRefusedWithItsPlace) {
         "{\"step\":\"scanline\",\"y\":4,\"left\":\"5/0\",\"right\":\"19/8\",\"from\":1,\"to\":2,"
         "\"le...\n"
         "                                ^");
-    expect_complaint(with(whole, first_pixel, R"([1,2])"),
+    expect_complaint(with(whole, first_pixel_step, R"([1,2])"),
                      "trace.json:7:1: expected a step, found an array of 2");
 }
 
@@ -293,17 +293,17 @@ TEST(Trace, NumbersBeyondDoublesAreRefusedInEveryLayout) {
          {std::string("1e999"), std::string("-1E+400"), "1" + std::string(400, '0')}) {
         const std::string step =
             with(R"({"step":"pixel","x":2,"y":5,"note":[{"a":NUMBER}]})", "NUMBER", number);
-        const std::string line = with(trace_text(first_triangle()), first_pixel, step);
+        const std::string line = with(trace_text(first_triangle()), first_pixel_step, step);
         std::string one_line = line;
         one_line.erase(std::remove(one_line.begin(), one_line.end(), '\n'), one_line.end());
         const std::string lines =
-            with(trace_text(first_triangle(), {TraceLayout::jsonl, {}}), first_pixel, step);
+            with(trace_text(first_triangle(), {TraceLayout::jsonl, {}}), first_pixel_step, step);
         for (const std::string& text : {line, one_line, lines})
             EXPECT_NE(complaint(text).find("expected a number up to 1.797e308, found"),
                       std::string::npos)
                 << complaint(text);
     }
-    const std::string large = with(trace_text(first_triangle()), first_pixel,
+    const std::string large = with(trace_text(first_triangle()), first_pixel_step,
                                    R"({"step":"pixel","x":2,"y":5,"note":[1e308,1e-999]})");
     EXPECT_EQ(damage(large), std::vector<std::string>{});
 }

@@ -53,6 +53,9 @@ std::string padded(std::string_view text, std::size_t width);
 /// `text`, cut to at most `width` columns; what was cut is told by "..." at the end.
 std::string shortened(std::string_view text, std::size_t width);
 
+/// How wide the text of reports is, in columns.
+constexpr std::size_t text_width = 100;
+
 /// `text` in lines of at most `width` characters; a longer word has a line of its own.
 std::vector<std::string> wrapped(std::string_view text, std::size_t width);
 

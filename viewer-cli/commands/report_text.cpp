@@ -22,8 +22,6 @@ namespace rastertrace {
 
 namespace {
 
-constexpr std::size_t text_width = 100;
-
 /// The name of the processor as Linux tells it.
 std::string cpu_name() {
     std::ifstream info("/proc/cpuinfo");

@@ -33,9 +33,6 @@ namespace rastertrace {
 
 namespace {
 
-/// How wide the text is, in columns.
-constexpr std::size_t text_width = 100;
-
 /// Text over as many lines as it needs. The first begins with `first`, which is padded to `indent`
 /// columns; the others are indented by as many.
 std::string hanging(std::string_view first, std::size_t indent, std::string_view text) {

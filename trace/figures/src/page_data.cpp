@@ -64,7 +64,7 @@ namespace {
 constexpr std::size_t most_groups = 24;
 
 /// Texts, each once.
-class Words {
+class EachOnce {
 public:
     std::size_t place_of(const std::string& word) {
         const auto [found, is_new] = places_.emplace(word, words_.size());
@@ -488,7 +488,7 @@ private:
     Replay replay_;
     PageDetail detail_;
     bool has_working_;
-    Words words_;
+    EachOnce words_;
     const StepsInSpace* in_space_;
     std::optional<Replay> replay_of_primitive_; ///< made when it is asked for
     JsonList steps_in_space_;

@@ -279,8 +279,8 @@ private:
     }
 
     void add_number(const Tick& tick, Place at, Anchor anchor, std::vector<Rectangle>& numbers) {
-        const double text_width = width_of(tick.text, text_size);
-        const double width = text_width + width_of(tick.power, power_size);
+        const double tick_width = width_of(tick.text, text_size);
+        const double width = tick_width + width_of(tick.power, power_size);
         const double left = anchor == Anchor::end ? at.x - width : at.x - width / 2;
         const Rectangle box{{left - 2, at.y - text_size}, width + 4, text_size + 2};
         if (std::any_of(numbers.begin(), numbers.end(),
@@ -289,13 +289,13 @@ private:
         numbers.push_back(box);
         constexpr double raised = 4;
         add(Label{.role = Role::quiet_text,
-                  .at = {left + text_width, at.y},
+                  .at = {left + tick_width, at.y},
                   .text = tick.text,
                   .size = text_size,
                   .anchor = Anchor::end});
         if (!tick.power.empty())
             add(Label{.role = Role::quiet_text,
-                      .at = {left + text_width, at.y - raised},
+                      .at = {left + tick_width, at.y - raised},
                       .text = tick.power,
                       .size = power_size});
     }

@@ -73,7 +73,7 @@ std::vector<Position> Bounds::section(const Position& point, const Position& nor
 
 namespace {
 
-constexpr double text_size = 10;
+constexpr double note_size = 10; ///< of letters
 
 /// How far the faces of a scene are from being seen edge-on, as a sine; of a scene of many, 1: no place shows all.
 double openness(const SpatialScene& space, const Position& toward) {
@@ -318,7 +318,7 @@ void SpaceSheet::angle(const Position& around, const Position& from, const Posit
     const Position between = glm::normalize(u + glm::normalize(to) + 1e-9 * up_);
     constexpr double degrees = 180 / std::numbers::pi;
     words(around + 1.3 * radius * between, around, fmt::format("{:.1f}\u00b0", angle * degrees),
-          Role::normal, text_size, true);
+          Role::normal, note_size, true);
 }
 
 } // namespace rastertrace

@@ -45,7 +45,7 @@ std::string text_of(Place place) {
     return fmt::format("({},{})", number(place.x, 3), number(place.y, 3));
 }
 
-std::string hex(Color color) {
+std::string html_color(Color color) {
     return fmt::format("{:02X}{:02X}{:02X}", color.red(), color.green(), color.blue());
 }
 
@@ -117,7 +117,7 @@ public:
         for (const Role role : roles_used_) {
             const Paint paint = paint_of(role, theme_);
             tex += fmt::format("\\definecolor{{{}{}}}{{HTML}}{{{}}}\n", prefix, name_of(role),
-                               hex(paint.color));
+                               html_color(paint.color));
         }
         for (const Role role : lines_used_) {
             const Paint paint = paint_of(role, theme_);
@@ -150,7 +150,7 @@ private:
             roles_used_.insert(role);
             return fmt::format("{}{}", prefix, name_of(role));
         }
-        return fmt::format("{}{}", prefix, *colors_used_.insert(hex(*color)).first);
+        return fmt::format("{}{}", prefix, *colors_used_.insert(html_color(*color)).first);
     }
 
     std::string fill_options(Role role, const std::optional<Color>& color = {}) {
