@@ -1,22 +1,24 @@
 // SPDX-License-Identifier: MIT
 // Reads the command line and runs the command that it names. The only file that knows CLI11.
-
 #include "app/command_line.h"
 
 #include "app/command.h"
 #include "app/command_words.h"
 #include "app/exit_status.h"
+#include "app/installed_files.h"
 #include "app/load.h"
 #include "app/shared_options.h"
-#include "app/version_text.h"
+#include "commands/report_file.h"
 
 #include <rastertrace/trace/text/language.h>
 #include <rastertrace/trace/text/problem.h>
 #include <rastertrace/trace/text/text.h>
+#include <rastertrace/wasm/module.h>
 
 #include <CLI/CLI.hpp>
 #include <fmt/core.h>
 
+#include <gmp.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -119,6 +121,30 @@ const std::array<MakersOfGroup, 5> command_groups{
 
 bool has_word(std::span<const char* const> words, std::string_view word) {
     return std::ranges::find(words, word) != words.end();
+}
+
+std::string place_of_examples() {
+    try {
+        return examples_folder().string();
+    } catch (const Problem&) {
+        return "none found";
+    }
+}
+
+/// What `--version` prints; with `--verbose` also how the program was built, and what it finds.
+std::string version_text(bool is_verbose) {
+    const std::string text = fmt::format("rastertrace {}\n", RASTERTRACE_VERSION);
+    if (!is_verbose)
+        return text;
+    const Machine machine = this_machine();
+    return text + fmt::format("  compiler  {}\n  flags     {}\n  packages  GMP {}, fmt {}.{}.{}\n"
+                              "  pages     {}\n  examples  {}\n",
+                              machine.compiler, machine.flags, gmp_version, FMT_VERSION / 10000,
+                              FMT_VERSION / 100 % 100, FMT_VERSION % 100,
+                              wasm_module().empty()
+                                  ? "show what was drawn: built without RASTERTRACE_WASM"
+                                  : "draw by themselves, with the arithmetic of this program",
+                              place_of_examples());
 }
 
 /// The program: its commands, the one that is run, and messages about how it was called.

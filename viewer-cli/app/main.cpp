@@ -6,7 +6,7 @@
 #include "app/exit_status.h"
 #include "app/load.h"
 #include "app/progress.h"
-#include "app/run_self.h"
+#include "app/run_program.h"
 #include "player/terminal_session.h"
 
 #include <rastertrace/trace/text/unfinished_files.h>

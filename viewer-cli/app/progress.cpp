@@ -34,7 +34,7 @@ std::array<Text, 2> last_words;
 std::atomic<const Text*> words_shown = nullptr;
 
 /// 1, 1.2, 12, 120.
-std::string short_number(double value) {
+std::string amount(double value) {
     return value < 9.95 && value != std::floor(value) ? fmt::format("{:.1f}", value)
                                                       : fmt::format("{:.0f}", value);
 }
@@ -60,7 +60,7 @@ std::size_t columns_of_error() {
 /// "fuzz: 120 of 1000 scenes"
 std::string amount_text(const LongWork& work, std::uint64_t done) {
     const auto in_units = [&](std::uint64_t count) {
-        return short_number(static_cast<double>(count) / static_cast<double>(work.one_unit));
+        return amount(static_cast<double>(count) / static_cast<double>(work.one_unit));
     };
     return fmt::format("{}: {}{} {}", work.doing, in_units(done),
                        work.total == 0 ? "" : " of " + in_units(work.total), work.unit);
@@ -87,7 +87,7 @@ std::string progress_line(const LongWork& work, std::uint64_t done, double secon
         return work.doing;
     const double rate = static_cast<double>(done) / seconds;
     std::string line = fmt::format("{}, {} a second", amount_text(work, done),
-                                   short_number(rate / static_cast<double>(work.one_unit)));
+                                   amount(rate / static_cast<double>(work.one_unit)));
     if (done > 0 && done < work.total)
         line += fmt::format(", {} left", time_text(static_cast<double>(work.total - done) / rate));
     return line;

@@ -1,8 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "app/run_program.h"
 
+#include "app/environment.h"
+
 #include <rastertrace/trace/text/descriptor.h>
 #include <rastertrace/trace/text/problem.h>
+#include <rastertrace/trace/text/process_files.h>
+#include <rastertrace/trace/text/text.h>
+#include <rastertrace/trace/text/unfinished_list.h>
 
 #include <fmt/core.h>
 
@@ -10,6 +15,7 @@
 #include <poll.h>
 #include <signal.h>
 #include <spawn.h>
+#include <sys/prctl.h>
 #include <sys/signalfd.h>
 #include <sys/syscall.h>
 #include <sys/wait.h>
@@ -20,7 +26,9 @@
 #include <cerrno>
 #include <cstddef>
 #include <cstdint>
+#include <cstdlib>
 #include <string_view>
+#include <system_error>
 #include <thread>
 #include <utility>
 
@@ -146,6 +154,32 @@ void read_some(Descriptor& reader, std::string& text) {
         fail(errno);
 }
 
+/// Tells a run where to write its files, and that it is one.
+constexpr const char* folder_variable = "RASTERTRACE_FILES_TO";
+constexpr const char* pages_variable = "RASTERTRACE_PAGES"; // one a line
+
+/// This program's environment, but for what its output depends on.
+std::vector<std::string> environment(const std::string& folder,
+                                     const std::vector<std::string>& pages) {
+    const std::vector<std::string> fixed{"COLUMNS=",
+                                         "LINES=",
+                                         "NO_COLOR=",
+                                         "TERM=",
+                                         "COLORTERM=",
+                                         "RASTERTRACE_LANGUAGE=",
+                                         fmt::format("{}=", folder_variable),
+                                         fmt::format("{}=", pages_variable)};
+    std::vector<std::string> variables{"COLUMNS=80", "NO_COLOR=1", "TERM=dumb",
+                                       fmt::format("{}={}", folder_variable, folder),
+                                       fmt::format("{}={}", pages_variable, joined(pages, "\n"))};
+    for (std::string& variable : own_environment())
+        if (std::none_of(fixed.begin(), fixed.end(), [&variable](const std::string& name) {
+                return variable.starts_with(name);
+            }))
+            variables.push_back(std::move(variable));
+    return variables;
+}
+
 } // namespace
 
 EndingHeldBack::EndingHeldBack() {
@@ -220,6 +254,42 @@ FinishedRun run_program(ProgramRun program) {
     }
     run.exit_status = child.wait();
     return run;
+}
+
+FinishedRun run_self(const std::vector<std::string>& arguments, const std::string& folder,
+                     const std::vector<std::string>& pages) {
+    ProgramRun program{.path = "/proc/self/exe",
+                       .words = {"rastertrace"},
+                       .environment = environment(folder, pages),
+                       .most_output = most_output,
+                       .time = time_of_run};
+    program.words.insert(program.words.end(), arguments.begin(), arguments.end());
+    return run_program(std::move(program));
+}
+
+void take_folder_of_run() {
+    if (std::getenv(folder_variable) == nullptr)
+        return;
+    ::prctl(PR_SET_PDEATHSIG, SIGTERM);
+    run_for_page(std::string(environment_variable(folder_variable)),
+                 split_at(environment_variable(pages_variable), '\n'));
+}
+
+TemporaryFolder::TemporaryFolder(const std::string& name) {
+    std::error_code error;
+    const std::filesystem::path temporary = std::filesystem::temp_directory_path(error);
+    std::string pattern = (temporary / (name + "-XXXXXX")).string();
+    if (error)
+        throw problem_of_system("TMPDIR", "no folder for temporary files", error.value());
+    parent_ = Descriptor(::open(temporary.c_str(), O_PATH | O_DIRECTORY | O_CLOEXEC));
+    if (!parent_.is_open() || ::mkdtemp(pattern.data()) == nullptr)
+        throw problem_of_system(pattern, "the folder could not be made", errno);
+    path_ = pattern;
+    note_unfinished(parent_.number(), path_.filename().string());
+}
+
+TemporaryFolder::~TemporaryFolder() {
+    remove_unfinished(parent_.number(), path_.filename().string());
 }
 
 } // namespace rastertrace

@@ -4,13 +4,22 @@
 // Runs a program without a shell and takes what it prints; whatever happens, it is ended before this one ends.
 //
 //     const FinishedRun run = run_program({.path = "./mine", .words = {"./mine", "scene.json"}});
-
+//
+// So it does with this program, once more, as somebody would run it at a terminal of 80 columns:
+//
+//     const FinishedRun run = run_self({"plan", "scene.json"}, "", {"page.md"});
+//
+// What a run needs or leaves is put in a folder that goes away with it:
+//
+//     const TemporaryFolder folder("rastertrace-fuzz");
+//     write(folder.path() / "scene.json");
 #include <rastertrace/trace/text/descriptor.h>
 
 #include <array>
 #include <chrono>
 #include <csignal>
 #include <cstddef>
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -64,5 +73,37 @@ std::vector<std::string> own_environment();
 /// Runs a program with nothing to read on standard input. Throws a Problem if it cannot be run, or if this program is
 /// to end by a signal.
 FinishedRun run_program(ProgramRun program);
+
+/// The most that a run may print, in bytes, and its time.
+inline constexpr std::size_t most_output = 4'000'000;
+inline constexpr std::chrono::minutes time_of_run{10};
+
+/// Runs this program with other arguments, without a shell, with nothing to read on standard input. Files are written
+/// below the folder, see run_for_page; "": where they belong; and onto none of the pages.
+/// What it prints does not depend on the terminal: COLUMNS is 80, LINES is not set, NO_COLOR is.
+/// The run ends with this program, however that ends. Throws a Problem if it cannot be run, or if this program is to
+/// end by a signal.
+FinishedRun run_self(const std::vector<std::string>& arguments, const std::string& folder,
+                     const std::vector<std::string>& pages);
+
+/// For main: takes folder and pages of the program that has started this one by run_self.
+void take_folder_of_run();
+
+/// A folder of its own, which is removed with all that is in it, whatever ends the program but SIGKILL.
+class TemporaryFolder {
+public:
+    /// Throws a Problem if there can be no folder.
+    explicit TemporaryFolder(const std::string& name);
+    TemporaryFolder(const TemporaryFolder&) = delete;
+    TemporaryFolder& operator=(const TemporaryFolder&) = delete;
+    ~TemporaryFolder();
+
+    const std::filesystem::path& path() const { return path_; }
+
+private:
+    EndingHeldBack until_removed_;
+    Descriptor parent_;
+    std::filesystem::path path_;
+};
 
 } // namespace rastertrace

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
 // rastertrace diagnose: which rule accounts for what a renderer has drawn, and which mistake it makes.
-
 #include "app/command.h"
 #include "app/command_words.h"
+#include "app/json_text.h"
 #include "app/load.h"
 #include "app/option_values.h"
 #include "app/shared_options.h"
 #include "commands/explain_text.h"
-#include "commands/mistake_list.h"
 
+#include <rastertrace/core/draw/model/mistakes.h>
 #include <rastertrace/trace/diagnose/diagnosis.h>
 #include <rastertrace/trace/diagnose/tell_apart.h>
 #include <rastertrace/trace/picture/picture_trace.h>
@@ -168,7 +168,7 @@ bool has_other_colors(const std::vector<DrawnPair>& pairs) {
 }
 
 /// What the differences are counted in.
-std::string_view counted(const std::vector<DrawnPair>& pairs) {
+std::string_view counted_pairs(const std::vector<DrawnPair>& pairs) {
     const auto of_claims = static_cast<std::size_t>(std::ranges::count_if(
         pairs, [](const DrawnPair& pair) { return pair.claims.has_value(); }));
     return of_claims == 0 ? "pixels" : of_claims == pairs.size() ? "claims" : "pixels and claims";
@@ -229,7 +229,7 @@ std::string details(const Diagnosis& found, const std::vector<DrawnPair>& pairs,
     text +=
         fmt::format("  explains    {} of {} {} that are not as the scene asks: score {:.0f} %\n",
                     found.differing - std::min(found.unexplained, found.differing), found.differing,
-                    counted(pairs), 100 * found.score());
+                    counted_pairs(pairs), 100 * found.score());
     text += remarks_on(pairs, files);
     for (std::size_t i = 1; i < found.answer.size(); ++i)
         text += fmt::format("  or          {}: it draws the same here; rastertrace diagnose "
@@ -269,6 +269,39 @@ Rule rule_in(const std::string& name) {
         return *std::move(rule);
     refuse_value("--tell-apart",
                  "a mistake, a convention, settings like rounding=truncate, or `asked`", name);
+}
+
+// The known mistakes of rasterizers, as --list prints them.
+
+/// A line for each mistake: its name and its symptom.
+std::string mistakes_text() {
+    std::string text;
+    for (const Mistake& mistake : mistakes())
+        text += fmt::format("{:<30} {}\n", mistake.name, mistake.symptom);
+    return text;
+}
+
+/// All that is known of one.
+std::string mistake_text(const Mistake& mistake) {
+    std::string text = fmt::format("{}{}\n  it says   {}\n", mistake.name,
+                                   mistake.is_rule() ? ", a rule of others" : "", mistake.says);
+    if (!mistake.is_rule())
+        text += fmt::format("  should    {}\n", mistake.should);
+    text += fmt::format("  changes   {}\n  symptom   {}\n  source    {}\n", mistake.step,
+                        mistake.symptom, mistake.source);
+    if (!mistake.setting.empty())
+        text += fmt::format("  the same  {}\n", mistake.setting);
+    return text;
+}
+
+/// All that is known of each.
+JsonText mistakes_json() {
+    return {{"mistakes", JsonText::lines(mistakes(), [](const Mistake& mistake) {
+                 return JsonText{{"name", mistake.name},       {"says", mistake.says},
+                                 {"should", mistake.should},   {"step", mistake.step},
+                                 {"symptom", mistake.symptom}, {"source", mistake.source},
+                                 {"setting", mistake.setting}};
+             })}};
 }
 
 class DiagnoseCommand final : public Command {
@@ -379,9 +412,9 @@ private:
                       "nothing that I know: {} {} are not as the scene asks; the closest rule, "
                       "{}, leaves {} wrong\n"
                       "  see         rastertrace {} {} {}\n",
-                      found.differing, counted(pairs), name_of(*found.runner_up), found.unexplained,
-                      pairs.front().claims ? "check" : "diff", shell_word(files.front().scene),
-                      shell_word(files.front().theirs)) +
+                      found.differing, counted_pairs(pairs), name_of(*found.runner_up),
+                      found.unexplained, pairs.front().claims ? "check" : "diff",
+                      shell_word(files.front().scene), shell_word(files.front().theirs)) +
                   remarks_on(pairs, files));
             return exit_difference;
         }

@@ -2,11 +2,12 @@
 #include "commands/driven_program.h"
 
 #include "app/load.h"
-#include "app/temporary_folder.h"
+#include "app/run_program.h"
 #include "commands/diff_report.h"
 
 #include <rastertrace/trace/picture/picture_diff.h>
 #include <rastertrace/trace/picture/picture_trace.h>
+#include <rastertrace/trace/record/traced_steps.h>
 #include <rastertrace/trace/record/write_trace.h>
 #include <rastertrace/trace/scene/scene_file.h>
 #include <rastertrace/trace/text/input.h>
@@ -49,7 +50,7 @@ std::string replaced(std::string text, std::string_view from, const std::string&
 }
 
 /// `ended by signal 11: ...`, with the last line that it printed.
-std::string ending_of(const FinishedRun& run) {
+std::string how_it_ended(const FinishedRun& run) {
     constexpr int by_signal = 128;
     const std::string lines = run.err.substr(0, run.err.find_last_not_of('\n') + 1);
     const std::string last = lines.substr(lines.rfind('\n') + 1);
@@ -227,7 +228,7 @@ std::optional<DrivenFinding> DrivenProgram::difference(const FuzzScene& scene,
     if (finished.is_too_large)
         return DrivenFinding{Kind::no_answer, "", "it prints without end"};
     if (finished.exit_status != 0)
-        return DrivenFinding{Kind::crashes, printable(finished.err), ending_of(finished)};
+        return DrivenFinding{Kind::crashes, printable(finished.err), how_it_ended(finished)};
     if (!answer.bytes)
         return DrivenFinding{Kind::no_answer, "", "its {out}: " + answer.bytes.problem().message};
     Source& theirs = answer.bytes.value();

@@ -26,8 +26,8 @@ std::string lines_below(const std::vector<std::string>& lines, std::size_t inden
 
 /// How wide a column is: as its widest cell.
 template <typename Item>
-std::size_t width_of(const std::vector<Item>& items, std::string Item::*cell,
-                     std::string_view title) {
+std::size_t column_width(const std::vector<Item>& items, std::string Item::*cell,
+                         std::string_view title) {
     std::size_t width = columns_in(title);
     for (const Item& item : items)
         width = std::max(width, columns_in(printable(item.*cell)));
@@ -52,8 +52,8 @@ std::string table_of(std::vector<Try> tries) {
         std::any_of(tries.begin(), tries.end(), [](const Try& one) { return !one.before.empty(); });
     const std::string title_before = said("before");
     const std::string title_after = said("after");
-    const std::size_t before = width_of(tries, &Try::before, title_before);
-    const std::size_t after = width_of(tries, &Try::after, title_after);
+    const std::size_t before = column_width(tries, &Try::before, title_before);
+    const std::size_t after = column_width(tries, &Try::after, title_after);
     constexpr std::size_t indent = 6;
     std::string text;
     if (has_pixels)
@@ -62,7 +62,7 @@ std::string table_of(std::vector<Try> tries) {
     const bool is_of_several = std::any_of(tries.begin(), tries.end(), [&tries](const Try& one) {
         return one.primitive != tries.front().primitive;
     });
-    const std::size_t primitive = width_of(tries, &Try::primitive, "");
+    const std::size_t primitive = column_width(tries, &Try::primitive, "");
     for (const Try& one : tries) {
         text += fmt::format("{:>4}  ", one.number);
         if (has_pixels)
@@ -90,8 +90,8 @@ std::string why_not_text(std::vector<WhyNot> why_not) {
     }
     for (WhyNot& one : why_not)
         one.reason = in_language_of_steps(one.reason);
-    const std::size_t name = width_of(why_not, &WhyNot::primitive, "");
-    const std::size_t reason = width_of(why_not, &WhyNot::reason, "");
+    const std::size_t name = column_width(why_not, &WhyNot::primitive, "");
+    const std::size_t reason = column_width(why_not, &WhyNot::reason, "");
     std::string text;
     for (const WhyNot& one : why_not)
         text += fmt::format("  {}  {}  {}\n", padded(printable(one.primitive), name),

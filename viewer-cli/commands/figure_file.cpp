@@ -93,7 +93,7 @@ double unit_of(const Drawing& drawing, const FigureStyle& style, double usual) {
 }
 
 /// In millimeters, of a .tex.
-double width_of(const Drawing& drawing, const FigureStyle& style) {
+double tikz_width(const Drawing& drawing, const FigureStyle& style) {
     const double width = drawing.width * unit_of(drawing, style, mm_per_unit);
     return style.width || style.height ? width : std::min(widest_mm, width);
 }
@@ -140,7 +140,7 @@ std::string figure_in(FigureFormat format, const Drawing& drawing, const FigureS
         return value_or_throw(png_of(checked_bitmap(
             drawing, style.theme, unit_of(drawing, style, style.scale.value_or(png_scale)))));
     case FigureFormat::tex:
-        return value_or_throw(tikz_of(drawing, style.theme, width_of(drawing, style)));
+        return value_or_throw(tikz_of(drawing, style.theme, tikz_width(drawing, style)));
     case FigureFormat::gif:
         return animation_in(format, {1, [&drawing](std::size_t) { return drawing; }}, style);
     case FigureFormat::txt:
@@ -165,7 +165,7 @@ std::string animation_in(FigureFormat format, const FigureFrames& frames,
     for (std::size_t i = 0; i < frames.count; ++i)
         drawings.push_back(frames.at(i));
     if (format == FigureFormat::tex)
-        return value_or_throw(tikz_of(drawings, style.theme, width_of(drawings.back(), style)));
+        return value_or_throw(tikz_of(drawings, style.theme, tikz_width(drawings.back(), style)));
     return value_or_throw(
         animated_svg_of(drawings, seconds, style.theme, unit_of(drawings.back(), style, 1)));
 }

@@ -5,7 +5,7 @@
 //
 //     const auto bytes = figure_in(FigureFormat::svg, drawing, {});
 
-#include "app/output_ending.h"
+#include "app/option_values.h"
 
 #include <rastertrace/figures/drawing.h>
 #include <rastertrace/figures/theme.h>

@@ -4,8 +4,7 @@
 #include "app/command.h"
 #include "app/load.h"
 #include "app/page.h"
-#include "app/run_self.h"
-#include "app/temporary_folder.h"
+#include "app/run_program.h"
 
 #include <rastertrace/core/draw/plan/stages.h>
 #include <rastertrace/trace/text/input.h>
@@ -87,7 +86,7 @@ std::string output_of(const Source& page, const PageCommand& command, const std:
     return output_for(page, command, run.out + run.err);
 }
 
-std::string bytes_of(const std::filesystem::path& path) {
+std::string content_of(const std::filesystem::path& path) {
     std::ifstream file(path, std::ios::binary);
     return {std::istreambuf_iterator<char>(file), {}};
 }
@@ -97,8 +96,8 @@ std::vector<std::string> stale_files(const std::filesystem::path& folder) {
     std::vector<std::string> stale;
     for (const auto& file : std::filesystem::recursive_directory_iterator(folder)) {
         const auto place = "/" / file.path().lexically_relative(folder);
-        if (file.is_regular_file() &&
-            (!std::filesystem::is_regular_file(place) || bytes_of(place) != bytes_of(file.path())))
+        if (file.is_regular_file() && (!std::filesystem::is_regular_file(place) ||
+                                       content_of(place) != content_of(file.path())))
             stale.push_back(place.lexically_proximate(std::filesystem::canonical(".")));
     }
     std::ranges::sort(stale);

@@ -5,7 +5,6 @@
 #include "app/exit_status.h"
 #include "app/load.h"
 #include "app/option_values.h"
-#include "app/output_ending.h"
 #include "app/progress.h"
 #include "app/shared_options.h"
 #include "commands/report_file.h"

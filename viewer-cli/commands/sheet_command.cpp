@@ -5,7 +5,6 @@
 #include "app/exit_status.h"
 #include "app/load.h"
 #include "app/option_values.h"
-#include "app/output_ending.h"
 #include "app/shared_options.h"
 
 #include <rastertrace/trace/check/claims.h>
@@ -35,7 +34,7 @@ namespace {
 
 enum class SheetFormat { text, columns };
 
-constexpr std::array<Ending<SheetFormat>, 2> endings{
+constexpr std::array<Ending<SheetFormat>, 2> sheet_endings{
     {{".txt", SheetFormat::text}, {".csv", SheetFormat::columns}}};
 
 /// What a scene gives to work with, and by which rules, as comments: `# vertices: {A: [2, 5], B: [-4, -3]}`. Without
@@ -101,7 +100,8 @@ public:
         if (!format_name_.empty())
             format_ = *value_of<SheetFormat>("--format", format_name_, {"text", "csv"});
         else if (!output_.empty() && output_ != "-")
-            format_ = format_by_ending<SheetFormat>(output_, endings).value_or(SheetFormat::text);
+            format_ =
+                format_by_ending<SheetFormat>(output_, sheet_endings).value_or(SheetFormat::text);
     }
 
     int run() override {

@@ -5,7 +5,7 @@
 #include "app/option_values.h"
 #include "frames/frame_text.h"
 #include "frames/off_canvas.h"
-#include "frames/terminal.h"
+#include "frames/terminal_text.h"
 
 #include <rastertrace/trace/tell/describe.h>
 #include <rastertrace/trace/tell/digest.h>

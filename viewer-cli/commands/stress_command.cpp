@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
 // `rastertrace stress`: the catalogue of stiff and extreme cases; or, whether a scene is near any cliff.
-
 #include "app/command.h"
 #include "app/exit_status.h"
 #include "app/json_text.h"
@@ -8,7 +7,6 @@
 #include "app/option_values.h"
 #include "app/progress.h"
 #include "app/shared_options.h"
-#include "commands/run_case.h"
 
 #include <rastertrace/numerics/cliffs.h>
 #include <rastertrace/numerics/stress.h>
@@ -32,6 +30,24 @@
 namespace rastertrace {
 
 namespace {
+
+/// A case that was run, and what came of it with each scalar and method.
+struct RunCase {
+    const StressCase* about;
+    std::vector<StressRow> rows;
+
+    /// How many rows have this verdict.
+    std::size_t count(Verdict verdict) const {
+        return static_cast<std::size_t>(
+            std::count_if(rows.begin(), rows.end(),
+                          [verdict](const StressRow& row) { return verdict_of(row) == verdict; }));
+    }
+    /// How many rows are not as documented.
+    std::size_t failed() const {
+        return static_cast<std::size_t>(std::count_if(
+            rows.begin(), rows.end(), [](const StressRow& row) { return !is_as_documented(row); }));
+    }
+};
 
 /// Text over as many lines as it needs. The first begins with `first`, which is padded to `indent`
 /// columns; the others are indented by as many.

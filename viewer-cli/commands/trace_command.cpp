@@ -4,7 +4,6 @@
 #include "app/command.h"
 #include "app/load.h"
 #include "app/option_values.h"
-#include "app/output_ending.h"
 #include "app/progress.h"
 #include "app/shared_options.h"
 #include "frames/frame_files.h"

@@ -10,7 +10,6 @@
 //       4   . . . . . . . . . # # . . . . . .
 //     > 2   . . . . . . . @ @ @ @ @ . . . . .
 
-#include "frames/terminal.h"
 #include "frames/terminal_text.h"
 
 #include <rastertrace/trace/record/replay.h>

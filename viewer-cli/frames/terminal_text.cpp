@@ -8,11 +8,14 @@
 
 #include <fmt/core.h>
 
+#include <sys/ioctl.h>
 #include <unistd.h>
 
 #include <array>
+#include <charconv>
 #include <cstddef>
 #include <limits>
+#include <string_view>
 #include <vector>
 
 namespace rastertrace {
@@ -84,6 +87,15 @@ std::string code_of(Color color, int ground, ColorDepth colors) {
     return {};
 }
 
+/// A size from the environment; `otherwise` if it is not set or makes no sense.
+std::size_t from_environment(const char* name, std::size_t otherwise) {
+    std::size_t value = 0;
+    const std::string_view digits = environment_variable(name);
+    const auto read = std::from_chars(digits.data(), digits.data() + digits.size(), value);
+    const bool is_number = read.ec == std::errc{} && read.ptr == digits.data() + digits.size();
+    return is_number && value > 0 ? value : otherwise;
+}
+
 } // namespace
 
 ColorDepth output_colors(ColorChoice choice) {
@@ -107,6 +119,16 @@ bool output_has_unicode() {
             return locale.find("UTF-8") != std::string_view::npos ||
                    locale.find("utf8") != std::string_view::npos;
     return false;
+}
+
+TextSize output_size() {
+    winsize window{};
+    if (::isatty(STDOUT_FILENO) != 0 && ::ioctl(STDOUT_FILENO, TIOCGWINSZ, &window) == 0 &&
+        window.ws_col > 0 && window.ws_row > 0)
+        return {window.ws_col, window.ws_row};
+    const TextSize unlimited;
+    return {from_environment("COLUMNS", unlimited.columns),
+            from_environment("LINES", unlimited.lines)};
 }
 
 std::string in_lower_case(std::string text) {

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Text with colors for a terminal: the one place that writes escape sequences.
+// What the terminal can show, and text with colors for it: the one place that writes escape sequences.
 //
 //     styled("[a]", {.background = Color{255, 0, 0}}, ColorDepth::truecolor);
-
 #include <rastertrace/core/raster/image.h>
 
+#include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -31,6 +32,16 @@ ColorDepth output_colors(ColorChoice choice);
 
 /// True if the terminal is said to show UTF-8 (setlocale(3): LC_ALL, LC_CTYPE, LANG, the first that is set).
 bool output_has_unicode();
+
+/// How much text fits; no limit where nobody said.
+struct TextSize {
+    std::size_t columns = std::numeric_limits<std::size_t>::max();
+    std::size_t lines = std::numeric_limits<std::size_t>::max();
+};
+
+/// The size of the terminal that standard output goes to. For a file or pipe, what COLUMNS and
+/// LINES say, if they are set.
+TextSize output_size();
 
 /// How a piece of text looks.
 struct Style {

@@ -3,6 +3,7 @@
 
 #include "app/load.h"
 
+#include <rastertrace/trace/tell/describe.h>
 #include <rastertrace/trace/tell/shown_steps.h>
 #include <rastertrace/trace/tell/step_text.h>
 #include <rastertrace/trace/text/text.h>
@@ -20,7 +21,34 @@ namespace {
 constexpr double slowest = 0.25; ///< steps in a second
 constexpr double fastest = 1024;
 
+/// Sentences are kept of at most so many steps.
+constexpr std::size_t most_sentences = 2000;
+
 } // namespace
+
+Playback::Playback(Trace trace, FaceGroups lettered)
+    : trace_(std::move(trace)), parts_(parts_for(View::writes, trace_)), replay_(trace_, parts_),
+      around_(replay_), lettered_(std::move(lettered)) {}
+
+const FaceGroups& Playback::faces() const {
+    if (!faces_) {
+        Replay at_end(trace_);
+        at_end.go_to(trace_.size());
+        faces_ = lettered_faces(at_end, lettered_);
+    }
+    return *faces_;
+}
+
+const std::string& Playback::sentence_of(std::size_t n) const {
+    if (sentences_.size() > most_sentences)
+        sentences_.clear();
+    const auto [place, is_new] = sentences_.try_emplace(n);
+    if (is_new) {
+        around_.go_to(n);
+        place->second = describe_step(around_);
+    }
+    return place->second;
+}
 
 Player::Player(PlayerInput input, const PlayerOptions& options)
     : input_(std::move(input)), options_(options), view_(options.view.value_or(View::plotted)),

@@ -9,24 +9,114 @@
 //
 // Searching a long trace and asking about a pixel are done in pieces, by work(), so that a key is heard at
 // once.
-
 #include "frames/frame_text.h"
 #include "player/key_reader.h"
-#include "player/pixel_question.h"
-#include "player/playback.h"
 
 #include <rastertrace/figures/player_keys.h>
+#include <rastertrace/trace/explain/explain.h>
+#include <rastertrace/trace/explain/steps_of_pixel.h>
+#include <rastertrace/trace/record/replay.h>
+#include <rastertrace/trace/record/trace.h>
 #include <rastertrace/trace/tell/selector.h>
 #include <rastertrace/trace/tell/view.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <functional>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace rastertrace {
+
+/// A trace that is gone through in both directions.
+///
+///     Playback playback(std::move(trace));
+///     playback.go_to(31);
+///     playback.sentence_of(30);
+class Playback {
+public:
+    /// Faces that have `lettered` keep their letters.
+    explicit Playback(Trace trace, FaceGroups lettered = {});
+    Playback(const Playback&) = delete;
+    Playback& operator=(const Playback&) = delete;
+
+    const Trace& trace() const { return trace_; }
+
+    /// True if depth tests are remembered: there is a depth buffer.
+    bool has_depths() const { return parts_.depths; }
+
+    void go_to(std::size_t n) { replay_.go_to(n); }
+
+    /// The picture after the current step.
+    const Replay& replay() const { return replay_; }
+    std::size_t step() const { return replay_.step(); }
+
+    /// What a step near the current one says, see describe_step; valid until another step is asked for. Far from it this
+    /// takes as long as going there.
+    const std::string& sentence_of(std::size_t n) const;
+
+    /// The faces that have letters.
+    const FaceGroups& faces() const;
+
+private:
+    Trace trace_;
+    FrameParts parts_;
+    Replay replay_;
+    mutable Replay around_;                                ///< that tells of the steps around
+    mutable std::map<std::size_t, std::string> sentences_; ///< of some steps, by number
+
+    FaceGroups lettered_;
+    mutable std::optional<FaceGroups> faces_; ///< once someone has asked
+};
+
+/// Who drew a pixel, asked of a trace that may have millions of steps: piece by piece, so that keys are heard meanwhile.
+///
+///     PixelQuestion question(trace, {4, 2});
+///     while (!question.answer()) question.look_on(100'000);
+class PixelQuestion {
+public:
+    PixelQuestion(const Trace& trace, Pixel pixel)
+        : trace_(&trace), pixel_(pixel), steps_(trace, pixel) {}
+
+    Pixel pixel() const { return pixel_; }
+
+    /// Looks at so many steps more; behind the last one the answer is known. False if it was.
+    bool look_on(std::size_t steps) {
+        if (answer_)
+            return false;
+        const std::size_t last = std::min(trace_->size(), looked_at_ + steps);
+        while (looked_at_ < last)
+            steps_.take(++looked_at_);
+        if (looked_at_ < trace_->size())
+            return true;
+        Trace excerpt = std::move(steps_).finish();
+        excerpt.damage = trace_->damage;
+        excerpt.end = trace_->end;
+        answer_ = explain(excerpt, {.about = Topic::pixel, .pixel = pixel_});
+        return true;
+    }
+
+    /// What part of the trace has been looked at, from 0 to 1.
+    double share() const {
+        return trace_->size() == 0
+                   ? 0
+                   : static_cast<double>(looked_at_) / static_cast<double>(trace_->size());
+    }
+
+    /// The answer, or why there is none, once it is known.
+    const std::optional<Result<Explanation>>& answer() const { return answer_; }
+
+private:
+    const Trace* trace_;
+    Pixel pixel_;
+    StepsOfPixel steps_;
+    std::size_t looked_at_ = 0;
+    std::optional<Result<Explanation>> answer_;
+};
 
 /// Where what can be clicked stands on the screen.
 struct ScreenPlaces {

@@ -8,7 +8,6 @@
 //     terminal.show(screen.lines);
 
 #include "frames/frame_text.h"
-#include "frames/terminal.h"
 #include "frames/terminal_text.h"
 #include "player/player.h"
 

@@ -9,7 +9,7 @@
 //     terminal.wait(100);
 //     while (auto key = terminal.key()) ...
 
-#include "frames/terminal.h"
+#include "frames/terminal_text.h"
 #include "player/key_reader.h"
 
 #include <rastertrace/trace/text/descriptor.h>

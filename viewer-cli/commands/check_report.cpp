@@ -218,7 +218,7 @@ std::string frequent_slips(const std::vector<CheckedFile>& files) {
 // JSON: docs/check.md describes the keys.
 
 /// {"left":"-1/4"}: a value of each field that is not as claimed.
-JsonText values_of(const CheckedClaim& claim, std::string CheckedField::*value) {
+JsonText field_values(const CheckedClaim& claim, std::string CheckedField::*value) {
     JsonText values{};
     for (const CheckedField& field : claim.fields)
         if (is_wrong(field.verdict))
@@ -278,8 +278,8 @@ JsonText json_of(const CheckedFile& file, const CheckedClaim& claim, CheckTold t
                   {"right", is_open ? std::nullopt : std::optional(!is_wrong(claim.verdict))}};
     if (told == CheckTold::answers)
         json.add("verdict", name_of(claim.verdict))
-            .add("expected", values_of(claim, &CheckedField::expected))
-            .add("found", values_of(claim, &CheckedField::found))
+            .add("expected", field_values(claim, &CheckedField::expected))
+            .add("found", field_values(claim, &CheckedField::found))
             .add("remarks", all_remarks(claim))
             .add("working", claim.working)
             .add("slips", slips_of(claim))
