@@ -15,7 +15,7 @@ Replay::Replay(const Trace& trace, FrameParts parts, std::size_t most_bytes)
 void Replay::go_to(std::size_t n) {
     std::vector<Keyframe>& kept = shared_->keyframes;
     if (n < step() && kept.empty())
-        kept.emplace_back();
+        kept.emplace_back().tiles.assign(changed_by_.size(), blank_tile());
     if (!kept.empty()) {
         const Keyframe& nearest = *std::prev(std::upper_bound(
             kept.begin(), kept.end(), n,
@@ -66,11 +66,10 @@ void Replay::take(const DepthStep& step) {
     changed_by_[offset / tile_size] = step_;
 }
 
-const std::shared_ptr<const Replay::Tile>& Replay::Keyframe::tile(std::size_t index) const {
-    static const std::vector<std::uint32_t> none(tile_size, 0);
-    static const auto blank =
-        std::make_shared<const Tile>(Tile{0, std::vector(tile_size, no_color), {none, none, none}});
-    return tiles.empty() ? blank : tiles[index];
+std::shared_ptr<const Replay::Tile> Replay::blank_tile() {
+    const std::vector<std::uint32_t> none(tile_size, 0);
+    return std::make_shared<const Tile>(
+        Tile{0, std::vector(tile_size, no_color), {none, none, none}});
 }
 
 std::shared_ptr<const Replay::Tile> Replay::tile(std::size_t index) const {
@@ -90,7 +89,7 @@ void Replay::restore(const Keyframe& keyframe) {
     Color* const colors = frame_.image.row(trace().canvas.top()).colors;
     const std::array lists{&frame_.drawn_by, &frame_.writes, &frame_.stored_by};
     for (std::size_t index = 0; index < changed_by_.size(); ++index) {
-        const Tile& tile = *keyframe.tile(index);
+        const Tile& tile = *keyframe.tiles[index];
         if (std::exchange(changed_by_[index], tile.changed_by) == tile.changed_by)
             continue;
         const std::size_t begin = index * tile_size;
@@ -107,7 +106,7 @@ void Replay::restore(const Keyframe& keyframe) {
 std::size_t Replay::Keyframe::bytes_beside(const Keyframe& before) const {
     std::size_t bytes = sizeof(Keyframe) + tiles.size() * sizeof(tiles[0]);
     for (std::size_t index = 0; index < tiles.size(); ++index)
-        if (tiles[index] != before.tile(index)) {
+        if (tiles[index] != before.tiles[index]) {
             bytes += sizeof(Tile) + tiles[index]->colors.size() * sizeof(Color);
             for (const auto& list : tiles[index]->numbers)
                 bytes += list.size() * sizeof(list[0]);
@@ -118,8 +117,6 @@ std::size_t Replay::Keyframe::bytes_beside(const Keyframe& before) const {
 void Replay::keep() {
     auto& [most_bytes, interval, bytes, kept] = *shared_;
     Keyframe next{step_, memory_, kept.back().tiles};
-    next.tiles.resize(changed_by_.size(),
-                      kept.back().tile(0)); // behind the first one, which has none
     for (std::size_t index = 0; index < changed_by_.size(); ++index)
         if (next.tiles[index]->changed_by != changed_by_[index])
             next.tiles[index] = tile(index);

@@ -96,10 +96,7 @@ private:
     struct Keyframe {
         std::size_t step = 0;
         Memory memory = {};
-        std::vector<std::shared_ptr<const Tile>> tiles =
-            {}; ///< none at step 0, where all are blank
-
-        const std::shared_ptr<const Tile>& tile(std::size_t index) const;
+        std::vector<std::shared_ptr<const Tile>> tiles = {};
 
         /// What it takes beside the one before.
         std::size_t bytes_beside(const Keyframe& before) const;
@@ -117,6 +114,7 @@ private:
     void take_next();
     void take(const PixelStep& step);
     void take(const DepthStep& step);
+    static std::shared_ptr<const Tile> blank_tile();
     std::shared_ptr<const Tile> tile(std::size_t index) const;
     void restore(const Keyframe& keyframe);
     void keep();
