@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Reads the command line and runs the command that it names. The only file that knows CLI11.
+
 #include "app/command_line.h"
 
 #include "app/command.h"

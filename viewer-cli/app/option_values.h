@@ -7,6 +7,7 @@
 //
 //     constexpr std::array endings{Ending<TraceLayout>{".json", TraceLayout::json}, ...};
 //     const auto layout = format_by_ending("x.png", endings);  // throws: expected ...
+
 #include "frames/terminal_text.h"
 
 #include <rastertrace/trace/record/trace_options.h>

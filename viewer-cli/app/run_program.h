@@ -13,6 +13,7 @@
 //
 //     const TemporaryFolder folder("rastertrace-fuzz");
 //     write(folder.path() / "scene.json");
+
 #include <rastertrace/trace/text/descriptor.h>
 
 #include <array>

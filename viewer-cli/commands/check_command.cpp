@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // `rastertrace check`: claims held against a scene or a trace.
+
 #include "app/command.h"
 #include "app/load.h"
 #include "app/option_values.h"

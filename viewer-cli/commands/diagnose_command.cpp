@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // rastertrace diagnose: which rule accounts for what a renderer has drawn, and which mistake it makes.
+
 #include "app/command.h"
 #include "app/command_words.h"
 #include "app/json_text.h"

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // `rastertrace diff`: what two traces, or the files of two folders, do differently.
+
 #include "app/command.h"
 #include "app/exit_status.h"
 #include "app/load.h"

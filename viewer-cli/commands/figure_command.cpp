@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // `rastertrace figure`: figures of frames for a page, a book or a talk.
+
 #include "commands/figure_command.h"
 
 #include "app/load.h"

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // `rastertrace help`: what a command does, for people, for `man` and for shells; and the conventions.
+
 #include "app/command.h"
 #include "app/completion.h"
 #include "app/load.h"

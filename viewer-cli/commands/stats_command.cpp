@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // `rastertrace stats`: what a trace amounts to, as text and as JSON.
+
 #include "app/command.h"
 #include "app/json_text.h"
 #include "app/load.h"

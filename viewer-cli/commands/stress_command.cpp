@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // `rastertrace stress`: the catalogue of stiff and extreme cases; or, whether a scene is near any cliff.
+
 #include "app/command.h"
 #include "app/exit_status.h"
 #include "app/json_text.h"

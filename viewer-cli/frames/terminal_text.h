@@ -4,6 +4,7 @@
 // What the terminal can show, and text with colors for it: the one place that writes escape sequences.
 //
 //     styled("[a]", {.background = Color{255, 0, 0}}, ColorDepth::truecolor);
+
 #include <rastertrace/core/raster/image.h>
 
 #include <cstddef>

@@ -9,6 +9,7 @@
 //
 // Searching a long trace and asking about a pixel are done in pieces, by work(), so that a key is heard at
 // once.
+
 #include "frames/frame_text.h"
 #include "player/key_reader.h"
 
