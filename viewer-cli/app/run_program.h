@@ -5,11 +5,11 @@
 //
 //     const FinishedRun run = run_program({.path = "./mine", .words = {"./mine", "scene.json"}});
 //
-// So it does with this program, once more, as somebody would run it at a terminal of 80 columns:
+// run_self runs this program once more, as at a terminal of 80 columns:
 //
 //     const FinishedRun run = run_self({"plan", "scene.json"}, "", {"page.md"});
 //
-// What a run needs or leaves is put in a folder that goes away with it:
+// Files of a run are put in a temporary folder:
 //
 //     const TemporaryFolder folder("rastertrace-fuzz");
 //     write(folder.path() / "scene.json");
@@ -90,7 +90,7 @@ FinishedRun run_self(const std::vector<std::string>& arguments, const std::strin
 /// For main: takes folder and pages of the program that has started this one by run_self.
 void take_folder_of_run();
 
-/// A folder of its own, which is removed with all that is in it, whatever ends the program but SIGKILL.
+/// A new folder. It is removed with all that is in it, however the program ends, unless SIGKILL ends it.
 class TemporaryFolder {
 public:
     /// Throws a Problem if there can be no folder.
