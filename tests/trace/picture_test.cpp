@@ -163,8 +163,8 @@ std::string png_with(const PngKind& kind, std::size_t width, std::size_t height,
 }
 
 Picture expected_of(const PngKind& kind, int width, int height, const Levels& levels) {
-    Picture picture{width, height, {}};
     const std::size_t channels = channels_of(kind.type);
+    Picture picture{width, height, Colors(levels.size() / channels)};
     const unsigned most = (1U << static_cast<unsigned>(kind.bits)) - 1;
     for (std::size_t i = 0; i < levels.size(); i += channels) {
         const bool is_clear =
@@ -173,16 +173,15 @@ Picture expected_of(const PngKind& kind, int width, int height, const Levels& le
                        levels.begin() + static_cast<int>(i));
         const std::uint8_t alpha = is_clear ? 0 : 255;
         const auto level = [&](std::size_t channel) { return nearest(levels[i + channel], most); };
+        Color& pixel = picture.pixels[i / channels];
         if (kind.type == PNG_COLOR_TYPE_PALETTE) {
             const Color c = palette_color(levels[i]);
-            picture.pixels.emplace_back(c.red(), c.green(), c.blue(),
-                                        kind.has_clear_color ? c.alpha() : std::uint8_t{255});
+            pixel = {c.red(), c.green(), c.blue(),
+                     kind.has_clear_color ? c.alpha() : std::uint8_t{255}};
         } else if (channels <= 2) {
-            picture.pixels.emplace_back(level(0), level(0), level(0),
-                                        channels == 2 ? level(1) : alpha);
+            pixel = {level(0), level(0), level(0), channels == 2 ? level(1) : alpha};
         } else {
-            picture.pixels.emplace_back(level(0), level(1), level(2),
-                                        channels == 4 ? level(3) : alpha);
+            pixel = {level(0), level(1), level(2), channels == 4 ? level(3) : alpha};
         }
     }
     return picture;
@@ -320,9 +319,9 @@ std::string picture_of(const FourColors& colors, unsigned descriptor = 32) {
     constexpr std::array<std::size_t, 8> places{0, 0, 0, 1, 1, 2, 3, 0};
     const std::size_t other_column = (descriptor & 16) != 0 ? 3 : 0;
     const std::size_t other_row = (descriptor & 32) != 0 ? 0 : 4;
-    Picture picture{4, 2, {}};
+    Picture picture{4, 2, Colors(places.size())};
     for (std::size_t i = 0; i < places.size(); ++i)
-        picture.pixels.push_back(colors[places[i ^ other_column ^ other_row]]);
+        picture.pixels[i] = colors[places[i ^ other_column ^ other_row]];
     return colors_of(picture);
 }
 

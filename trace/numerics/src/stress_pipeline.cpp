@@ -208,9 +208,10 @@ constexpr auto measures_of_pipelines = std::to_array<NamedMeasure>({
 } // namespace
 
 Colors clipped_picture(const Scene& scene) {
-    Colors picture;
-    for (const bool is_covered : covered_in_space(scene))
-        picture.push_back(is_covered ? scene.primitives[0].color : no_color);
+    const auto covered = covered_in_space(scene);
+    Colors picture(covered.size());
+    for (std::size_t i = 0; i < covered.size(); ++i)
+        picture[i] = covered[i] ? scene.primitives[0].color : no_color;
     return picture;
 }
 
