@@ -38,7 +38,8 @@ const std::array<Truth, 3>& truths() {
 void check_verdicts(const Truth& truth, const Claims& claims) {
     const Checked checked = rastertrace::check(truth, claims);
     check(checked.claims.size() == claims.claims.size(), "a claim has no verdict");
-    check(checked.right + checked.wrong + checked.follow + checked.open == claims.claims.size(),
+    check(checked.right + checked.wrong + checked.follow + checked.open + checked.not_understood ==
+              claims.claims.size(),
           "the verdicts do not add up");
     for (const CheckedClaim& claim : checked.claims) {
         const bool has_wrong_field =

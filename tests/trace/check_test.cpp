@@ -98,7 +98,10 @@ TEST(Check, LinesByTheirEquations) {
 TEST(Check, PixelsOfALinePlaceByPlace) {
     EXPECT_EQ(verdicts(line_of_five, "AB pixels: (0,0) (1,0) (2,1) (3,1) (4,2) (5,2)\n"), "r");
     const Checked begun = check_claims(line_of_five, "AB: (0,0), (1,0)\n");
-    EXPECT_EQ(begun.claims[0].fields[0].remark, "the first 2 of 6");
+    EXPECT_EQ(begun.claims[0].fields[0].remark, "ends early: the first 2 of 6");
+    EXPECT_EQ(begun.open, 1U);
+    EXPECT_EQ(begun.end_early, 1U);
+    EXPECT_EQ(verdicts(line_of_five, "AB: (0,0), (1,0), ...\n"), "r");
     const Checked wrong = check_claims(line_of_five, "AB: (0,0) (1,0) (2,1) (3,2) (4,2) (5,3)\n");
     const CheckedField& field = first_wrong(wrong);
     EXPECT_EQ(field.place, 4U);
@@ -211,10 +214,10 @@ TEST(Check, ARowThatAddsTheSlopeToAWrongOneFollows) {
 }
 
 TEST(Check, WhoRoundsTooEarlyIsTold) {
-    // dx/dy = 6/7 is 0.9 to one digit; 2 + 0.9 (3 - 5) = 0.2, where 2 - 12/7 = 2/7 is 0.3.
+    // dx/dy = 6/7 is 0.9 to one digit; 2 + 0.9 (4 - 5) = 1.1, where 2 - 6/7 = 8/7 is 1.14.
     const std::string sevenths = R"({"canvas":{"width":17,"height":14},
         "vertices":{"A":[2,5],"B":[-4,-2],"C":[5,-3]},"triangles":["ABC"],"method":{"scalar":"exact"}})";
-    const Checked checked = check_claims(sevenths, "edge AB: 0.9\ny=3: 0.2, ?\n");
+    const Checked checked = check_claims(sevenths, "edge AB: 0.9\ny=4: 1.10, ?\n");
     EXPECT_EQ(verdicts(checked), "rf");
     EXPECT_EQ(checked.claims[1].fields[0].follows_from, 1U);
 }
@@ -226,16 +229,18 @@ TEST(Check, AMovedVertexMovesItsRows) {
     EXPECT_EQ(checked.claims[0].fields[0].follows_from, 2U);
 }
 
-TEST(Check, DecimalsAreRoundedAndNotCutOff) {
+TEST(Check, DecimalsAreRoundedOrCutOff) {
     const std::string thirds = R"({"canvas":{"width":17,"height":14},
         "vertices":{"A":[0,0],"B":[2,3],"C":[4,0]},"triangles":["ABC"],"method":{"scalar":"exact"}})";
     const Checked checked = check_claims(thirds, "y=1: 0.67, ?\ny=1: 0.6667, ?\ny=1: 0.66, ?\n");
-    EXPECT_EQ(verdicts(checked), "rrw");
+    EXPECT_EQ(verdicts(checked), "rrr");
     EXPECT_EQ(checked.claims[0].fields[0].remark, "rounded to 2 digits");
     EXPECT_EQ(checked.claims[1].fields[0].remark, "rounded to 4 digits");
     EXPECT_EQ(checked.claims[2].fields[0].remark, "cut off behind 2 digits, not rounded");
     EXPECT_EQ(verdicts(thirds, "round: truncate\ny=1: 0.66, ?\ny=1: 0.67, ?\n"), "rr");
-    EXPECT_EQ(verdicts(thirds, "y=1: 0.7, ?\ny=1: 0.6, ?\n"), "rw");
+    EXPECT_EQ(verdicts(thirds, "round: nearest\ny=1: 0.66, ?\ny=1: 0.67, ?\n"), "wr");
+    EXPECT_EQ(verdicts(thirds, "y=1: 0.7, ?\ny=1: 0.6, ?\n"), "rr");
+    EXPECT_EQ(verdicts(thirds, "y=1: 0.65, ?\ny=1: 1, ?\ny=1: 0, ?\ny=1: 0.0, ?\n"), "wwww");
 }
 
 /// A triangle of unit vectors, with `more` keys of the scene.
@@ -453,10 +458,17 @@ TEST(Check, AnySheetIsReadOrRefused) {
 
 TEST(Check, AllNamesThatTheSceneDoesNotHaveAreToldInOneRun) {
     EXPECT_EQ(
-        problem_of_claims(triangle, "edge AX: 1\ny=2: -1/4, 25/8\nD screen: 1, 2\n"),
+        problem_of_claims(triangle, "edge AX: 1\nD screen: 1, 2\n"),
         "claims:1:6: expected an edge of the scene (AB, AC, BC), found \"AX\"\nedge AX: 1\n     ^\n"
         "hint: did you mean AB?\n"
-        "claims:3:1: expected a vertex of the scene (A, B, C), found \"D\"\nD screen: 1, 2\n^");
+        "claims:2:1: expected a vertex of the scene (A, B, C), found \"D\"\nD screen: 1, 2\n^\n"
+        "hint: a line looks like `A screen: 2, 5`");
+    const Checked checked =
+        check_claims(triangle, "edge AX: 1\ny=2: -1/4, 25/8\nthe moon is bright\n");
+    EXPECT_EQ(checked.right, 1U);
+    EXPECT_EQ(checked.not_understood, 2U);
+    EXPECT_EQ(checked.claims[0].verdict, ClaimVerdict::not_understood);
+    EXPECT_EQ(checked.claims[2].problem->line, 3U);
 }
 
 TEST(Check, OpenValuesAreCountedApart) {
@@ -613,9 +625,10 @@ TEST(Check, TheStartExchangedWithTheStep) {
     const Checked checked = check_claims(
         edge,
         "y=-3 depth: 0.16, ?\ny=-2 depth: 3.16, ?\ny=-1 depth: 6.16, ?\ny=0 depth: 9.16, ?\n");
-    EXPECT_EQ(verdicts(checked), "wwww");
+    EXPECT_EQ(verdicts(checked), "wrww");
     // 3.16 is 19/6 cut off: where the start is 3 and k is 1, a + 3 k is right by accident.
     EXPECT_EQ(checked.claims[1].fields[0].remark, "cut off behind 2 digits, not rounded");
+    EXPECT_THAT(checked.claims[1].fields[0].slips, IsEmpty());
     for (const std::size_t i : {0U, 2U, 3U})
         EXPECT_EQ(slip_names(checked.claims[i].fields[0]).at(0), "start-and-step-exchanged");
 }
@@ -664,19 +677,22 @@ TEST(Check, BresenhamsDecisions) {
     EXPECT_THAT(slips_of(lines, "OP: -2 1 -1 2 0\n"), Contains("factor-2-dropped"));
 }
 
-TEST(Check, ARightBeginningOfAListIsRight) {
+TEST(Check, AListThatEndsEarlyIsOpen) {
     const std::string lines = example_text("t2-lines/worked-lines.json"); // AB: 4 0 12 8 4 0 12 8
     const auto field = [&](const std::string& claim) {
         return check_claims(lines, claim).claims.at(0).fields.at(0);
     };
-    EXPECT_EQ(field("AB: 4 0 12").verdict, ClaimVerdict::right);
-    EXPECT_EQ(field("AB: 4 0 12").remark, "the first 3 of 8");
+    EXPECT_EQ(field("AB: 4 0 12").verdict, ClaimVerdict::open);
+    EXPECT_EQ(field("AB: 4 0 12").remark, "ends early: the first 3 of 8");
+    EXPECT_TRUE(field("AB: 4 0 12").ends_early);
+    EXPECT_EQ(field("AB: 4, 0, 12, ...").verdict, ClaimVerdict::right);
+    EXPECT_EQ(field("AB: 4, 0, 12, ...").remark, "the first 3 of 8");
     EXPECT_EQ(field("AB: 4 0 12 8 4 0 12 8").remark, "");
-    EXPECT_EQ(field("AB: 4 0 12 8 4 0 12 8 4").remark, "9 values, where 8 belong");
+    EXPECT_EQ(field("AB: 4 0 12 8 4 0 12 8 4").remark, "8 of 9 right; 8 belong");
     EXPECT_EQ(field("AB: ?").verdict, ClaimVerdict::open);
 }
 
-TEST(Check, TheFirstWrongPlaceOfAListIsNamed) {
+TEST(Check, NumbersOfAListAreMarkedOneByOne) {
     const std::string lines = example_text("t2-lines/worked-lines.json");
     // 12 + 12 where d = 0 goes straight on to 12, and 12 - 4 behind it.
     const Checked checked = check_claims(lines, "AB: 4 0 13 9 5 1\nAB: 4 1 12\n");
@@ -684,12 +700,21 @@ TEST(Check, TheFirstWrongPlaceOfAListIsNamed) {
     EXPECT_EQ(third.place, 3U);
     EXPECT_EQ(third.expected, "12");
     EXPECT_EQ(third.found, "13");
-    EXPECT_EQ(third.remark, "what stands behind it follows from it");
+    EXPECT_EQ(third.remark, "2 of 6 right; ends early: 8 belong");
+    ASSERT_EQ(third.numbers.size(), 4U);
+    for (std::size_t i = 1; i < 4; ++i) // each is the one before it and the right increment
+        EXPECT_EQ(third.numbers[i].verdict, ClaimVerdict::follows);
     // d = 0 is followed by 12: the working of the step before it.
     EXPECT_THAT(checked.claims[0].working, Contains(HasSubstr("next d = 0 + 12 = 12")));
     EXPECT_EQ(checked.claims[1].fields[0].place, 2U);
-    EXPECT_EQ(checked.claims[1].fields[0].remark,
-              "number 3 does not follow from the one before it");
+    EXPECT_EQ(checked.claims[1].fields[0].right_numbers, 2U);
+    EXPECT_EQ(checked.claims[1].fields[0].numbers.size(), 1U);
+    // 8 for 2 is wrong, and 6 is neither -2 nor 8 - 4.
+    const Checked ten = check_claims(R"({"canvas":{"width":16,"height":12,"origin":"bottom-left"},
+        "vertices":{"A":[0,0],"B":[10,8]},"lines":["AB"],"method":{"line":"bresenham"}})",
+                                     "AB: 6 8 6 14 10 6 2 -2 14 10\n");
+    EXPECT_EQ(ten.claims[0].fields[0].right_numbers, 8U);
+    EXPECT_EQ(ten.claims[0].fields[0].claimed_numbers, 10U);
 }
 
 TEST(Check, CoordinatesOfOneVertexOnSeveralLinesDoNotContradict) {
@@ -734,16 +759,20 @@ TEST(Check, ContradictionsAreTold) {
 
 TEST(Check, WhatTheSceneDoesNotHave) {
     expect_problem(triangle, "D screen: 1, 2\n",
-                   "claims:1:1: expected a vertex of the scene (A, B, C), found \"D\"");
+                   "claims:1:1: expected a vertex of the scene (A, B, C), found \"D\"",
+                   "a line looks like `A screen: 2, 5`");
     expect_problem(
-        triangle, "A screen: 2, 5\nA clip: 1, 2, 3, 4\n",
-        "claims:2:3: expected a space that A is in (object, world, camera, screen), found clip");
+        triangle, "A clip: 1, 2, 3, 4\n",
+        "claims:1:3: expected a space that A is in (object, world, camera, screen), found clip",
+        "a line looks like `A screen: 2, 5`");
     expect_problem(triangle, "normal ABD: 1, 2, 3\n",
                    "claims:1:8: expected a face of the scene (ABC), found \"ABD\"",
                    "did you mean ABC?");
     expect_problem(
-        triangle, "(9,2): on\n",
-        "claims:1:2: expected a pixel of the canvas (x -8 to 8, y -6 to 7), found (9, 2)");
+        triangle, "(9,2): z 3\n",
+        "claims:1:2: expected a pixel of the canvas (x -8 to 8, y -6 to 7), found (9, 2)",
+        "a line looks like `(3,2): on`, `(3,2): z 10/3`");
+    EXPECT_EQ(verdicts(triangle, "(9,2): on\n(9,2): off\n"), "wr");
     expect_problem(triangle, "(3,2): z 3\n",
                    "claims:1:10: expected a scene with a depth buffer, found one without",
                    "--depth inverse-z gives it one");

@@ -112,9 +112,9 @@ TEST_F(CheckTest, ARoundedDecimalIsRightAndSaysSo) {
                                                        "\n"
                                                        "1 right, 0 wrong\n");
     write("cut.txt", "y=0: -1.75, 3.8\n");
-    EXPECT_EQ(run("check scene.json cut.txt").status, 1);
-    write("cut.txt", "round: truncate\ny=0: -1.75, 3.8\n");
     EXPECT_EQ(run("check scene.json cut.txt").status, 0);
+    write("cut.txt", "round: nearest\ny=0: -1.75, 3.8\n");
+    EXPECT_EQ(run("check scene.json cut.txt").status, 1);
 }
 
 TEST_F(CheckTest, WhatGoesOnFromAWrongNumberIsCountedApart) {
@@ -252,11 +252,49 @@ TEST_F(CheckTest, APileHasALineForEachFileAndGoesOnBehindABadOne) {
     EXPECT_EQ(text.err,
               "rastertrace: carl.txt:1:12: expected a number, like 3.125 or 25/8, found x\n"
               "y=2: -1/4, x\n"
-              "           ^\n");
+              "           ^\n"
+              "hint: a line looks like `y=2: -1/4, 25/8 -> -1..3`, `y=2 depth: 1/3, 1/5`\n");
     const auto json = nlohmann::json::parse(run("check scene.json anna.txt carl.txt --json").out);
     EXPECT_EQ(json[0]["wrong"], 1);
     EXPECT_THAT(json[1]["problem"].get<std::string>(), StartsWith("carl.txt:1:12: expected"));
     EXPECT_EQ(run("check scene.json anna.txt ben.txt").status, 1);
+}
+
+TEST_F(CheckTest, ALineThatIsNotUnderstoodCostsNoOther) {
+    write("sheet.txt", "y=2: i dont know\ny=2: -1/4, 25/8\nedge XY: 1\n");
+    const Outcome text = run("check scene.json sheet.txt");
+    EXPECT_EQ(text.status, 1);
+    EXPECT_THAT(text.out,
+                HasSubstr("sheet.txt:1:6: expected a number, like 3.125 or 25/8, found i\n"
+                          "y=2: i dont know\n"
+                          "     ^\n"));
+    EXPECT_THAT(text.out, EndsWith("\n1 right, 0 wrong, 2 not understood\n"));
+    const auto json = nlohmann::json::parse(run("check scene.json sheet.txt --json").out);
+    EXPECT_EQ(json["not_understood"], 2);
+    EXPECT_EQ(json["claims"][0]["right"], nullptr);
+    EXPECT_EQ(json["claims"][0]["verdict"], "not understood");
+    EXPECT_THAT(json["claims"][2]["problem"].get<std::string>(), StartsWith("sheet.txt:3:6: "));
+    const Outcome strict = run("check scene.json sheet.txt --strict");
+    EXPECT_EQ(strict.status, 2);
+    EXPECT_EQ(strict.out, "");
+    EXPECT_THAT(strict.err, HasSubstr("sheet.txt:3:6: "));
+    EXPECT_EQ(run("check scene.json sheet.txt sheet.txt").status, 1);
+    write("nothing.txt", "i dont know\nthe moon is bright\n");
+    EXPECT_EQ(run("check scene.json nothing.txt").status, 2);
+}
+
+TEST_F(CheckTest, AListThatEndsEarlyHasAnOpenPoint) {
+    write("line.json", R"({"canvas":{"width":9,"height":9},"vertices":{"A":[0,0],"B":[2,1]},
+        "lines":["AB"],"method":{"line":"bresenham"}})");
+    write("sheet.txt", "AB pixels: (0,0) (1,0)\n");
+    const Outcome early = run("check line.json sheet.txt");
+    EXPECT_EQ(early.status, 1);
+    EXPECT_EQ(early.out, "sheet.txt:1: AB pixels: (0,0) (1,0)\n"
+                         "    pixels: open, ends early: the first 2 of 3\n"
+                         "\n"
+                         "0 right, 0 wrong, 1 open\n");
+    write("sheet.txt", "AB pixels: (0,0) (1,0) ...\n");
+    EXPECT_EQ(run("check line.json sheet.txt").status, 0);
 }
 
 TEST_F(CheckTest, WithoutAnswersNoFormatHasOne) {

@@ -2,6 +2,7 @@
 #include "check.h"
 
 #include "claim_comparison.h"
+#include "claim_forms.h"
 #include "claim_meaning.h"
 #include "claim_subject.h"
 #include "drawn_mistakes.h"
@@ -106,17 +107,25 @@ private:
         return said;
     }
 
-    /// What is wrong with the claims of a file is thrown as one Problem.
+    /// If no claim is understood, that is thrown as a Problem.
     void compare_claims() {
-        std::vector<Problem> problems;
         for (std::size_t i = 0; i < claims_.claims.size(); ++i)
             try {
+                if (claims_.claims[i].problem)
+                    throw *claims_.claims[i].problem;
                 compare_claim(i);
             } catch (Problem& problem) {
-                problems.push_back(std::move(problem));
+                if (problem.hint.empty() && claims_.is_table)
+                    problem.hint = form_of(claims_.claims[i].step);
+                subjects_.resize(i);
+                subjects_.emplace_back();
+                checked_.claims.push_back({.claim = i,
+                                           .verdict = ClaimVerdict::not_understood,
+                                           .problem = std::move(problem)});
+                ++checked_.not_understood;
             }
-        if (!problems.empty())
-            throw first_of(std::move(problems));
+        if (checked_.not_understood == claims_.claims.size() && checked_.not_understood > 0)
+            throw *checked_.problem();
     }
 
     /// Compares each field with what is told.
@@ -189,11 +198,13 @@ private:
             checked.verdict = subject.is_left_out ? ClaimVerdict::open : ClaimVerdict::wrong;
             return checked;
         }
-        const std::vector<std::string>& right = decided ? *decided : *exact;
-        checked.expected = joined(right, ", ");
+        const std::vector<std::string>* right = decided ? &*decided : &*exact;
+        checked.expected = joined(*right, ", ");
+        if (field.name == "angle" || field.name == "length")
+            checked.expected = in_ten_digits(checked.expected);
         const bool is_vertex = subject.kind == StepKind::vertex;
         const NumbersHeld held = numbers_held(subject);
-        Comparison comparison = compare(field, right, held, is_vertex);
+        Comparison comparison = compare(field, *right, held, is_vertex);
         if (decides && exact && decided != exact) {
             // A value that is still open is not given away.
             if (!has_open(field))
@@ -201,8 +212,11 @@ private:
                                       truth_.decided().trace().method.word_of("scalar"),
                                       as_written(field, checked.expected),
                                       as_written(field, joined(*exact, ", ")));
-            if (!comparison.is_right)
-                comparison = compare(field, *exact, held, is_vertex);
+            if (const Comparison other = compare(field, *exact, held, is_vertex);
+                !comparison.is_right && other.is_right) {
+                comparison = other;
+                right = &*exact;
+            }
         }
         const bool has_root = !decides && exact &&
                               (!comparison.is_right || comparison.fit == Fit::truncated) &&
@@ -210,17 +224,17 @@ private:
         if (decides && !has_open(field))
             note_tie(subject, field, checked);
         note_fit(comparison, has_root, checked);
-        if (is_by_place(field))
-            note_place(field, right, held, checked);
-        else if (!comparison.is_right && !comparison.is_open)
-            note_count(field, right, checked);
         if (!comparison.is_right && field.name == "culled" && subject.decided_step == 0)
             claim.remarks.push_back(said("the scene culls nothing"));
-        if (comparison.is_open)
+        if (comparison.is_open) {
             checked.verdict = ClaimVerdict::open;
-        else if (!comparison.is_right)
+        } else if (is_by_place(field)) {
+            mark_numbers(field, *right, held, checked);
+        } else if (!comparison.is_right) {
             checked.verdict = ClaimVerdict::wrong;
-        note_number(field, right, order, comparison.fit, checked, claim);
+            note_count(field, *right, checked);
+        }
+        note_number(field, *right, order, comparison.fit, checked, claim);
         return checked;
     }
 
@@ -282,7 +296,7 @@ private:
                                          name_of(subject.kind), field.name));
     }
 
-    /// Says how a decimal was shortened. One that was cut off is right only where that is asked for.
+    /// Says how a decimal was shortened. One that was cut off is wrong only where that is asked for.
     void note_fit(Comparison& comparison, bool has_root, CheckedField& checked) const {
         if (!comparison.is_right)
             return;
@@ -294,66 +308,88 @@ private:
             return;
         checked.remark = said("cut off behind {}, not rounded", digits);
         // A root has to be shortened, one way or the other.
-        comparison.is_right = claims_.truncates || has_root;
+        comparison.is_right = !claims_.only_rounds || has_root;
     }
 
-    /// Says how much of a list is claimed, or which place is the first that is wrong.
-    void note_place(const ClaimedField& field, const std::vector<std::string>& right,
-                    NumbersHeld held, CheckedField& checked) const {
-        const std::size_t count = field.values.size();
+    /// Marks each number of a list by itself, or each pixel.
+    void mark_numbers(const ClaimedField& field, const std::vector<std::string>& right,
+                      NumbersHeld held, CheckedField& checked) const {
         const std::size_t width = numbers_in_place(*subjects_.back(), field);
-        std::size_t first_wrong = 0;
-        while (first_wrong < count && first_wrong < right.size() &&
-               is_right_at(field.values[first_wrong], right[first_wrong], held))
-            ++first_wrong;
-        if (first_wrong == count) {
-            if (count < right.size())
-                checked.remark = said("the first {} of {}", count / width, right.size() / width);
-            return;
-        }
-        if (first_wrong == right.size()) {
-            note_count(field, right, checked);
-            return;
-        }
-        const std::size_t place = first_wrong / width;
-        const auto at_place = [&](const std::vector<std::string>& values) {
-            const auto begin = values.begin() + static_cast<std::ptrdiff_t>(width * place);
-            const auto end = values.size() < width * (place + 1)
-                                 ? values.end()
-                                 : begin + static_cast<std::ptrdiff_t>(width);
-            return joined(std::vector<std::string>(begin, end), ", ");
+        const std::size_t count = (field.values.size() + width - 1) / width;
+        const std::size_t belong = right.size() / width;
+        const auto at_place = [width](const std::vector<std::string>& values, std::size_t place) {
+            const auto at = [&values](std::size_t i) {
+                return values.begin() + static_cast<std::ptrdiff_t>(std::min(i, values.size()));
+            };
+            return std::vector<std::string>(at(width * place), at(width * (place + 1)));
         };
-        checked.place = place + 1;
-        checked.expected = at_place(right);
-        checked.found = at_place(field.values);
-        checked.remark = what_follows(field, place);
+        bool was_right = true;
+        for (std::size_t place = 0; place < count; ++place) {
+            const auto found = at_place(field.values, place);
+            const auto expected = at_place(right, place);
+            const Comparison one = compare({.name = {}, .values = found}, expected, held, false);
+            checked.claimed_numbers += one.is_open ? 0 : 1;
+            checked.right_numbers += one.is_right && !one.is_open ? 1 : 0;
+            if (!one.is_right) {
+                const bool follows = !was_right && goes_on_from_last(field, right, width, place);
+                checked.numbers.push_back(
+                    {.place = place + 1,
+                     .verdict = follows ? ClaimVerdict::follows : ClaimVerdict::wrong,
+                     .expected = expected.empty() ? "none" : joined(expected, ", "),
+                     .found = joined(found, ", ")});
+            }
+            was_right = one.is_right;
+        }
+        const bool goes_on = field.goes_on || field.values.back() == open_value;
+        checked.ends_early = count < belong && !goes_on;
+        if (!checked.numbers.empty()) {
+            const CheckedNumber& first = checked.numbers.front();
+            checked.verdict = ClaimVerdict::wrong;
+            checked.place = first.place;
+            checked.expected = first.expected;
+            checked.found = first.found;
+            checked.remark = said("{} of {} right", checked.right_numbers, checked.claimed_numbers);
+            if (checked.ends_early)
+                checked.remark += said("; ends early: {} belong", belong);
+            else if (count > belong)
+                checked.remark += said("; {} belong", belong);
+        } else if (checked.ends_early) {
+            checked.verdict = ClaimVerdict::open;
+            checked.remark = said("ends early: the first {} of {}", count, belong);
+        } else if (count < belong) {
+            checked.remark = said("the first {} of {}", count, belong);
+        }
+    }
+
+    /// True if the number at a place is the one before it and the right increment: that between the right ones, or what
+    /// Bresenham's rule adds to the wrong one.
+    bool goes_on_from_last(const ClaimedField& field, const std::vector<std::string>& right,
+                           std::size_t width, std::size_t place) const {
+        const auto difference = [](const std::vector<std::string>& values, std::size_t from,
+                                   std::size_t to) -> std::optional<Rational> {
+            const auto a = typed_value(values[from]);
+            const auto b = to < values.size() ? typed_value(values[to]) : std::nullopt;
+            return a && b ? std::optional<Rational>(b->value - a->value) : std::nullopt;
+        };
+        bool is_right_increment = true;
+        for (std::size_t i = width * place; i < width * (place + 1); ++i) {
+            const auto claimed = difference(field.values, i - width, i);
+            is_right_increment = is_right_increment && claimed && i < right.size() &&
+                                 claimed == difference(right, i - width, i);
+        }
+        const auto formulas =
+            formulas_of(*subjects_.back(), subjects_.back()->exact->right(), field.name);
+        const auto* const line =
+            formulas.empty() ? nullptr : std::get_if<BresenhamDecisions>(&formulas.front().of);
+        const auto before = typed_value(field.values[place - 1]);
+        const auto after = typed_value(field.values[place]);
+        return is_right_increment || (line != nullptr && before && after && place < right.size() &&
+                                      line->next(before->value) == after->value);
     }
 
     /// A place of a list of a primitive's pixels has x and y.
     static std::size_t numbers_in_place(const Subject& subject, const ClaimedField& field) {
         return subject.kind == StepKind::primitive && field.name == "pixels" ? 2 : 1;
-    }
-
-    static bool is_right_at(const std::string& claimed, const std::string& told, NumbersHeld held) {
-        return compare({.name = {}, .values = {claimed}}, {told}, held, false).is_right;
-    }
-
-    /// What is to be said of the places behind the first wrong one of Bresenham's d: whether each goes on from the one
-    /// before it.
-    std::string what_follows(const ClaimedField& field, std::size_t place) const {
-        const auto formulas =
-            formulas_of(*subjects_.back(), subjects_.back()->exact->right(), field.name);
-        const auto* const line =
-            formulas.empty() ? nullptr : std::get_if<BresenhamDecisions>(&formulas.front().of);
-        for (std::size_t i = place + 1; line != nullptr && i < field.values.size(); ++i) {
-            const auto before = typed_value(field.values[i - 1]);
-            const auto after = typed_value(field.values[i]);
-            if (before && after && line->next(before->value) != after->value)
-                return said("number {} does not follow from the one before it", i + 1);
-        }
-        return place + 1 < field.values.size() && line != nullptr
-                   ? said("what stands behind it follows from it")
-                   : "";
     }
 
     /// Says that a list has too few numbers, or too many.
@@ -404,6 +440,8 @@ private:
 
     /// What a claim's fields make of it.
     void settle(CheckedClaim& claim) {
+        if (claim.verdict == ClaimVerdict::not_understood)
+            return;
         const auto has = [&claim](ClaimVerdict verdict) {
             return std::any_of(claim.fields.begin(), claim.fields.end(),
                                [&](const auto& field) { return field.verdict == verdict; });
@@ -415,6 +453,9 @@ private:
                         : has(ClaimVerdict::follows)       ? ClaimVerdict::follows
                         : is_open && !claim.fields.empty() ? ClaimVerdict::open
                                                            : ClaimVerdict::right;
+        const bool ends_early = std::any_of(claim.fields.begin(), claim.fields.end(),
+                                            [](const auto& field) { return field.ends_early; });
+        checked_.end_early += claim.verdict == ClaimVerdict::open && ends_early ? 1 : 0;
         ++(claim.verdict == ClaimVerdict::right     ? checked_.right
            : claim.verdict == ClaimVerdict::wrong   ? checked_.wrong
            : claim.verdict == ClaimVerdict::follows ? checked_.follow
@@ -512,6 +553,8 @@ private:
                 std::find_if(claim.fields.begin(), claim.fields.end(), [](const auto& field) {
                     return field.verdict == ClaimVerdict::wrong;
                 });
+            if (subjects_[i]->is_off_canvas)
+                continue;
             const bool is_of_pixel = subjects_[i]->kind == StepKind::pixel;
             if (is_of_pixel && is_decision(StepKind::pixel, wrong->name) &&
                 wrong->name != "color") {
@@ -556,19 +599,27 @@ Checked check(const Truth& truth, const Claims& claims) {
     return Checker(truth, claims).run();
 }
 
-std::string place_in_list(const CheckedField& field) {
-    return field.place == 0 ? "" : said(", number {}", field.place);
+std::optional<Problem> Checked::problem() const {
+    std::vector<Problem> problems;
+    for (const CheckedClaim& claim : claims)
+        if (claim.problem)
+            problems.push_back(*claim.problem);
+    return problems.empty() ? std::nullopt : std::optional(first_of(std::move(problems)));
+}
+
+std::string place_in_list(std::size_t place) {
+    return place == 0 ? "" : said(", number {}", place);
 }
 
 std::string difference_text(const Claims& claims, const CheckedField& field,
-                            std::string_view expected, std::string_view found) {
+                            std::string_view expected, std::string_view found, std::size_t place) {
     if (field.name == "picture")
         return fmt::format("{}: {}", words_for_field(field.name), found);
     const auto as_written = [&](std::string_view value) {
         const bool is_of_json = !claims.is_table && (value == "true" || value == "false");
         return is_of_json ? value : word_for_value(field.name, value);
     };
-    return said("{}{}: expected {}, found {}", claims.in_words(field.name), place_in_list(field),
+    return said("{}{}: expected {}, found {}", claims.in_words(field.name), place_in_list(place),
                 as_written(expected), as_written(found));
 }
 

@@ -83,6 +83,7 @@ enum class ClaimVerdict {
     wrong,
     follows, ///< wrong only because it goes on from a wrong number, which was claimed elsewhere
     open,    ///< `?`: not worked out yet
+    not_understood, ///< of a claim: it cannot be read, or held against the scene
 };
 
 /// A mistake that gives the number which was claimed.
@@ -91,6 +92,16 @@ struct LikelySlip {
     std::string meaning; ///< in words
     double evidence =
         0; ///< how much likelier the number is with it than by chance: a natural logarithm
+    std::size_t place = 0; ///< of a list, the number that it gives; 0: all that are wrong
+};
+
+/// A number of a list, or a pixel of one, that is not the right one.
+struct CheckedNumber {
+    std::size_t place; ///< from 1
+    ClaimVerdict
+        verdict; ///< wrong; or follows: the one before it is wrong, and what was added to that is right
+    std::string expected; ///< "none" behind the end of the right list
+    std::string found;
 };
 
 /// What has been found about one field of a claim.
@@ -101,6 +112,14 @@ struct CheckedField {
     std::string found = {};
     std::size_t place =
         0; ///< of a list, the first that is wrong, from 1; then `expected` and `found` are that one
+
+    /// Of a list that is marked number by number: those that are not right, how many are, and of how many that are not
+    /// open; and whether numbers are missing behind the last, and no dots say so.
+    std::vector<CheckedNumber> numbers = {};
+    std::size_t right_numbers = 0;
+    std::size_t claimed_numbers = 0;
+    bool ends_early = false;
+
     std::string remark =
         {}; ///< "rounded to 2 digits", or what the scalar decides otherwise; may be empty
 
@@ -131,6 +150,8 @@ struct CheckedClaim {
     /// Of a picture that differs: `#` right, `!` extra, `?` missing, `.` empty, blank left open, each row with what the
     /// trace tells of it behind it.
     std::vector<std::string> picture = {};
+
+    std::optional<Problem> problem = {}; ///< why it is not understood
 };
 
 struct Checked {
@@ -138,20 +159,29 @@ struct Checked {
     std::size_t wrong = 0;
     std::size_t follow = 0;
     std::size_t open = 0;
+    std::size_t not_understood = 0;
+    std::size_t end_early =
+        0; ///< of the open ones: lists of which all numbers are right, but some missing
     std::vector<CheckedClaim> claims;    ///< one for each, in their order
     std::vector<std::string> slips = {}; ///< behind the wrong numbers, the most likely first
+
+    /// True if a claim is wrong, is not understood, or ends early.
+    bool has_faults() const { return wrong + follow + not_understood + end_early > 0; }
+
+    /// Of the claims that are not understood; nothing if all are.
+    std::optional<Problem> problem() const;
 };
 
-/// Checks every claim. Throws a Problem, which points at the claim, if one is about a name that the scene
-/// does not have, or if it does not say which of several steps is meant.
+/// Checks every claim. One about a name that the scene does not have, or that does not say which of several steps is
+/// meant, is not understood, as one that cannot be read. Throws a Problem if none is understood.
 Checked check(const Truth& truth, const Claims& claims);
 
-/// `, number 3` of a list; empty of any other field.
-std::string place_in_list(const CheckedField& field);
+/// `, number 3` of a list; empty of 0.
+std::string place_in_list(std::size_t place);
 
 /// "first pixel: expected -1, found 0", in the words that the claims are written in. `expected` and `found` are the
-/// field's, or what is shown of them.
+/// field's, or those of the number at a place of its list, or what is shown of them.
 std::string difference_text(const Claims& claims, const CheckedField& field,
-                            std::string_view expected, std::string_view found);
+                            std::string_view expected, std::string_view found, std::size_t place);
 
 } // namespace rastertrace

@@ -22,11 +22,16 @@ constexpr auto words_of_table =
                                 {"filled", "plotted", "true"},
                                 {"black", "plotted", "true"},
                                 {"yes", "plotted", "true"},
+                                {"set", "plotted", "true"},
+                                {"lit", "plotted", "true"},
+                                {"painted", "plotted", "true"},
                                 {"off", "plotted", "false", "off"},
                                 {"empty", "plotted", "false"},
                                 {"blank", "plotted", "false"},
                                 {"white", "plotted", "false"},
                                 {"no", "plotted", "false"},
+                                {"unset", "plotted", "false"},
+                                {"unlit", "plotted", "false"},
                                 {"visible", "visible", "true", "visible"},
                                 {"seen", "visible", "true"},
                                 {"hidden", "visible", "false", "hidden"},
@@ -91,6 +96,7 @@ void ClaimBuilder::put_list(std::string_view name, const std::vector<ClaimWord>&
             line_.fail(word, *expected);
         claimed.values.push_back(word.text);
     }
+    claimed.goes_on = claimed.is_list && line_.ends_in_dots();
     claim_.fields.push_back(std::move(claimed));
 }
 

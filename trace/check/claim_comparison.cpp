@@ -24,7 +24,8 @@ Fit fit_of(const TypedValue& claimed, const Rational& truth, const Rational& err
         return Fit::exact;
     constexpr int most_places = 1000; // more than anybody writes
     const int places = claimed.places.value_or(0);
-    if (!claimed.places || std::abs(places) > most_places)
+    const bool has_digits = sgn(claimed.value) != 0 || claimed.is_rounded; // 0.00 is 0
+    if (!claimed.places || std::abs(places) > most_places || !has_digits)
         return Fit::none;
     mpz_class digits;
     mpz_ui_pow_ui(digits.get_mpz_t(), 10, static_cast<unsigned long>(std::abs(places)));

@@ -46,7 +46,17 @@ constexpr std::array derived_fields{
     DerivedField{StepKind::face, {.name = "centroid", .type = quantity, .is_list = true}},
     DerivedField{StepKind::face, {.name = "angle", .type = quantity}},
     DerivedField{StepKind::face, {.name = "plane", .type = quantity, .is_list = true}},
+    DerivedField{StepKind::face, {.name = "length", .type = quantity}},
+    DerivedField{StepKind::edge, {.name = "m", .type = quantity}},
+    DerivedField{StepKind::edge, {.name = "y_min", .type = quantity}},
+    DerivedField{StepKind::edge, {.name = "y_max", .type = quantity}},
+    DerivedField{StepKind::edge, {.name = "x_start", .type = quantity}},
+    DerivedField{StepKind::along, {.name = "xy", .type = quantity, .is_list = true}},
+    DerivedField{StepKind::along, {.name = "place", .type = whole, .is_list = true}},
     DerivedField{StepKind::decide, {.name = "d", .type = quantity, .is_list = true}},
+    DerivedField{StepKind::decide, {.name = "k", .type = whole, .is_key = true}},
+    DerivedField{StepKind::decide, {.name = "place", .type = whole, .is_list = true}},
+    DerivedField{StepKind::decide, {.name = "place_before", .type = whole, .is_list = true}},
 };
 
 /// What `text`, which is no number, should be: `expected`, or what keeps it from being one.

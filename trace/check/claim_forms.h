@@ -4,19 +4,24 @@
 // The forms that a line of a table of claims can have, and the claims that they stand for.
 //
 //     ClaimLine line(source, begin, end);  // (3,2): on
-//     read_claim(line, claim);             // {"step": "pixel", "x": 3, "y": 2, "plotted": true}
+//     read_claim(line, claim);  // {"step": "pixel", "x": 3, "y": 2, "plotted": true}
 
 #include "claim_line.h"
 #include "claims.h"
 
 #include <cstddef>
+#include <string>
 #include <string_view>
 #include <vector>
 
 namespace rastertrace {
 
-/// Reads what a line claims. What is wrong is thrown as a Problem.
-void read_claim(ClaimLine& line, Claim& claim);
+/// Reads what a line claims, which are as many copies of a claim as there are pixels that it says the same of. What is
+/// wrong is thrown as a Problem.
+std::vector<Claim> read_claim(ClaimLine& line, Claim claim);
+
+/// What lines about a kind of step look like, for a hint; of "", all lines.
+std::string form_of(std::string_view step);
 
 /// Reads what a cell of a table says of a field; of `pixels`, the first and the last of a row. What is wrong is thrown.
 void read_cell(ClaimLine& cell, Claim& claim, std::string_view field);

@@ -3,6 +3,7 @@
 
 #include <rastertrace/core/numbers/number.h>
 #include <rastertrace/trace/text/json_scanner.h>
+#include <rastertrace/trace/text/language.h>
 #include <rastertrace/trace/text/number_fault.h>
 #include <rastertrace/trace/text/text.h>
 
@@ -12,6 +13,8 @@
 #include <array>
 #include <cctype>
 #include <cmath>
+#include <functional>
+#include <map>
 #include <utility>
 #include <variant>
 
@@ -28,8 +31,8 @@ constexpr std::size_t shown_of_word = 40;
 
 /// The mark at the front of `text`, or "".
 std::string_view mark_at(std::string_view text) {
-    constexpr std::array<std::string_view, 12> marks{"->", "..", "(", ")", "[", "]",
-                                                     ",",  ";",  "|", ":", "=", "~"};
+    constexpr std::array<std::string_view, 13> marks{"->", "..", "<=", "(", ")", "[", "]",
+                                                     ",",  ";",  "|",  ":", "=", "~"};
     for (const std::string_view mark : marks)
         if (text.starts_with(mark))
             return mark;
@@ -62,6 +65,10 @@ struct Spelling {
     std::string_view read;
 };
 constexpr auto spellings = std::to_array<Spelling>({
+    {"\\text{", ""},     {"\\mathrm{", ""},    {"_{", "_"},          {"\\leq", "<="},
+    {"\u2264", "<="},    {"\u2208", "="},      {"\u0394x", "dx"},    {"\u0394y", "dy"},
+    {"\u2206x", "dx"},   {"\u2206y", "dy"},    {"\u0394", " "},      {"\u2206", " "},
+    {"\u2032", "'"},     {"\u2019", "'"},      {"<=", "<="},         {"<", "<="},
     {"\\frac", "frac "}, {"\\tfrac", "frac "}, {"\\dfrac", "frac "}, {"\\sqrt", "sqrt"},
     {"\\pi", "pi"},      {"\\cdot", "*"},      {"}{", ")/("},        {"{", "("},
     {"}", ")"},          {"$", " "},           {"=>", "->"},         {"~=", "~"},
@@ -93,6 +100,7 @@ ClaimLine::ClaimLine(const Source& source, std::size_t begin, std::size_t end, C
     spell();
     leave_out_numbering();
     read_words();
+    translate();
 }
 
 /// Copies the line up to its comment, with plain characters in place of those that mean the same. What stands in quotes
@@ -104,8 +112,9 @@ void ClaimLine::spell() {
             !without_blanks(spelled_).ends_with("color"))
             break;
         const std::size_t quoted_from = at;
+        const std::size_t before = spelled_.size();
         spell_character(at);
-        if (spelled_.back() != '"')
+        if (spelled_.size() == before || spelled_.back() != '"')
             continue;
         while (at < raw_.size() && raw_[at] != '"' && !raw_.substr(at).starts_with("\u201D"))
             for (std::size_t i = raw_[at] == '\\' ? 2 : 1; i > 0 && at < raw_.size(); --i) {
@@ -131,6 +140,16 @@ void ClaimLine::spell_character(std::size_t& at) {
                      [rest](const Spelling& one) { return rest.starts_with(one.typed); });
     std::string_view read = known == spellings.end() ? rest.substr(0, 1) : known->read;
     const std::string_view typed = known == spellings.end() ? read : known->typed;
+    if (typed.size() > 1 && typed.ends_with('{') && read.size() < 2)
+        ++plain_braces_;
+    if (typed == "}" && plain_braces_ > 0) {
+        --plain_braces_;
+        read = "";
+    }
+    if (read.empty()) {
+        at += typed.size();
+        return;
+    }
     const bool is_behind_digit = !spelled_.empty() && is_digit(spelled_.back());
     if (typed == "\u2013" && is_behind_digit && rest.size() > typed.size() &&
         is_digit(rest[typed.size()]))
@@ -181,6 +200,27 @@ void ClaimLine::read_words() {
              .begin = at,
              .end = at + length});
         at += length;
+    }
+}
+
+/// Puts English words in the place of others. Short ones are read so beside numbers only: a and e are names, too.
+void ClaimLine::translate() {
+    const auto is_number = [this](std::size_t i) {
+        return i < words_.size() && !words_[i].is_quoted && !words_[i].text.empty() &&
+               std::string_view("-+.?0123456789").find(words_[i].text[0]) != std::string_view::npos;
+    };
+    bool was_translated = false;
+    for (std::size_t i = 0; i < words_.size(); ++i) {
+        const bool is_word = !words_[i].is_quoted && !words_[i].is_mark;
+        const std::string_view english = is_word ? english_word(words_[i].text) : "";
+        const bool is_short = english == "from" || english == "to" || english == "and";
+        if (english == "from" && !is_number(i + 1) && was_translated) {
+            words_.erase(words_.begin() + static_cast<std::ptrdiff_t>(i--)); // inclinação de AB
+            continue;
+        }
+        was_translated = !english.empty() && (!is_short || is_number(i + 1));
+        if (was_translated)
+            words_[i].text = english;
     }
 }
 
@@ -242,10 +282,28 @@ void ClaimLine::leave_out_fillers() {
                            [&word](std::string_view filler) { return word.is(filler); });
     });
     for (ClaimWord& word : words_)
-        if (word.is("is") || word.is("has")) {
+        if (word.is("is") || word.is("are") || word.is("has")) {
             word.text = ":";
             word.is_mark = true;
         }
+}
+
+void ClaimLine::part(std::size_t length, std::size_t left_out) {
+    ClaimWord& first = words_[next_];
+    ClaimWord second = first;
+    second.text.erase(0, length + left_out);
+    second.begin += length + left_out;
+    second.offset = offset_of(second.begin);
+    first.text.resize(length);
+    first.end = first.begin + length;
+    words_.insert(words_.begin() + static_cast<std::ptrdiff_t>(next_) + 1, std::move(second));
+}
+
+bool ClaimLine::take_last_dots() {
+    if (!peek().is("..") || !is_end(1))
+        return false;
+    ++next_;
+    return true;
 }
 
 bool ClaimLine::take(std::string_view plain) {
@@ -303,7 +361,7 @@ ClaimWord ClaimLine::number(const NumberSpelling& spelling) {
 }
 
 /// The next one of a list, perhaps with its name before it: xl = -1/4, left -1/4.
-ClaimWord ClaimLine::value_of_list() {
+ClaimWord ClaimLine::value_of_list(bool has_mixed) {
     const bool is_side = std::any_of(row_sides.begin(), row_sides.end(),
                                      [this](std::string_view side) { return peek().is(side); });
     if (peek().is_name() && !typed_value(peek().text) &&
@@ -311,7 +369,7 @@ ClaimWord ClaimLine::value_of_list() {
         next_ += 2;
     else if (is_side)
         ++next_;
-    ClaimWord value = number({.has_decimal_comma = commas_.is_decimal});
+    ClaimWord value = number({.has_decimal_comma = commas_.is_decimal, .has_mixed = has_mixed});
     while (peek().is("=") && !peek(1).is_mark) { // 2 - 9/4 = -1/4
         ++next_;
         const ClaimWord same = number({.has_decimal_comma = commas_.is_decimal});
@@ -336,27 +394,48 @@ bool ClaimLine::take_separator() {
     return false;
 }
 
-/// Commas both with and without a blank behind them, or beside semicolons, are those of decimals and those between
-/// numbers. So is the only comma where one number belongs.
-void ClaimLine::note_commas(bool takes_one) {
+/// Commas both with and without a blank behind them, or beside semicolons and bars, are those of decimals and those
+/// between numbers, but for those beside a fraction. So is the only comma where one number belongs. With blanks alone
+/// between numbers, nobody knows.
+void ClaimLine::note_commas(std::size_t count) {
     std::size_t tight = 0;
     std::size_t loose = 0;
+    std::optional<std::size_t> apart; // by a blank, or a stroke between blanks
+    const auto begins_number = [this](std::size_t i) {
+        return i < words_.size() && words_[i].text.find_first_of("0123456789") < 2 &&
+               words_[i].text.find_first_not_of("+-./0123456789") == std::string::npos;
+    };
+    const auto is_fraction = [this](std::size_t i) {
+        return words_[i].text.find('/') != std::string::npos;
+    };
     for (std::size_t i = next_; i < words_.size() && !words_[i].is("->"); ++i) {
         const bool is_tight =
             words_[i].is(",") && 0 < i && i + 1 < words_.size() &&
             words_[i - 1].end == words_[i].begin && words_[i].end == words_[i + 1].begin &&
             is_digit(spelled_[words_[i].begin - 1]) && is_digit(spelled_[words_[i].end]);
+        if (is_tight && (is_fraction(i - 1) || is_fraction(i + 1)))
+            continue;
         tight += is_tight ? 1 : 0;
+        if (begins_number(i) &&
+            (begins_number(i + 1) ||
+             (i + 2 < words_.size() && words_[i + 1].is("/") && begins_number(i + 2))))
+            apart = i;
         const bool is_apart = i + 1 < words_.size() && words_[i].end < words_[i + 1].begin;
-        loose += (words_[i].is(",") && is_apart) || words_[i].is(";") ? 1 : 0;
+        constexpr std::array<std::string_view, 5> apart_by{";", "|", "to", "and", ".."};
+        const bool is_other = std::any_of(apart_by.begin(), apart_by.end(),
+                                          [&](std::string_view one) { return words_[i].is(one); });
+        loose += is_other || (words_[i].is(",") && is_apart) ? 1 : 0;
     }
-    if (tight > 0 && (loose > 0 || takes_one))
+    if (tight > 0 && loose == 0 && apart && !commas_.is_decimal)
+        fail(words_[*apart + 1], "`;` between two numbers",
+             "a comma may be that of a decimal, or stand between numbers: 0,25; 3,125 or 0, 25, 3, "
+             "125");
+    if (tight > 0 && (count == 1 || (count > 0 && loose > 0)))
         commas_.is_decimal = commas_.is_seen = true;
 }
 
-std::vector<ClaimWord> ClaimLine::numbers(std::size_t count, std::size_t usual) {
-    if (count + usual > 0)
-        note_commas(count == 1);
+std::vector<ClaimWord> ClaimLine::numbers(std::size_t count, std::size_t usual, bool has_mixed) {
+    note_commas(std::max(count, count == 1 ? 1 : usual));
     const std::size_t begin = next_;
     const bool is_list = peek().is("[") || (peek().is("(") && !take_number({}));
     next_ = begin + (is_list ? 1 : 0);
@@ -368,12 +447,14 @@ std::vector<ClaimWord> ClaimLine::numbers(std::size_t count, std::size_t usual) 
     bool has_more = true;
     while (has_more) {
         take("from");
-        values.push_back(value_of_list());
+        values.push_back(value_of_list(has_mixed));
         if (last_.has_comma)
             with_comma = values.back();
         if (last_.is_mixed)
             mixed = values.back();
-        has_more = values.size() != count && take_separator();
+        has_more = values.size() != count && !take_last_dots() && take_separator();
+        if (has_more && take_last_dots())
+            break;
         if (has_more && (peek().is("pixels") || peek().is("pixel")))
             break;
         if (values.size() != count && !has_more) {
@@ -432,6 +513,28 @@ void ClaimLine::fail(const ClaimWord& word, std::string_view expected, std::stri
 
 void ClaimLine::fail_at_begin(std::string message, std::string hint) const {
     throw problem_at(source_, offset_of_raw(0), std::move(message), std::move(hint));
+}
+
+std::string_view english_word(std::string_view typed) {
+    constexpr auto words = std::to_array<Words>({
+        "and##claim",     "angle##claim",  "centroid##claim", "color##claim",   "cosine##claim",
+        "culled##claim",  "depth##claim",  "drawn##claim",    "edge##claim",    "fails##claim",
+        "from##claim",    "has##claim",    "hidden##claim",   "inside##claim",  "intensity##claim",
+        "is##claim",      "left##claim",   "light##claim",    "matrix##claim",  "none##claim",
+        "off##claim",     "on##claim",     "order##claim",    "outside##claim", "passes##claim",
+        "picture##claim", "plane##claim",  "right##claim",    "row##claim",     "rows##claim",
+        "scene##claim",   "slope##claim",  "to##claim",       "view##claim",    "visible##claim",
+        "weights##claim", "vertex##claim", "first##claim",    "last##claim",    "face##claim",
+    });
+    static const auto known = [&words] {
+        std::map<std::string, std::string_view, std::less<>> english;
+        for (const Words& word : words) // of several, all mean the same
+            for (const std::string& other : split_at(word.in(Language::portuguese), '|'))
+                english.emplace(other, word.in(Language::english));
+        return english;
+    }();
+    const auto found = known.find(typed);
+    return found == known.end() ? std::string_view() : found->second;
 }
 
 bool is_one_word(std::string_view text) {

@@ -23,7 +23,7 @@
 
 namespace rastertrace {
 
-/// A word, a number, or a mark between them: ( ) [ ] , ; | : = -> .. ~
+/// A word, a number, or a mark between them: ( ) [ ] , ; | : = <= -> .. ~
 struct ClaimWord {
     std::string text; ///< without quotes; empty at the end of the line
     std::size_t offset = 0;
@@ -71,8 +71,22 @@ public:
     bool take(std::string_view plain);
     bool take(std::string_view plain, std::string_view mark);
 
-    /// Leaves out what only makes a sentence of it: the, of, at, goes. `is` and `has` become a colon.
+    /// Leaves out what only makes a sentence of it: the, of, at, goes. `is`, `are` and `has` become a colon.
     void leave_out_fillers();
+
+    /// Parts the next word in two; between them, as many bytes are left out.
+    void part(std::size_t length, std::size_t left_out);
+
+    /// Goes behind dots that are the last of the line: the list before them goes on.
+    bool take_last_dots();
+
+    /// True if take_last_dots was.
+    bool ends_in_dots() const { return at_end() && !words_.empty() && words_.back().is(".."); }
+
+    /// What is left of the line, as it is read.
+    std::string_view remaining() const {
+        return std::string_view(spelled_).substr(std::min(peek().begin, spelled_.size()));
+    }
 
     /// True of a place behind the last word.
     bool is_end(std::size_t ahead) const { return next_ + ahead >= words_.size(); }
@@ -97,8 +111,8 @@ public:
     ClaimWord one_number() { return numbers(1).front(); }
 
     /// So many numbers, 0 for any, with commas or blanks between them, perhaps in brackets; or one `?` for all. `usual`
-    /// is how many there are of them as a rule.
-    std::vector<ClaimWord> numbers(std::size_t count, std::size_t usual = 0);
+    /// is how many there are of them as a rule. Without `has_mixed`, 3 1/8 are two of them.
+    std::vector<ClaimWord> numbers(std::size_t count, std::size_t usual = 0, bool has_mixed = true);
 
     /// A word as it was typed, a number with its unit.
     std::string_view typed(const ClaimWord& word) const {
@@ -107,7 +121,8 @@ public:
 
     /// What stands between two words that were read.
     std::string_view between(const ClaimWord& first, const ClaimWord& second) const {
-        return std::string_view(spelled_).substr(first.end, second.begin - first.end);
+        return std::string_view(spelled_).substr(first.end,
+                                                 std::max(second.begin, first.end) - first.end);
     }
 
     /// What follows as it stands, without quotes around it, to the end of the line.
@@ -128,13 +143,14 @@ private:
     void spell_character(std::size_t& at);
     void leave_out_numbering();
     void read_words();
+    void translate();
     void read_quoted(std::size_t& at);
     void add(ClaimWord word);
     std::size_t offset_of(std::size_t at) const;
     std::size_t offset_of_raw(std::size_t at) const;
     bool take_separator();
-    void note_commas(bool takes_one);
-    ClaimWord value_of_list();
+    void note_commas(std::size_t count);
+    ClaimWord value_of_list(bool has_mixed);
     [[noreturn]] void refuse_two_readings(const ClaimWord& number, std::string_view expected,
                                           std::string hint) const;
 
@@ -146,8 +162,12 @@ private:
     std::vector<std::size_t> places_; ///< in `raw_`, of each byte of `spelled_`
     std::vector<ClaimWord> words_;
     std::size_t next_ = 0;
-    TypedNumber last_; ///< that was read
+    TypedNumber last_;     ///< that was read
+    int plain_braces_ = 0; ///< open ones like those of \text{left}, which are left out
 };
+
+/// The English word for one that claims in another language have: slope for inclinação; "" if there is none.
+std::string_view english_word(std::string_view typed);
 
 /// True if `text` is read as one word that is no mark.
 bool is_one_word(std::string_view text);

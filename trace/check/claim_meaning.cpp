@@ -9,6 +9,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <array>
 #include <optional>
 #include <string>
 #include <vector>
@@ -69,10 +70,44 @@ std::optional<Meant> meaning_of_name(const std::string& name, std::size_t count,
     return Meant{StepKind::vertex, "name", "at", space_of(name, count, claim, claims, told)};
 }
 
-/// Numbers of a row are the ends of a polygon's spans; where there is none, the pixels.
-Claim row_as_meant(Claim claim, const StepIndex& told) {
-    if (!told.find(StepKind::crossings, {}).empty())
+/// Fails of numbers in a row that can be its ends and its pixels, or the ends of several spans.
+[[noreturn]] void refuse_ends_or_pixels(const ClaimedField& numbers, const Claims& claims) {
+    const std::vector<std::string> ends(numbers.values.begin(), numbers.values.begin() + 2);
+    const std::vector<std::string> rest(numbers.values.begin() + 2, numbers.values.end());
+    throw problem_at(
+        claims.source, numbers.offset,
+        fmt::format("expected two ends, or a pixel's number in each place, found {}, which is {} "
+                    "-> {}, or the ends of spans",
+                    joined(numbers.values, ", "), joined(ends, ", "), joined(rest, ", ")),
+        fmt::format("y=2: {} -> {}", joined(ends, ", "), joined(rest, "..")));
+}
+
+bool is_whole(const std::string& value) {
+    const auto typed = typed_value(value);
+    return value == open_value || (typed && typed->value.get_den() == 1);
+}
+
+/// Numbers of a row are the ends of a polygon's spans; where there is none, the pixels, of which none is a fraction.
+Claim row_as_meant(Claim claim, const Claims& claims, const StepIndex& told) {
+    const ClaimedField* const x = claim.find("x");
+    if (x == nullptr || x->values.size() < 3)
         return claim;
+    const bool are_whole = std::all_of(x->values.begin(), x->values.end(), is_whole);
+    const bool may_be_pixels =
+        x->values.size() == 4 && is_whole(x->values[2]) && is_whole(x->values[3]) && !are_whole;
+    if (!told.find(StepKind::crossings, {}).empty()) {
+        StepIndex::Keys keys;
+        for (const ClaimedField& field : claim.fields)
+            if (field.name == "y" || field.name == "in")
+                keys.emplace_back(field.name, field.values.front());
+        const auto& rows = told.find(StepKind::crossings, keys);
+        if (may_be_pixels && rows.size() == 1 &&
+            told.trace().step(rows.front()).as<CrossingsStep>().x.values().size() == 2)
+            refuse_ends_or_pixels(*x, claims);
+        return claim;
+    }
+    if (!are_whole)
+        refuse_ends_or_pixels(*x, claims);
     claim.step = name_of(StepKind::scanline);
     for (ClaimedField& field : claim.fields) {
         if (field.name != "x")
@@ -88,8 +123,31 @@ Claim row_as_meant(Claim claim, const StepIndex& told) {
     return claim;
 }
 
+bool is_right(const StepIndex& told, std::size_t step, const ClaimedField& field) {
+    const ToldValues values = told_in(told, step, field);
+    return values && compare(field, *values, NumbersHeld::doubles, true).is_right;
+}
+
+/// The slope of an edge is dx/dy, and m of y = m x + b if that is what was claimed.
+void name_slope(Claim& claim, const StepIndex& told) {
+    for (ClaimedField& field : claim.fields) {
+        if (field.name != "m")
+            continue;
+        field.name = "dx_dy";
+        ClaimedField as_m{.name = "y_form",
+                          .values = {field.values.front(), std::string(open_value)},
+                          .is_list = true,
+                          .offset = field.offset};
+        const auto& edges = told.find(
+            StepKind::edge, {{"edge", edge_in(told, claim.find("edge")->values.front())}});
+        if (!edges.empty() && is_right(told, edges.front(), as_m))
+            field = std::move(as_m);
+    }
+}
+
 /// A claim about an edge, or about a line of that name.
 Claim line_as_meant(Claim claim, const StepIndex& told) {
+    name_slope(claim, told);
     const ClaimedField* const edge = claim.find("edge");
     if (edge == nullptr ||
         !told.find(StepKind::edge, {{"edge", edge_in(told, edge->values.front())}}).empty() ||
@@ -110,15 +168,155 @@ Claim line_as_meant(Claim claim, const StepIndex& told) {
 
 } // namespace
 
-Claim as_meant(Claim claim, const Claims& claims, const TruthIndex& truth) {
-    if (claims.is_table && claim.find("edge") != nullptr)
-        return line_as_meant(std::move(claim), truth.exact());
-    if (claim.step == name_of(StepKind::crossings) && claims.is_table)
-        return row_as_meant(std::move(claim), truth.exact());
-    const ClaimedField* const d = claim.find("d");
-    const ClaimedField* const name = claim.find("in");
-    if (claim.step != name_of(StepKind::decide) || d == nullptr || !d->is_list || name == nullptr)
+namespace {
+
+/// Puts the name of the only one in a claim that names none.
+void name_only_one(Claim& claim, const TruthIndex& truth) {
+    const auto put_only = [&](const StepIndex& index, StepKind kind, std::string_view key,
+                              std::string_view named_by) {
+        if (claim.step != name_of(kind) || claim.find(key) != nullptr)
+            return;
+        const auto names = index.values_of(
+            named_by == "edge" || kind == StepKind::face ? kind : StepKind::primitive,
+            std::string(named_by));
+        if (names.size() == 1)
+            claim.fields.insert(claim.fields.begin(),
+                                {.name = std::string(key), .values = {names.front()}});
+    };
+    put_only(truth.exact(), StepKind::primitive, "name", "name");
+    put_only(truth.exact(), StepKind::edge, "edge", "name");
+    put_only(truth.faces(), StepKind::face, "name", "name");
+}
+
+/// A' is A behind its object space: in a space with so many numbers, of several the last in which that is right.
+std::optional<Claim> image_as_meant(const Claim& claim, const std::string& name,
+                                    const StepIndex& told) {
+    const std::string vertex = name.substr(0, name.size() - 1);
+    if (!name.ends_with('\'') || names_vertex(name, told) || !names_vertex(vertex, told))
+        return std::nullopt;
+    const ClaimedField& claimed = *claim.find("d");
+    Claim meant = claim;
+    meant.step = name_of(StepKind::vertex);
+    ClaimedField at{
+        .name = "at", .values = claimed.values, .is_list = true, .offset = claimed.offset};
+    std::string space;
+    bool is_found = false;
+    for (const std::size_t n : told.find(StepKind::vertex, {{"name", vertex}})) {
+        const auto step = told.trace().step(n).as<VertexStep>();
+        const std::size_t count = step.at.values().size();
+        const bool lacks_z = count == 3 && at.values.size() == 2;
+        if (step.space == Space::object || (count != at.values.size() && !lacks_z))
+            continue;
+        const bool is_it = is_right(told, n, at);
+        if (is_it || !is_found)
+            space = step.space.text();
+        is_found = is_found || is_it;
+    }
+    meant.fields = {{.name = "name", .values = {vertex}, .offset = claim.offset},
+                    {.name = "space", .values = {space.empty() ? "screen" : space}},
+                    std::move(at)};
+    return meant;
+}
+
+/// d0 = 2 counts from 0, d1 = 2, d2 = -4 from 1 if these are right so.
+void count_from_1(ClaimedField& d, const std::string& line, const StepIndex& told) {
+    const auto& steps = told.find(StepKind::decide,
+                                  line.empty() ? StepIndex::Keys{} : StepIndex::Keys{{"in", line}});
+    if (steps.empty() || !d.goes_on || d.values.size() < 2 || d.values.front() != open_value)
+        return;
+    ClaimedField moved = d;
+    moved.values.erase(moved.values.begin());
+    if (!is_right(told, steps.front(), d) && is_right(told, steps.front(), moved))
+        d = std::move(moved);
+}
+
+/// The pixels beside the steps of a table are those before them, or behind them, as the first of the table says.
+Claim step_of_table_as_meant(Claim claim, const Claims& claims, const StepIndex& told) {
+    const auto& steps = told.find(StepKind::decide, {});
+    const auto is_first = [&](const Claim& one) {
+        return one.step == claim.step && one.find("k") != nullptr && one.find("place") != nullptr;
+    };
+    const auto first = std::find_if(claims.claims.begin(), claims.claims.end(), is_first);
+    if (first == claims.claims.end() || steps.empty())
         return claim;
+    const auto k = number_in(first->find("k")->values.front());
+    const auto decisions = decisions_from(told, steps.front());
+    ClaimedField place = *first->find("place");
+    place.name = "place_before";
+    const bool is_before = k && sgn(*k) >= 0 && *k < static_cast<long>(decisions.size()) &&
+                           is_right(told, decisions[k->get_num().get_ui()], place);
+    if (!is_before)
+        return claim;
+    const bool is_only_place =
+        std::none_of(claim.fields.begin(), claim.fields.end(), [](const ClaimedField& field) {
+            return field.name == "d" && field.values.front() != open_value;
+        });
+    for (ClaimedField& field : claim.fields) {
+        const auto own = field.name == "k" ? number_in(field.values.front()) : std::nullopt;
+        if (is_only_place && own && *own >= 1) // the pixel behind the last step
+            field.values.front() = Rational(*own - 1).get_str();
+        else if (field.name == "place" &&
+                 (!is_only_place || *number_in(claim.find("k")->values.front()) < 0))
+            field.name = "place_before";
+    }
+    return claim;
+}
+
+/// A row of a DDA's table says where the line is at a row, or at a column if it is longer in x.
+Claim point_of_line_as_meant(Claim claim, const Claims& claims, const StepIndex& told) {
+    const ClaimedField* const point = claim.find("xy");
+    const auto& steps = told.find(StepKind::along, {});
+    if (point == nullptr || steps.empty())
+        return claim;
+    const bool by_rows = told.trace().step(steps.front()).as<AlongStep>().y.has_value();
+    const std::string& key = point->values[by_rows ? 1 : 0];
+    if (!is_whole(key) || key == open_value)
+        throw problem_at(claims.source, point->offset,
+                         fmt::format("expected a whole {}, along which the line goes, found {}",
+                                     by_rows ? "y" : "x", key));
+    const Rational whole = typed_value(key)->value;
+    claim.fields.push_back({.name = by_rows ? "y" : "x", .values = {whole.get_str()}});
+    return claim;
+}
+
+} // namespace
+
+Claim as_meant(Claim claim, const Claims& claims, const TruthIndex& truth) {
+    const StepIndex& told = truth.exact();
+    if (!claims.is_table)
+        return claim;
+    name_only_one(claim, truth);
+    if (claim.find("edge") != nullptr)
+        return line_as_meant(std::move(claim), told);
+    if (claim.step == name_of(StepKind::crossings))
+        return row_as_meant(std::move(claim), claims, told);
+    if (claim.find("k") != nullptr)
+        return step_of_table_as_meant(std::move(claim), claims, told);
+    if (claim.step == name_of(StepKind::along))
+        return point_of_line_as_meant(std::move(claim), claims, told);
+    const ClaimedField* const d = claim.find("d");
+    const ClaimedField* name = claim.find("in");
+    if (claim.step != name_of(StepKind::decide) || d == nullptr || !d->is_list)
+        return claim;
+    // d: 2, -4, 6 has no name.
+    constexpr auto names_of_d =
+        std::to_array<std::string_view>({"d", "dk", "d_k", "p", "pk", "p_k"});
+    const bool is_name_of_d =
+        name != nullptr &&
+        std::find(names_of_d.begin(), names_of_d.end(), name->values.front()) != names_of_d.end() &&
+        told.find(StepKind::primitive, {{"name", name->values.front()}}).empty() &&
+        !names_vertex(name->values.front(), told);
+    if (is_name_of_d) {
+        std::erase_if(claim.fields, [](const ClaimedField& field) { return field.name == "in"; });
+        name = nullptr;
+    }
+    if (name == nullptr) {
+        for (ClaimedField& field : claim.fields)
+            count_from_1(field, "", told);
+        return claim;
+    }
+    if (auto image = image_as_meant(claim, name->values.front(), told))
+        return std::move(*image);
     const bool is_open = d->values == std::vector<std::string>{std::string(open_value)};
     const auto meant =
         meaning_of_name(name->values.front(), d->values.size(), is_open, claim, claims, truth);

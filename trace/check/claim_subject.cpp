@@ -84,7 +84,9 @@ public:
     Subject find() {
         Subject subject{.kind = kind_, .exact = &index_, .decided = &truth_.decided()};
         for (const ClaimedField& field : claim_.fields)
-            if (is_key(kind_, field.name))
+            if (field.name == "k" && kind_ == StepKind::decide)
+                index_in_line_ = number_in(field.values.front());
+            else if (is_key(kind_, field.name))
                 subject.keys.emplace_back(field.name, key_value(field));
             else
                 subject.fields.push_back(&field);
@@ -92,7 +94,7 @@ public:
         check_trace();
         check_names(subject.keys);
         if (kind_ == StepKind::pixel)
-            check_pixel();
+            check_pixel(subject);
         subject.step = step_in(*subject.exact, subject.keys);
         subject.decided_step = step_in(*subject.decided, subject.keys);
         if (subject.step == 0 && kind_ != StepKind::pixel)
@@ -133,7 +135,7 @@ private:
             const bool is_there = std::any_of(
                 keys.begin(), keys.end(), [&](const auto& key) { return key.first == field.name; });
             if (field.role == FieldRole::key && field.is_required() && !is_there &&
-                !is_whole_line())
+                !is_whole_line() && !index_in_line_)
                 fail("", fmt::format("expected the `{}` that this claim is about, found none",
                                      field.name));
         }
@@ -219,8 +221,8 @@ private:
         }
     }
 
-    /// A pixel must lie on the canvas.
-    void check_pixel() const {
+    /// Off the canvas, no pixel is drawn, and nothing else is known.
+    void check_pixel(Subject& subject) const {
         const ClaimedField* const x = claim_.find("x");
         const ClaimedField* const y = claim_.find("y");
         if (x == nullptr || y == nullptr || x->values.empty() || y->values.empty())
@@ -233,10 +235,16 @@ private:
         if (column && row && canvas.left() <= *column && *column <= canvas.right() &&
             lowest <= *row && *row <= highest)
             return;
-        fail("x",
-             fmt::format("expected a pixel of the canvas (x {} to {}, y {} to {}), found ({}, {})",
-                         canvas.left(), canvas.right(), lowest.get_str(), highest.get_str(),
-                         printable(x->values.front()), printable(y->values.front())));
+        subject.is_off_canvas = true;
+        subject.absence = said("the canvas has x {} to {}, y {} to {}", canvas.left(),
+                               canvas.right(), lowest.get_str(), highest.get_str());
+        for (const ClaimedField* const field : subject.fields)
+            if (field->name != "plotted")
+                fail("x",
+                     fmt::format("expected a pixel of the canvas (x {} to {}, y {} to {}), "
+                                 "found ({}, {})",
+                                 canvas.left(), canvas.right(), lowest.get_str(), highest.get_str(),
+                                 printable(x->values.front()), printable(y->values.front())));
     }
 
     /// The step that has these keys; 0 if none has.
@@ -245,8 +253,15 @@ private:
         if (kind_ == StepKind::matrix && steps.size() > 1)
             if (const std::size_t nearest = step_that_says_most(index, steps); nearest != 0)
                 return nearest;
-        if (kind_ == StepKind::decide && is_whole_line())
-            return first_of_line(index, steps);
+        if (kind_ == StepKind::decide && (is_whole_line() || index_in_line_)) {
+            const std::size_t first = first_of_line(index, steps);
+            if (!index_in_line_ || first == 0)
+                return first;
+            const auto decisions = decisions_from(index, first);
+            const bool is_there =
+                sgn(*index_in_line_) >= 0 && *index_in_line_ < static_cast<long>(decisions.size());
+            return is_there ? decisions[index_in_line_->get_num().get_ui()] : 0;
+        }
         if (kind_ == StepKind::pixel)
             return steps.empty() ? 0 : steps.back(); // what is seen
         if (kind_ == StepKind::vertex && steps.empty())
@@ -292,6 +307,9 @@ private:
             return typed ? std::optional(typed->value) : std::nullopt;
         };
         const std::size_t owner = index.primitive_of(steps.front());
+        if (const ClaimedField* const count = claim_.find("pixel_count");
+            kind_ == StepKind::scanline && count != nullptr && count->values.front() == "0")
+            return steps.front(); // none has no pixels
         if (kind_ != StepKind::scanline ||
             std::any_of(steps.begin(), steps.end(),
                         [&](std::size_t n) { return index.primitive_of(n) != owner; }))
@@ -381,6 +399,14 @@ private:
 
     /// Why a step is not there, with what there is instead.
     std::string absence(const StepIndex::Keys& keys) const {
+        const auto& clip =
+            index_.find(StepKind::vertex,
+                        {{"name", claim_.find("name") ? claim_.find("name")->values.front() : ""},
+                         {"space", "clip"}});
+        for (const auto& [field, value] : keys)
+            if (field == "space" && value == "canonical" && !clip.empty())
+                return said("it is clipped before the division: w = {}",
+                            index_.trace().step(clip.front()).as<VertexStep>().at.texts().back());
         for (const auto& [field, value] : keys)
             if (field == "space") {
                 std::vector<std::string> spaces;
@@ -410,6 +436,7 @@ private:
     const TruthIndex& truth_;
     StepKind kind_;
     const StepIndex& index_;
+    std::optional<Rational> index_in_line_ = {}; ///< `k`, of one of a line's decisions
 };
 
 } // namespace

@@ -74,6 +74,7 @@ struct Subject {
     std::size_t step = 0;                         ///< of `exact`; 0: there is none
     std::size_t decided_step = 0;                 ///< of `decided`
     std::string absence = {};                     ///< why there is no such step
+    bool is_off_canvas = false;                   ///< of a pixel
     bool is_left_out = false; ///< it may be one of those that the trace leaves out
     bool culls = true;        ///< of a face: the scene tests faces by itself
 

@@ -61,7 +61,7 @@ public:
             claims_.scene_offset = scene->begin;
         }
         if (const auto round = root.find("round"))
-            claims_.truncates = truncates(*round);
+            claims_.only_rounds = only_rounds(*round);
         for (const JsonValue& claim :
              json_.array_in(json_.member(root, "claims"), "a list of claims"))
             read_claim(claim);
@@ -87,12 +87,12 @@ private:
                                    : "claims come behind the scene: check SCENE CLAIMS");
     }
 
-    bool truncates(const JsonValue& round) const {
+    bool only_rounds(const JsonValue& round) const {
         const std::vector<std::string_view> known(round_words.begin(), round_words.end());
         if (std::find(known.begin(), known.end(), round.text) == known.end())
             json_.fail_expecting(round, R"("nearest" or "truncate")",
                                  did_you_mean(round.text, known, "\""));
-        return round.text == "truncate";
+        return round.text == "nearest";
     }
 
     /// The number of the line that a claim begins in; claims are read in their order.
@@ -233,6 +233,14 @@ const ClaimedField* Claim::find(std::string_view field) const {
     return found == fields.end() ? nullptr : &*found;
 }
 
+std::optional<Problem> Claims::problem() const {
+    std::vector<Problem> problems;
+    for (const Claim& claim : claims)
+        if (claim.problem)
+            problems.push_back(*claim.problem);
+    return problems.empty() ? std::nullopt : std::optional(first_of(std::move(problems)));
+}
+
 Result<Claims> read_claims(Source source) {
     Claims claims{.source = std::move(source), .scene = {}, .claims = {}};
     try {
@@ -246,6 +254,14 @@ Result<Claims> read_claims(Source source) {
             JsonClaimsReader(claims).read();
     } catch (const Problem& problem) {
         return problem;
+    }
+    const auto is_understood = [](const Claim& claim) { return !claim.problem; };
+    if (!claims.claims.empty() &&
+        std::none_of(claims.claims.begin(), claims.claims.end(), is_understood)) {
+        constexpr std::size_t most_told = 3;
+        if (claims.claims.size() > most_told)
+            claims.claims.resize(1); // it is something else
+        return *claims.problem();
     }
     return claims;
 }

@@ -26,6 +26,12 @@ public:
     static std::optional<ClaimColumns> headed(const Source& source, std::size_t begin,
                                               std::size_t end, const std::string& title);
 
+    /// Reads a table that lies on its side: heads in the first column, behind each the numbers. `end` becomes that of its
+    /// last line. Nothing if the line from `begin` does not begin one.
+    static std::optional<ClaimColumns> turned(const Source& source, std::size_t begin,
+                                              std::size_t& end, std::size_t line, CommaUse& commas,
+                                              std::vector<Claim>& claims);
+
     /// Adds what a row claims. False if the line is no row: the table ends before it.
     bool read_row(const Source& source, std::size_t begin, std::size_t end, std::size_t line,
                   CommaUse& commas, std::vector<Claim>& claims);
@@ -38,6 +44,9 @@ private:
     };
 
     std::vector<Cell> cells_of(std::string_view text, std::size_t begin, std::size_t end) const;
+    void read_cells(const Source& source, const std::vector<Cell>& cells, std::size_t offset_of_row,
+                    std::size_t line, CommaUse& commas, std::vector<Claim>& claims);
+    void count_step(Claim& claim, std::size_t row);
     bool has(std::string_view field) const;
     std::string_view step_of_columns() const;
 
@@ -47,7 +56,9 @@ private:
         columns_; ///< the field in each: "" is not claimed, "place" is (x, y)
     std::string title_;
     std::string_view step_;
-    std::optional<std::size_t> decisions_; ///< the claim that has all d of the line
+    bool is_printed_ = false; ///< the heads are the fields of a step, as `show` prints them
+    std::size_t rows_ = 0;    ///< that were read
+    int first_step_ = 0;      ///< what k of the first step is
 };
 
 } // namespace rastertrace

@@ -33,30 +33,23 @@ bool is_layout(std::string_view line) {
                        [line](std::string_view command) { return line.starts_with(command); });
 }
 
-/// Reads the lines of a table. What is wrong with them is thrown as one Problem.
+/// Reads the lines of a table.
 class TableReader {
 public:
     explicit TableReader(Claims& claims) : claims_(claims) {}
 
-    /// Faults of all lines are told together.
     void read() {
         read_lines();
         if (commas_.is_seen) { // by a line that others may stand before
             commas_.is_decimal = true;
             claims_ = {
                 .source = std::move(claims_.source), .is_table = true, .has_decimal_comma = true};
-            problems_.clear();
             has_round_ = false;
             table_.reset();
             is_in_unknown_table_ = false;
+            turned_to_ = 0;
             read_lines();
         }
-        if (problems_.empty())
-            return;
-        constexpr std::size_t most_in_claims = 3;
-        if (problems_.size() > most_in_claims * (1 + claims_.claims.size()))
-            problems_.resize(1); // hardly a line can be read: it is something else
-        throw first_of(std::move(problems_));
     }
 
 private:
@@ -68,16 +61,35 @@ private:
             try {
                 read_line(number, std::min(begin, text.size()), end);
             } catch (Problem& problem) {
-                problems_.push_back(std::move(problem));
-                in_picture_ = in_picture_ && begin < text.size();
+                take_problem(std::move(problem), number, begin, end);
             }
             begin = end + 1;
         }
     }
 
+    /// A line that cannot be read is a claim that is not understood; of a picture, all of it is.
+    void take_problem(Problem problem, std::size_t number, std::size_t begin, std::size_t end) {
+        const std::string_view text = claims_.source.text;
+        const bool is_of_picture = std::exchange(in_picture_, in_picture_ && begin < text.size());
+        if (!is_of_picture)
+            claims_.claims.push_back({.line = number,
+                                      .offset = begin,
+                                      .text = in_one_line(text.substr(begin, end - begin)),
+                                      .step = {},
+                                      .fields = {},
+                                      .picture = {}});
+        if (problem.hint.empty())
+            problem.hint = table_ ? "a cell holds a number, like 25/8 or -0.25, or ? if it is open"
+                                  : form_of("");
+        if (std::optional<Problem>& known = claims_.claims.back().problem; !known)
+            known = std::move(problem);
+    }
+
     void read_line(std::size_t number, std::size_t begin, std::size_t end) {
         if (in_picture_)
             return read_row(begin, end);
+        if (begin < turned_to_)
+            return;
         const std::string_view text = claims_.source.text;
         if (table_ && table_->read_row(claims_.source, begin, end, number, commas_, claims_.claims))
             return;
@@ -87,6 +99,11 @@ private:
         const bool is_blank = without_blanks(text.substr(begin, end - begin)).empty();
         if (is_blank || is_in_unknown_table_) {
             is_in_unknown_table_ = is_in_unknown_table_ && !is_blank;
+            return;
+        }
+        std::size_t last = end;
+        if (ClaimColumns::turned(claims_.source, begin, last, number, commas_, claims_.claims)) {
+            turned_to_ = last;
             return;
         }
         is_in_unknown_table_ = true; // unless its head is known, or there is none
@@ -113,7 +130,9 @@ private:
             claim.step = "picture";
             in_picture_ = true;
         } else {
-            read_claim(line, claim);
+            for (Claim& one : read_claim(line, std::move(claim)))
+                claims_.claims.push_back(std::move(one));
+            return;
         }
         claims_.claims.push_back(std::move(claim));
     }
@@ -176,7 +195,7 @@ private:
         if (!word.is("nearest") && !word.is("truncate"))
             line.fail(word, "nearest or truncate",
                       did_you_mean(word.text, {"nearest", "truncate"}));
-        claims_.truncates = word.is("truncate");
+        claims_.only_rounds = word.is("nearest");
         line.expect_end();
     }
 
@@ -185,7 +204,7 @@ private:
     std::optional<ClaimColumns> table_; ///< that the last line belongs to
     std::string title_;                 ///< of the table that begins in the next line
     bool is_in_unknown_table_ = false;  ///< its head was refused: to a blank line, nothing is read
-    std::vector<Problem> problems_;
+    std::size_t turned_to_ = 0;         ///< the end of a table that lies on its side
     bool in_picture_ = false;
     bool has_round_ = false;
 };
@@ -198,7 +217,10 @@ void read_claims_table(Claims& claims) {
 
 std::string name_in_table(std::string_view name) {
     const auto words = first_words();
+    const bool is_read_otherwise = !english_word(name).empty() || name.ends_with('\'') ||
+                                   name.starts_with("n_") || name.starts_with("m_");
     const bool is_plain = is_one_word(name) && name != open_value && name != "color" &&
+                          !is_read_otherwise &&
                           std::find(words.begin(), words.end(), name) == words.end() &&
                           json_quoted(name).size() == name.size() + 2; // nothing escaped
     return is_plain ? std::string(name) : json_quoted(name);

@@ -14,7 +14,7 @@
 
 namespace rastertrace {
 
-/// Reads `claims.source` as a table into `claims`. What is wrong is thrown as a Problem.
+/// Reads `claims.source` as a table into `claims`.
 void read_claims_table(Claims& claims);
 
 /// A name as a word of the table: in quotes where it could be taken for something else.

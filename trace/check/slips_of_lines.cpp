@@ -67,7 +67,8 @@ decided_otherwise(const Formula& formula,
     SlipResults results(formula);
     for (const auto& [start, straight, diagonal] : others) {
         BresenhamDecisions other = *line_in(formula);
-        other.other_start = start;
+        if (start) // of one step, it is the number before it
+            other.other_start = start;
         other.other_straight = straight;
         other.other_diagonal = diagonal;
         results.add_formula(with_line(formula, other));
@@ -127,7 +128,8 @@ std::vector<SlipResult> octant_ignored(const Formula& formula) {
 std::vector<SlipResult> shifted_list(const Formula& formula) {
     SlipResults results(formula);
     const Values& right = results.right();
-    if (as_form<BresenhamDecisions>(formula) == nullptr || right.size() < 2)
+    const auto* const line = as_form<BresenhamDecisions>(formula);
+    if (line == nullptr || right.size() < 2 || line->other_start) // one step is no list
         return {};
     results.add(Values(right.begin() + 1, right.end()));
     Values late{right.front()};

@@ -72,6 +72,51 @@ ToldValues told_z(const StepIndex& index, std::size_t test, bool is_inverse) {
     return std::vector{(is_inverse == holds_inverse ? *depth : Rational(1 / *depth)).get_str()};
 }
 
+/// The length of a face's normal, in many digits.
+ToldValues told_length(const StepIndex& index, std::size_t face) {
+    Rational square;
+    const Values normal = index.right().of(face, "normal");
+    for (const Rational& component : normal)
+        square += component * component;
+    return normal.empty() ? ToldValues()
+                          : std::vector{square_root(square, RootDigits::many).get_str()};
+}
+
+/// What the edge table has of an edge: its least and its largest y, and x at the least.
+ToldValues told_of_edge(const StepIndex& index, std::size_t edge, std::string_view field) {
+    for (const Formula& formula : formulas_of(index.right(), edge, "dx_dy"))
+        if (const auto* const slope = std::get_if<Slope>(&formula.of)) {
+            const auto& [low, high] = slope->from.y < slope->to.y
+                                          ? std::pair(slope->from, slope->to)
+                                          : std::pair(slope->to, slope->from);
+            return std::vector{(field == "y_min"   ? low.y
+                                : field == "y_max" ? high.y
+                                                   : low.x)
+                                   .get_str()};
+        }
+    return std::nullopt;
+}
+
+/// The pixel before a step of a line, or the one behind it; of a line by its equation, its pixel or its point.
+ToldValues told_place(const StepIndex& index, std::size_t n, std::string_view field) {
+    const StepView view = index.trace().step(n);
+    if (view.kind() == StepKind::decide) {
+        const auto step = view.as<DecideStep>();
+        const std::string move = field == "place" ? step.move.text() : "";
+        const auto way = [&move](char forth, char back) {
+            return move.find(forth) != std::string::npos  ? 1
+                   : move.find(back) != std::string::npos ? -1
+                                                          : 0;
+        };
+        return std::vector{std::to_string(step.x + way('E', 'W')),
+                           std::to_string(step.y + way('N', 'S'))};
+    }
+    const auto step = view.as<AlongStep>();
+    const std::string other = field == "xy" ? step.value.text() : std::to_string(step.pixel);
+    return step.x ? std::vector{std::to_string(*step.x), other}
+                  : std::vector{other, std::to_string(*step.y)};
+}
+
 bool is_seen(const StepIndex& index, std::size_t n) {
     const StepView step = index.trace().step(n);
     const Pixel pixel{static_cast<int>(x_in(step).value_or(0)),
@@ -124,6 +169,12 @@ ToldValues told_in(const StepIndex& index, std::size_t step, const ClaimedField&
         return told_z(index, step, field.name == "inverse_z");
     if (view.kind() == StepKind::face && field.name == "angle")
         return told_angle(index, step);
+    if (view.kind() == StepKind::face && field.name == "length")
+        return told_length(index, step);
+    if (field.name == "y_min" || field.name == "y_max" || field.name == "x_start")
+        return told_of_edge(index, step, field.name);
+    if (field.name == "xy" || field.name.starts_with("place"))
+        return told_place(index, step, field.name);
     const bool is_of_pixels =
         field.name == "pixels" || field.name == "pixel_count" || field.name == "visible";
     if (view.kind() == StepKind::primitive && (is_of_pixels || field.name == "row_count"))
@@ -205,6 +256,8 @@ ToldValues told_share(const StepIndex& index, std::size_t pixel) {
 /// What is told of a pixel of the final picture.
 ToldValues told_of_pixel(const StepIndex& index, std::size_t step, const Subject& subject,
                          std::string_view field) {
+    if (subject.is_off_canvas)
+        return std::vector<std::string>{"false"};
     const std::size_t drawn_by =
         index.frame().drawn_by[index.trace().canvas.offset_of(pixel_of(subject))];
     // Of a primitive that is named, it is asked whether that one has plotted it.
@@ -248,8 +301,25 @@ ToldValues told_in_primitive(const StepIndex& index, std::size_t step, const std
     return at < places.size() ? ToldValues(places[at].texts()) : std::nullopt;
 }
 
+/// A vertex that is clipped before it is divided by w, as if it was; nothing if w is 0.
+ToldValues told_behind_eye(const StepIndex& index, const Subject& subject) {
+    const auto& clip =
+        index.find(StepKind::vertex, {{"name", value_of_key(subject, "name")}, {"space", "clip"}});
+    if (clip.empty() || value_of_key(subject, "space") != "canonical")
+        return std::nullopt;
+    const Values point = index.right().of(clip.front(), "at");
+    if (point.size() != 4 || sgn(point[3]) == 0)
+        return std::nullopt;
+    std::vector<std::string> divided;
+    for (std::size_t i = 0; i < 3; ++i)
+        divided.push_back(Rational(point[i] / point[3]).get_str());
+    return divided;
+}
+
 ToldValues told(const StepIndex& index, std::size_t step, const Subject& subject,
                 const ClaimedField& field) {
+    if (subject.kind == StepKind::vertex && step == 0 && field.name == "at")
+        return told_behind_eye(index, subject);
     if (subject.kind == StepKind::pixel)
         return told_of_pixel(index, step, subject, field.name);
     if (subject.kind == StepKind::scanline && step == 0 && field.name == "pixel_count")

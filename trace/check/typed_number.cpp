@@ -147,7 +147,8 @@ private:
     /// True of what multiplies the factor before it without a sign between.
     bool is_at_multiplied() const {
         const std::string_view rest = text_.substr(at_);
-        return rest.starts_with('(') || rest.starts_with("sqrt") || rest.starts_with("pi");
+        return rest.starts_with('(') || rest.starts_with("sqrt") || rest.starts_with("pi") ||
+               rest.starts_with("sin") || rest.starts_with("cos") || rest.starts_with("tan");
     }
 
     std::optional<Term> factor() {

@@ -6,6 +6,8 @@
 
 #include <rastertrace/trace/tell/step_text.h>
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -33,6 +35,36 @@ std::optional<Formula> formula_of(const Subject& subject, const ClaimedField& fi
     return std::move(formulas.front());
 }
 
+/// The formula of one number of Bresenham's d, or of one pixel of a line: the first, or from the one before it, as it is
+/// claimed, which its values begin with.
+std::optional<Formula> step_in_list(const Formula& formula, const ClaimedField& field,
+                                    std::size_t place) {
+    const auto claimed = [&field](std::size_t i) -> std::optional<Rational> {
+        const auto typed = i < field.values.size() ? typed_value(field.values[i]) : std::nullopt;
+        return typed ? std::optional(typed->value) : std::nullopt;
+    };
+    if (const auto* const line = std::get_if<BresenhamDecisions>(&formula.of)) {
+        BresenhamDecisions step = *line;
+        step.steps = std::min<std::size_t>(place, 2);
+        if (place > 1)
+            step.other_start = claimed(place - 2);
+        return place > 1 && !step.other_start ? std::nullopt : std::optional(Formula{step});
+    }
+    const auto* const pixels = std::get_if<LinePixels>(&formula.of);
+    if (pixels == nullptr || place < 2)
+        return std::nullopt;
+    const Values d = value_of({pixels->decisions});
+    const auto x = claimed(2 * place - 4);
+    const auto y = claimed(2 * place - 3);
+    if (!x || !y || place - 2 >= d.size())
+        return std::nullopt;
+    LinePixels step = *pixels;
+    step.decisions.steps = 1;
+    step.decisions.other_start = d[place - 2];
+    step.from = {*x, *y};
+    return Formula{step};
+}
+
 bool share_slip(const std::vector<LikelySlip>& some, const std::vector<LikelySlip>& others) {
     return std::any_of(some.begin(), some.end(), [&others](const LikelySlip& one) {
         return std::any_of(others.begin(), others.end(),
@@ -58,6 +90,8 @@ void WrongExplainer::explain_by_formulas(const Subject& subject, std::size_t ord
             checked.rule = rule_of(*formula).rule;
             checked.formula = rule_of(*formula).formula;
             checked.slips = slips_that_give(*formula, name_of_number(subject, field), field);
+            if (checked.slips.empty())
+                explain_numbers(*formula, name_of_number(subject, field), field, checked);
         }
     }
     if (subject.kind != StepKind::scanline)
@@ -68,6 +102,26 @@ void WrongExplainer::explain_by_formulas(const Subject& subject, std::size_t ord
     if (from && to) {
         hold_against_other_end(subject, *from, *to);
         hold_against_other_end(subject, *to, *from);
+    }
+}
+
+/// Each wrong number of a list by the step that gives it, which goes on from the number before it as it is claimed.
+void WrongExplainer::explain_numbers(const Formula& formula, const std::string& name,
+                                     const ClaimedField& field, CheckedField& checked) {
+    for (const CheckedNumber& number : checked.numbers) {
+        const auto step = step_in_list(formula, field, number.place);
+        if (number.verdict != ClaimVerdict::wrong || !step)
+            continue;
+        ClaimedField claimed{.name = field.name, .values = {}, .is_list = true};
+        const std::size_t width = value_of(*step).size() / (number.place == 1 ? 1 : 2);
+        const std::size_t first = number.place == 1 ? 0 : width * (number.place - 2);
+        for (std::size_t i = first; i < std::min(width * number.place, field.values.size()); ++i)
+            claimed.values.push_back(field.values[i]);
+        for (LikelySlip& slip :
+             slips_that_give(*step, fmt::format("{} {}", name, number.place), claimed)) {
+            slip.place = number.place;
+            checked.slips.push_back(std::move(slip));
+        }
     }
 }
 
@@ -152,6 +206,8 @@ bool WrongExplainer::follows(const Subject& subject, const ClaimedField& field, 
     const auto is_from = [&](const WrongNumber* used, bool is_it) {
         if (used == nullptr || !is_it)
             return false;
+        if (const WrongNumber* const alone = last_that_gives(subject, field, order))
+            used = alone;
         checked.verdict = ClaimVerdict::follows;
         checked.follows_from = used->line;
         checked.follows_from_field = used->field;
@@ -166,6 +222,24 @@ bool WrongExplainer::follows(const Subject& subject, const ClaimedField& field, 
     const Numbers before(subject.exact->right(), wrong_, order);
     const auto by_any = formulas_of(subject, before, field.name);
     return is_from(before.take_used(), std::any_of(by_any.begin(), by_any.end(), comes_to_it));
+}
+
+/// Of the wrong numbers that give a claim by themselves, the one that was claimed last before it; nullptr if none does.
+const WrongNumber* WrongExplainer::last_that_gives(const Subject& subject,
+                                                   const ClaimedField& field,
+                                                   std::size_t order) const {
+    const WrongNumber* last = nullptr;
+    for (const auto& [name, number] : wrong_) {
+        const bool is_own = number.order == order && number.field == field.name;
+        if (number.order > order || is_own || (last != nullptr && number.order < last->order))
+            continue;
+        const WrongNumbers alone{{name, number}};
+        const auto formulas =
+            formulas_of(subject, Numbers(subject.exact->right(), alone), field.name);
+        if (!formulas.empty() && gives(value_of(formulas.front()), field))
+            last = &number;
+    }
+    return last;
 }
 
 /// The numbers of a trace with all wrong ones in place of the right ones.

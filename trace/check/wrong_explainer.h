@@ -51,6 +51,10 @@ private:
     };
 
     void explain_by_formulas(const Subject& subject, std::size_t order, CheckedClaim& claim);
+    void explain_numbers(const Formula& formula, const std::string& name, const ClaimedField& field,
+                         CheckedField& checked);
+    const WrongNumber* last_that_gives(const Subject& subject, const ClaimedField& field,
+                                       std::size_t order) const;
     void explain_exchanged_ends(const Subject& subject, CheckedClaim& claim);
     void hold_against_other_end(const Subject& subject, const ClaimedEnd& wrong,
                                 const ClaimedEnd& other);

@@ -32,6 +32,8 @@ std::optional<HeldAgainst> claims_against(const DrawnPair& pair, const Rule& rul
     } catch (const Problem&) { // by this rule, there is nothing that a claim could be about
         return std::nullopt;
     }
+    if (checked.not_understood > 0)
+        return std::nullopt;
     HeldAgainst held;
     for (const CheckedClaim& claim : checked.claims) {
         const bool is_wrong =

@@ -78,14 +78,14 @@ using TellRemark = std::function<void(const Problem&)>;
 
 /// Checks files of claims, one after the other.
 ///
-///     ClaimsChecker checker({}, [](const Problem& remark) { print_error(remark); });
+///     ClaimsChecker checker({}, false, [](const Problem& remark) { print_error(remark); });
 ///     checker.hold_against(scene);       // or each file names its scene
 ///     checker.check(sheet).checked.wrong;
 class ClaimsChecker {
 public:
     /// Remarks on the scenes that it draws go to `tell`.
-    ClaimsChecker(SceneOptions options, TellRemark tell)
-        : options_(std::move(options)), tell_(std::move(tell)) {}
+    ClaimsChecker(SceneOptions options, bool is_strict, TellRemark tell)
+        : options_(std::move(options)), is_strict_(is_strict), tell_(std::move(tell)) {}
 
     /// All claims are about this scene or trace, whatever scene they name; those of a sheet that names its exercise are
     /// about the exercise like this scene. Throws a Problem.
@@ -102,6 +102,7 @@ private:
     Truth told_truth(Source source) const;
 
     SceneOptions options_;
+    bool is_strict_; ///< a claim that is not understood is a problem of the file
     TellRemark tell_;
     std::optional<Truth> given_;
     std::optional<Source> given_scene_;
@@ -128,6 +129,8 @@ CheckedFile ClaimsChecker::check(Source source) {
                          "rastertrace sheet SCENE writes a sheet to fill in");
     const Truth& truth = truth_for(file);
     file.checked = rastertrace::check(truth, file.claims);
+    if (const auto problem = file.checked.problem(); problem && is_strict_)
+        throw *problem;
     if (!file.exercise.empty())
         count_by_empty_sheet(truth, last_sheet_, file);
     return file;
@@ -175,7 +178,7 @@ ExitStatus status_of(const std::vector<CheckedFile>& files) {
     std::size_t wrong = 0;
     for (const CheckedFile& file : files) {
         problems += file.problem ? 1 : 0;
-        wrong += file.checked.wrong + file.checked.follow;
+        wrong += file.checked.has_faults() ? 1 : 0;
     }
     return problems > 0 ? exit_bad_input : wrong > 0 ? exit_difference : exit_fine;
 }
@@ -189,7 +192,7 @@ public:
                 "them:\n"
                 "  y=2: -1/4, 25/8 -> -1..3   (3,2): on\n"
                 "  A screen: 2, 5   normal ABC: 0, 0, -4\n"
-                "Exit status 1: a claim is wrong."};
+                "Exit status 1: a claim is wrong, or not understood."};
     }
 
     void add_to(OptionList& options) override {
@@ -209,6 +212,8 @@ public:
                     "Where a claim is wrong and by which rule; 2: the formula, too", "1|2");
         told.flag("--no-answers", has_no_answers_,
                   "Only which claims are right and which are wrong");
+        options.flag("--strict", is_strict_,
+                     "A line that is not understood is an error: exit status 2, and no marks");
         options.language();
         drawing_.add_to(options, Holds::steps);
     }
@@ -234,7 +239,8 @@ public:
     }
 
     int run() override {
-        ClaimsChecker checker(scenes_, [](const Problem& remark) { print_error(remark); });
+        ClaimsChecker checker(scenes_, is_strict_,
+                              [](const Problem& remark) { print_error(remark); });
         Source first = load_scene_trace_or_claims(files_.front(), scenes_.limits);
 
         // The scene comes first, or the claims say which one it is.
@@ -297,6 +303,7 @@ private:
     std::string format_;
     bool json_ = false;
     bool has_answers_ = false;
+    bool is_strict_ = false;
     bool has_no_answers_ = false;
     std::optional<std::string> hint_;
     CheckTold told_ = CheckTold::answers;

@@ -51,6 +51,8 @@ Words words_of(ClaimVerdict verdict) {
         return "wrong##verdict";
     case ClaimVerdict::follows:
         return "follows";
+    case ClaimVerdict::not_understood:
+        return "not understood";
     case ClaimVerdict::open:
         break;
     }
@@ -78,11 +80,21 @@ std::string origin_of(const CheckedFile& file, const CheckedField& field,
                 field.follows_from_rounded ? said(", which is rounded") : "");
 }
 
-/// `first pixel: expected -1, found 0; follows from line 2`
+/// `first pixel: expected -1, found 0; follows from line 2`; of a list, a line for each wrong number.
 std::string field_line(const CheckedFile& file, const CheckedField& field,
                        std::size_t line_of_claim) {
-    std::string line = "    " + difference_text(file.claims, field, shown_expected(field.expected),
-                                                shown(field.found));
+    constexpr std::size_t most_numbers = 8;
+    const auto difference = [&](std::string_view expected, std::string_view found,
+                                std::size_t place) {
+        return "    " +
+               difference_text(file.claims, field, shown_expected(expected), shown(found), place);
+    };
+    std::string line = difference(field.expected, field.found, field.place);
+    std::size_t told = 1;
+    for (const CheckedNumber& number : field.numbers)
+        if (number.verdict == ClaimVerdict::wrong && number.place != field.place &&
+            told++ < most_numbers)
+            line += "\n" + difference(number.expected, number.found, number.place);
     if (field.verdict == ClaimVerdict::follows)
         line += origin_of(file, field, line_of_claim);
     if (!field.remark.empty())
@@ -97,7 +109,8 @@ std::string slip_lines(const CheckedClaim& claim) {
     for (const CheckedField& field : claim.fields)
         for (const LikelySlip& slip : field.slips)
             if (named.size() < most_slips && named.insert(slip.name).second)
-                lines += said("    likely slip {}: {}\n", slip.name, printable(slip.meaning));
+                lines += said("    likely slip {}: {}\n", slip.name + place_in_list(slip.place),
+                              printable(slip.meaning));
     return lines;
 }
 
@@ -145,7 +158,8 @@ std::string hints(const CheckedFile& file, const CheckedClaim& claim, CheckTold 
     for (const CheckedField& field : claim.fields) {
         if (!is_wrong(field.verdict) || told == CheckTold::verdicts)
             continue;
-        text += fmt::format("    {}{}\n", file.claims.in_words(field.name), place_in_list(field));
+        text +=
+            fmt::format("    {}{}\n", file.claims.in_words(field.name), place_in_list(field.place));
         if (field.verdict == ClaimVerdict::follows)
             text += fmt::format("        {}\n",
                                 origin_of(file, field, file.claim_of(claim).line).substr(2));
@@ -161,7 +175,9 @@ std::string text_of_one(const CheckedFile& file, CheckTold told) {
     std::string text;
     std::map<std::vector<std::string>, std::size_t> line_of_working;
     for (const CheckedClaim& claim : file.checked.claims) {
-        if (told != CheckTold::answers)
+        if (claim.problem && told == CheckTold::answers)
+            text += to_text(*claim.problem) + "\n";
+        else if (told != CheckTold::answers)
             text += fmt::format("{}: {}\n", place_of(file, claim), verdict_of(claim, told)) +
                     hints(file, claim, told);
         else if (is_wrong(claim.verdict))
@@ -231,8 +247,29 @@ std::vector<JsonText> slips_of(const CheckedClaim& claim) {
     for (const CheckedField& field : claim.fields)
         for (const LikelySlip& slip : field.slips)
             slips.push_back(
-                JsonText{{"field", field.name}, {"name", slip.name}, {"meaning", slip.meaning}});
+                JsonText{{"field", field.name},
+                         {"number", slip.place == 0 ? std::nullopt : std::optional(slip.place)},
+                         {"name", slip.name},
+                         {"meaning", slip.meaning}});
     return slips;
+}
+
+/// What was found of each list, number by number.
+std::vector<JsonText> lists_of(const CheckedClaim& claim) {
+    std::vector<JsonText> lists;
+    for (const CheckedField& field : claim.fields)
+        if (field.claimed_numbers > 0)
+            lists.push_back(JsonText{{"field", field.name},
+                                     {"right", field.right_numbers},
+                                     {"claimed", field.claimed_numbers},
+                                     {"ends_early", field.ends_early}}
+                                .add("others", JsonText::list(field.numbers, [](const auto& one) {
+                                         return JsonText{{"number", one.place},
+                                                         {"verdict", name_of(one.verdict)},
+                                                         {"expected", one.expected},
+                                                         {"found", one.found}};
+                                     })));
+    return lists;
 }
 
 /// The line of the first number that it goes on from.
@@ -272,17 +309,20 @@ void add_hints(JsonText& json, const CheckedClaim& claim, CheckTold told) {
 
 JsonText json_of(const CheckedFile& file, const CheckedClaim& claim, CheckTold told) {
     const Claim& claimed = file.claim_of(claim);
-    const bool is_open = claim.verdict == ClaimVerdict::open;
+    const bool is_open = claim.verdict == ClaimVerdict::open || claim.problem;
     JsonText json{{"line", claimed.line},
                   {"claim", claimed.text},
                   {"right", is_open ? std::nullopt : std::optional(!is_wrong(claim.verdict))}};
-    if (told == CheckTold::answers)
+    if (claim.problem)
+        json.add("verdict", name_of(claim.verdict)).add("problem", to_text(*claim.problem));
+    else if (told == CheckTold::answers)
         json.add("verdict", name_of(claim.verdict))
             .add("expected", field_values(claim, &CheckedField::expected))
             .add("found", field_values(claim, &CheckedField::found))
             .add("remarks", all_remarks(claim))
             .add("working", claim.working)
             .add("slips", slips_of(claim))
+            .add("lists", lists_of(claim))
             .add("follows_from", follows_from(claim))
             .add("picture", claim.picture);
     else
@@ -301,6 +341,7 @@ JsonText json_of(const CheckedFile& file, CheckTold told) {
         .add("wrong", checked.wrong)
         .add("follow", checked.follow)
         .add("open", checked.open)
+        .add("not_understood", checked.not_understood)
         .add("claims", JsonText::lines(checked.claims, [&](const CheckedClaim& claim) {
                  return json_of(file, claim, told);
              }));
@@ -326,6 +367,8 @@ std::string counts_text(const Checked& checked) {
         text += ", " + count_of(checked.follow, "that follows", "that follow");
     if (checked.open > 0)
         text += said(", {} open", checked.open);
+    if (checked.not_understood > 0)
+        text += said(", {} not understood", checked.not_understood);
     return text;
 }
 

@@ -75,7 +75,10 @@ std::vector<PairOfFiles> pairs_of(const std::vector<std::string>& files) {
 
 /// Throws a Problem if somebody claims two things of one number, or something of a name that is not in the scene.
 void check_agreement(const Claims& claims, const Source& scene) {
-    for (const CheckedClaim& claim : check(Truth(scene, {}), claims).claims)
+    const Checked checked = check(Truth(scene, {}), claims);
+    if (const auto problem = checked.problem())
+        throw *problem;
+    for (const CheckedClaim& claim : checked.claims)
         for (const std::string& remark : claim.remarks)
             if (remark.starts_with("contradicts"))
                 throw problem_at(claims.source, claims.claims[claim.claim].offset,
@@ -92,7 +95,10 @@ DrawnPair drawn_pair(const PairOfFiles& files) {
     } else {
         Source theirs = load_scene_trace_or_claims(files.theirs, {});
         if (is_claims(theirs)) {
-            pair.claims = comparable(value_or_throw(read_claims(std::move(theirs))));
+            Claims claims = value_or_throw(read_claims(std::move(theirs)));
+            if (const auto problem = claims.problem())
+                throw *problem;
+            pair.claims = comparable(std::move(claims));
             if (pair.claims->claims.empty())
                 throw problem_of(files.theirs, "expected claims about what is drawn, found none");
             check_agreement(*pair.claims, pair.scene);

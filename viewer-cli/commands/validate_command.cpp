@@ -153,9 +153,10 @@ Claims claims_in(Source source) {
     const bool is_table = source.text[first] != '{' && source.text[first] != '[';
     const bool may_be_anything = is_table && source.text.find("scene:") == std::string::npos;
     Result<Claims> claims = read_claims(std::move(source));
-    if (claims)
+    const std::optional<Problem> unread = claims ? claims.value().problem() : claims.problem();
+    if (!unread)
         return std::move(claims.value());
-    Problem problem = claims.problem();
+    Problem problem = *unread;
     if (may_be_anything)
         problem.message = "taken for claims, since it is no JSON: " + problem.message;
     throw problem;
@@ -175,7 +176,10 @@ void validate_claims(Source source, const InputLimits& limits, ValidatedFile& fi
                             ? Truth(value_or_throw(read_trace(std::move(scene), limits.steps)))
                             : Truth(std::move(scene), {}, limits);
     file.add(truth.decided().damage);
-    for (const CheckedClaim& checked : check(truth, claims).claims) {
+    const Checked all = check(truth, claims);
+    if (const auto problem = all.problem())
+        throw *problem;
+    for (const CheckedClaim& checked : all.claims) {
         const Claim& claim = claims.claims[checked.claim];
         const bool has_step = checked.step > 0 || claim.step == "pixel" || claim.step == "picture";
         if (!has_step && !checked.remarks.empty())

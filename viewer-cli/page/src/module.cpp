@@ -188,12 +188,18 @@ std::string frame_of(const PlannedScene& planned) {
 /// What was found about a claim.
 std::string json_of(const Claims& claims, const CheckedClaim& checked) {
     const Claim& claim = claims.claims[checked.claim];
-    constexpr std::array<std::string_view, 4> verdicts{"right", "wrong", "follows", "open"};
+    constexpr std::array<std::string_view, 5> verdicts{"right", "wrong", "follows", "open",
+                                                       "not understood"};
+    if (checked.problem)
+        return fmt::format(
+            R"({{"line":{},"claim":{},"verdict":"{}","fields":[],"slips":[],"remarks":{},"working":[]}})",
+            claim.line, json_quoted(claim.text), verdicts.back(),
+            json_of(std::vector{to_text(*checked.problem)}));
     std::vector<std::string> fields, slips;
     for (const CheckedField& field : checked.fields) {
         if (field.verdict == ClaimVerdict::right || field.verdict == ClaimVerdict::open)
             continue;
-        fields.push_back(difference_text(claims, field, field.expected, field.found));
+        fields.push_back(difference_text(claims, field, field.expected, field.found, field.place));
         for (const LikelySlip& slip : field.slips)
             slips.push_back(slip.meaning);
     }
