@@ -208,7 +208,9 @@ private:
         if (has_polygons_)
             out_ << R"(,"fill":")" << of_polygons_.pick<const char*>({"scanline", "two-halves"})
                  << R"(","fill_rule":")" << of_polygons_.pick<const char*>({"even-odd", "non-zero"})
-                 << R"(","depth":")" << of_polygons_.pick<const char*>({"none", "painter"}) << '"';
+                 << R"(","polygon_vertices":")"
+                 << of_polygons_.pick<const char*>({"half-open", "turning"}) << R"(","depth":")"
+                 << of_polygons_.pick<const char*>({"none", "painter"}) << '"';
         put_choice("line", {"naive", "dda", "bresenham"}, 2);
         put_choice("from", {"first", "low"}, 4);
         put_choice("rounding", {"floor", "nearest", "truncate", "inside", "half-open"}, 2);

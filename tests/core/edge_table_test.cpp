@@ -106,6 +106,30 @@ TEST(EdgeTable, HasTheRowsOfFoleyWithYUp) {
     EXPECT_THAT(closed.at(6), ElementsAre(span(1, 2), span(7, 7)));
 }
 
+/// Hearn and Baker's way: where the outline turns back, at D, F, B and E of figure 3.22, both edges count; where it goes
+/// on, at A and C, one does.
+TEST(EdgeTable, VerticesWhereTheOutlineTurnsBackCountTwice) {
+    const Canvas canvas{.width = 16, .height = 13, .origin = Origin::bottom_left};
+    Method method = exactly;
+    method.polygon_vertices = PolygonVertices::turning;
+    const auto span = [](int left, int right) {
+        return std::pair(Rational(left), Rational(right));
+    };
+    const auto spans =
+        drawn({{2, 3}, {7, 1}, {13, 5}, {13, 11}, {7, 7}, {2, 9}}, canvas, method).spans;
+    EXPECT_THAT(spans.at(11), ElementsAre(span(13, 13)));
+    EXPECT_THAT(spans.at(9), ElementsAre(span(2, 2), span(10, 13)));
+    EXPECT_THAT(spans.at(7), ElementsAre(span(2, 7), span(7, 13)));
+    EXPECT_THAT(spans.at(5), ElementsAre(span(2, 13)));
+    EXPECT_THAT(spans.at(3), ElementsAre(span(2, 10)));
+    EXPECT_THAT(spans.at(1), ElementsAre(span(7, 7)));
+    // A horizontal edge has no rows: the neighbors behind it say whether the outline turns back.
+    const auto step = drawn({{0, 0}, {6, 0}, {6, 3}, {3, 3}, {3, 6}, {0, 6}}, canvas, method).spans;
+    EXPECT_THAT(step.at(2), ElementsAre(span(0, 6)));
+    EXPECT_THAT(step.at(3), ElementsAre(span(0, 3)));
+    EXPECT_THAT(step.at(6), ElementsAre(span(0, 3)));
+}
+
 /// The inside of the star's middle is run around twice.
 TEST(EdgeTable, FillsAStarByBothRules) {
     const Corners star{{8, 14}, {13, 0}, {0, 9}, {16, 9}, {3, 0}};
@@ -208,6 +232,14 @@ RC_GTEST_PROP(EdgeTable, DrawsWhatTheWindingNumbersSay, ()) {
     for (int row = 0; row < big.height; ++row)
         expected.merge(expected_row(corners, big.y_of(row), method.fill_rule, big));
     RC_ASSERT(places(recorder) == expected);
+}
+
+RC_GTEST_PROP(EdgeTable, ARowMeetsAnEvenNumberOfEdgesWhereVerticesTurn, ()) {
+    Method method = exactly;
+    method.polygon_vertices = PolygonVertices::turning;
+    const Corners corners = random_corners();
+    for (const auto& [y, winding] : drawn(corners, big, method).winding)
+        RC_ASSERT(winding.size() % 2 == 0U);
 }
 
 /// `closed` has the rows of the polygon, and those of the one that is upside down.

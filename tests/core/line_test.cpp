@@ -294,8 +294,9 @@ RC_GTEST_PROP(NaiveAndDda, AreBresenhamWithItsTies, ()) {
     const auto from = *rc::gen::element(LineStart::first, LineStart::low);
     const Points expected = line(x0, y0, x1, y1, {.from = from}).pixels;
     for (const LineMethod method : {LineMethod::naive, LineMethod::dda}) {
-        const Scene scene =
-            line_scene(x0, y0, x1, y1, {.scalar = ScalarKind::exact, .line = method, .from = from});
+        const Scene scene = line_scene(
+            x0, y0, x1, y1,
+            {.scalar = ScalarKind::exact, .line = method, .from = from, .ties = Ties::start});
         log_scene(scene);
         RC_ASSERT(line(scene).pixels == expected);
     }
@@ -307,6 +308,11 @@ TEST(NaiveAndDda, SendTiesWhereTiesSays) {
         const Method method{.scalar = ScalarKind::exact, .line = LineMethod::naive, .ties = ties};
         return (reversed ? line(2, 1, 0, 0, method) : line(0, 0, 2, 1, method)).pixels[1].second;
     };
+    // Where nothing is said, a half goes up from both ends.
+    const Method naive_line{.scalar = ScalarKind::exact, .line = LineMethod::naive};
+    EXPECT_EQ(line(0, 0, 2, 1, naive_line).pixels[1].second, 1);
+    EXPECT_EQ(line(2, 1, 0, 0, naive_line).pixels[1].second, 1);
+    EXPECT_EQ(line(0, -1, 2, -2, naive_line).pixels[1].second, -1);
     EXPECT_EQ(middle(Ties::start, false), 0);
     EXPECT_EQ(middle(Ties::start, true), 1);
     EXPECT_EQ(middle(Ties::up, false), 1);
@@ -355,7 +361,9 @@ TEST(LineTies, StepGoesWhereTheLineFromTheOtherEndStays) {
                 const Points steps =
                     line(0, 0, dx, dy, {.scalar = scalar, .line = method, .ties = Ties::step})
                         .pixels;
-                Points stays = line(dx, dy, 0, 0, {.scalar = scalar, .line = method}).pixels;
+                Points stays =
+                    line(dx, dy, 0, 0, {.scalar = scalar, .line = method, .ties = Ties::start})
+                        .pixels;
                 std::reverse(stays.begin(), stays.end());
                 ASSERT_EQ(steps, stays) << dx << ", " << dy;
             }

@@ -162,8 +162,8 @@ class Answers(InFolder):
         self.assertIn("expected -1/4, found 0", str(answer))
 
     def test_claims_that_cannot_be_read_are_a_problem_at_a_line(self):
-        message = self.problem_of(Trace(FIRST).check, "y=2: 0, 1\nxyzzy 7")
-        self.assertTrue(message.startswith("claims:2:7: expected a space"), message)
+        message = self.problem_of(Trace(FIRST).check, "xyzzy 7")
+        self.assertTrue(message.startswith("claims:1:7: expected a space"), message)
 
     def test_equal_traces_are_true(self):
         answer = Trace(FIRST).diff(Trace(FIRST))

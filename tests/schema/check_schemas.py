@@ -167,7 +167,7 @@ FLAT = {
     "circles": [{"center": "A", "radius": 5}, {"center": "P1", "radius": 0, "name": "rim", "color": "red"}],
     "points": ["A", ["P1"], {"vertices": ["P1"], "name": "dot", "color": "red"}],
     "method": {"scalar": "double", "line": "naive", "from": "first", "ends": "both", "fill": "scanline", "fill_rule": "non-zero",
-               "fan_passes": 1, "rounding": "floor", "ties": "up", "sample": "center", "lerp": "direct",
+               "polygon_vertices": "half-open", "fan_passes": 1, "rounding": "floor", "ties": "up", "sample": "center", "lerp": "direct",
                "snap": "none", "cull": "none", "depth": "none", "depth_compare": "auto", "depth_at": "pixel",
                "painter_key": "mean", "shade": "interpolate", "color_lerp": "axis", "color_rounding": "nearest"},
     "keep": ["depth", "canvas"],

@@ -700,7 +700,7 @@ TEST(Check, NumbersOfAListAreMarkedOneByOne) {
     EXPECT_EQ(third.place, 3U);
     EXPECT_EQ(third.expected, "12");
     EXPECT_EQ(third.found, "13");
-    EXPECT_EQ(third.remark, "2 of 6 right; ends early: 8 belong");
+    EXPECT_EQ(third.remark, "2 of 6 right, 3 follow; ends early: 8 belong");
     ASSERT_EQ(third.numbers.size(), 4U);
     for (std::size_t i = 1; i < 4; ++i) // each is the one before it and the right increment
         EXPECT_EQ(third.numbers[i].verdict, ClaimVerdict::follows);
@@ -715,6 +715,40 @@ TEST(Check, NumbersOfAListAreMarkedOneByOne) {
                                      "AB: 6 8 6 14 10 6 2 -2 14 10\n");
     EXPECT_EQ(ten.claims[0].fields[0].right_numbers, 8U);
     EXPECT_EQ(ten.claims[0].fields[0].claimed_numbers, 10U);
+}
+
+TEST(Check, ACircleInTheFormsOfTextbooks) {
+    // r = 8: d = 1 - 8 = -7, then + 2 x + 3 or + 2 (x - y) + 5; 2 d + 1 and d + 1/4 decide the same.
+    const std::string circle = example_text("../tests/claims/circle8.json");
+    EXPECT_EQ(verdicts(circle, "k: -7 -4 1 -6 3 2\n"), "r");
+    const Checked doubled = check_claims(circle, "k: -13 -7 3 -11 7 5\n");
+    EXPECT_EQ(verdicts(doubled), "r");
+    EXPECT_EQ(doubled.claims[0].fields[0].remark, "in the form d = 3 - 2 r");
+    EXPECT_EQ(verdicts(circle, "k: -27/4 -15/4 5/4 -23/4 13/4 9/4\n"), "r");
+    const Checked wrong = check_claims(circle, "k: -13 -7 3 -10 7 5\n");
+    EXPECT_EQ(first_wrong(wrong).expected, "-11");
+    EXPECT_EQ(wrong.claims[0].fields[0].right_numbers, 5U);
+    const std::string octant = "k pixels: (0,8) (1,8) (2,8) (3,7) (4,7) (5,6)";
+    EXPECT_EQ(verdicts(circle, octant + " (6,5)\n" + octant + "\n"), "rr");
+    EXPECT_EQ(verdicts(circle, "k pixels: (0,8) (1,8) (2,7) (3,7) (4,7) (5,6)\n"), "w");
+    // All of a circle of radius 1, around.
+    const std::string small = R"({"canvas":{"width":5,"height":5},"vertices":{"O":[1,0]},
+        "circles":[{"center":"O","radius":1,"name":"k"}]})";
+    EXPECT_EQ(verdicts(small, "k pixels: (2,0) (1,1) (0,0) (1,-1)\n"), "r");
+    EXPECT_EQ(verdicts(small, "k pixels: (2,0) (1,1) (0,1) (1,-1)\n"), "w");
+}
+
+TEST(Check, AHalfGoesUpUnlessASheetIsRightByAnotherTie) {
+    const std::string line = example_text("../tests/claims/dda-half-up.json");
+    EXPECT_EQ(verdicts(line, example_text("../tests/claims/dda-half-up.claims")), "rrrr");
+    EXPECT_EQ(verdicts(line, example_text("../tests/claims/dda-half-up.csv")), "rrr");
+    const std::string to_start = "AB y=7: 5.5 -> 5\nAB y=9: 6.5 -> 6\n";
+    const Checked by_start = check_claims(line, to_start);
+    EXPECT_EQ(verdicts(by_start), "rr");
+    EXPECT_EQ(by_start.remark, "right with `ties: start`");
+    EXPECT_EQ(verdicts(line, to_start, {{"ties", "up"}}), "ww");
+    // 5 for 5.5 and 7 for 6.5 are not of one tie.
+    EXPECT_EQ(verdicts(line, "AB y=7: 5.5 -> 5\nAB y=9: 6.5 -> 7\n"), "wr");
 }
 
 TEST(Check, CoordinatesOfOneVertexOnSeveralLinesDoNotContradict) {

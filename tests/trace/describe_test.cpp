@@ -262,13 +262,13 @@ TEST(Describe, TheRoundingOfRowsAndThatOfLines) {
     EXPECT_EQ(description(scene, line), "line AB   A (2, 5)   B (-4, -3)   octant 6");
     EXPECT_EQ(description(scene, line + 3), "y = 4: x = 3/4 y - 7/4 = 5/4 -> nearest -> 1");
     EXPECT_EQ(description(scene, line + 5),
-              "y = 3: x = 3/4 y - 7/4 = 1/2 -> nearest, ties start -> 1");
+              "y = 3: x = 3/4 y - 7/4 = 1/2 -> nearest, ties up -> 1");
 
     // Both nearest, each with its own ties.
     scene.method.rounding = Rounding::nearest;
     EXPECT_THAT(description(scene, 10), ::testing::HasSubstr(" = 1/2 -> nearest, ties up -> 1 "));
     EXPECT_THAT(description(scene, line + 5),
-                ::testing::HasSubstr(" = 1/2 -> nearest, ties start -> 1"));
+                ::testing::HasSubstr(" = 1/2 -> nearest, ties up -> 1"));
 }
 
 /// Thirty degrees make fractions of thirty digits; a formula shows seven.

@@ -366,7 +366,7 @@ TEST(Language, NoEnglishWordIsLeftInWhatIsFoundInPortuguese) {
         {"cut off behind 2 digits, not rounded", in_thirds, "y=1: 0.66, ?\n"},
         {"ends early: the first 3 of 8", lines, "AB: 4 0 12\n"},
         {"8 of 9 right; 8 belong", lines, "AB: 4 0 12 8 4 0 12 8 4\n"},
-        {"2 of 6 right; ends early: 8 belong", lines, "AB: 4 0 13 9 5 1\n"},
+        {"2 of 6 right, 3 follow; ends early: 8 belong", lines, "AB: 4 0 13 9 5 1\n"},
         {"2 of 3 right; ends early: 8 belong", lines, "AB: 4 1 12\n"},
         {"the scene culls nothing", cube, "ABC: culled\n", {{"cull", "none"}}},
         {"left and right are exchanged", example_text("tutorial/filling/whose-slip.json"),

@@ -218,6 +218,11 @@ private:
                 right = &*exact;
             }
         }
+        const auto form = form_that_fits(subject, field, *right);
+        if (form) {
+            right = &form->values;
+            comparison = compare(field, *right, held, is_vertex);
+        }
         const bool has_root = !decides && exact &&
                               (!comparison.is_right || comparison.fit == Fit::truncated) &&
                               compare_with_many_digits(field, comparison, checked);
@@ -230,6 +235,8 @@ private:
             checked.verdict = ClaimVerdict::open;
         } else if (is_by_place(field)) {
             mark_numbers(field, *right, held, checked);
+            if (form && !form->name.empty())
+                checked.remark += (checked.remark.empty() ? "" : "; ") + form->name;
         } else if (!comparison.is_right) {
             checked.verdict = ClaimVerdict::wrong;
             note_count(field, *right, checked);
@@ -311,6 +318,37 @@ private:
         comparison.is_right = !claims_.only_rounds || has_root;
     }
 
+    /// The other form of a list that more of its numbers fit; nothing if none does.
+    static std::optional<OtherForm> form_that_fits(const Subject& subject,
+                                                   const ClaimedField& field,
+                                                   const std::vector<std::string>& right) {
+        const std::size_t width = numbers_in_place(subject, field);
+        const auto fitting = [&](const std::vector<std::string>& values) {
+            std::size_t count = 0;
+            for (std::size_t i = 0; i + width <= std::min(values.size(), field.values.size());
+                 i += width)
+                count += std::equal(values.begin() + static_cast<std::ptrdiff_t>(i),
+                                    values.begin() + static_cast<std::ptrdiff_t>(i + width),
+                                    field.values.begin() + static_cast<std::ptrdiff_t>(i),
+                                    [](const std::string& a, const std::string& b) {
+                                        return normal_form(a) == normal_form(b);
+                                    })
+                             ? 1
+                             : 0;
+            return count;
+        };
+        std::optional<OtherForm> best;
+        std::size_t most = fitting(right);
+        for (OtherForm& form : other_forms(subject, field))
+            if (const std::size_t count = fitting(form.values);
+                count > most ||
+                (best && count == most && form.values.size() == field.values.size())) {
+                most = count;
+                best = std::move(form);
+            }
+        return best;
+    }
+
     /// Marks each number of a list by itself, or each pixel.
     void mark_numbers(const ClaimedField& field, const std::vector<std::string>& right,
                       NumbersHeld held, CheckedField& checked) const {
@@ -331,7 +369,8 @@ private:
             checked.claimed_numbers += one.is_open ? 0 : 1;
             checked.right_numbers += one.is_right && !one.is_open ? 1 : 0;
             if (!one.is_right) {
-                const bool follows = !was_right && goes_on_from_last(field, right, width, place);
+                const bool follows = !was_right && field.name != "rows" &&
+                                     goes_on_from_last(field, right, width, place);
                 checked.numbers.push_back(
                     {.place = place + 1,
                      .verdict = follows ? ClaimVerdict::follows : ClaimVerdict::wrong,
@@ -348,7 +387,14 @@ private:
             checked.place = first.place;
             checked.expected = first.expected;
             checked.found = first.found;
-            checked.remark = said("{} of {} right", checked.right_numbers, checked.claimed_numbers);
+            const auto follow = std::count_if(
+                checked.numbers.begin(), checked.numbers.end(),
+                [](const CheckedNumber& one) { return one.verdict == ClaimVerdict::follows; });
+            const std::size_t right_ones = checked.right_numbers;
+            checked.remark =
+                follow > 0
+                    ? said("{} of {} right, {} follow", right_ones, checked.claimed_numbers, follow)
+                    : said("{} of {} right", right_ones, checked.claimed_numbers);
             if (checked.ends_early)
                 checked.remark += said("; ends early: {} belong", belong);
             else if (count > belong)
@@ -596,7 +642,15 @@ private:
 } // namespace
 
 Checked check(const Truth& truth, const Claims& claims) {
-    return Checker(truth, claims).run();
+    Checked checked = Checker(truth, claims).run();
+    if (checked.wrong > 0)
+        for (const auto& [ties, other] : truth.with_other_ties())
+            if (Checked by_other = Checker(other, claims).run();
+                by_other.wrong + by_other.follow == 0) {
+                by_other.remark = said("right with `ties: {}`", ties);
+                return by_other;
+            }
+    return checked;
 }
 
 std::optional<Problem> Checked::problem() const {
@@ -607,8 +661,10 @@ std::optional<Problem> Checked::problem() const {
     return problems.empty() ? std::nullopt : std::optional(first_of(std::move(problems)));
 }
 
-std::string place_in_list(std::size_t place) {
-    return place == 0 ? "" : said(", number {}", place);
+std::string place_in_list(std::size_t place, std::string_view field) {
+    return place == 0        ? ""
+           : field == "rows" ? said(", row {}, column {}", (place - 1) / 4 + 1, (place - 1) % 4 + 1)
+                             : said(", number {}", place);
 }
 
 std::string difference_text(const Claims& claims, const CheckedField& field,
@@ -619,8 +675,8 @@ std::string difference_text(const Claims& claims, const CheckedField& field,
         const bool is_of_json = !claims.is_table && (value == "true" || value == "false");
         return is_of_json ? value : word_for_value(field.name, value);
     };
-    return said("{}{}: expected {}, found {}", claims.in_words(field.name), place_in_list(place),
-                as_written(expected), as_written(found));
+    return said("{}{}: expected {}, found {}", claims.in_words(field.name),
+                place_in_list(place, field.name), as_written(expected), as_written(found));
 }
 
 } // namespace rastertrace

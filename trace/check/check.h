@@ -39,6 +39,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace rastertrace {
@@ -65,6 +66,9 @@ public:
 
     /// The same with every face tested, whether the scene culls or not; nullptr if there is no scene.
     const Trace* with_faces() const;
+
+    /// The same scene by each other tie of its naive and DDA lines, with the name of the tie; none if the scene names one.
+    const std::vector<std::pair<std::string, Truth>>& with_other_ties() const;
 
     /// What can be drawn, but is probably not what the scene's author meant.
     const std::vector<Problem>& remarks() const;
@@ -164,6 +168,7 @@ struct Checked {
         0; ///< of the open ones: lists of which all numbers are right, but some missing
     std::vector<CheckedClaim> claims;    ///< one for each, in their order
     std::vector<std::string> slips = {}; ///< behind the wrong numbers, the most likely first
+    std::string remark = {};             ///< all of it is right with `ties: start`; may be empty
 
     /// True if a claim is wrong, is not understood, or ends early.
     bool has_faults() const { return wrong + follow + not_understood + end_early > 0; }
@@ -176,8 +181,8 @@ struct Checked {
 /// meant, is not understood, as one that cannot be read. Throws a Problem if none is understood.
 Checked check(const Truth& truth, const Claims& claims);
 
-/// `, number 3` of a list; empty of 0.
-std::string place_in_list(std::size_t place);
+/// `, number 3` of a list, `, row 1, column 3` of a matrix; empty of 0.
+std::string place_in_list(std::size_t place, std::string_view field);
 
 /// "first pixel: expected -1, found 0", in the words that the claims are written in. `expected` and `found` are the
 /// field's, or those of the number at a place of its list, or what is shown of them.

@@ -86,7 +86,7 @@ Rational root_tolerance(const Rational& number) {
 }
 
 bool is_by_place(const ClaimedField& field) {
-    return field.is_list && (field.name == "d" || field.name == "pixels");
+    return field.is_list && (field.name == "d" || field.name == "pixels" || field.name == "rows");
 }
 
 Comparison compare(const ClaimedField& claimed, const std::vector<std::string>& told,

@@ -108,6 +108,16 @@ ToldValues told_in(const StepIndex& index, std::size_t step, const ClaimedField&
 /// By exact arithmetic.
 ToldValues told_exactly(const Subject& subject, const ClaimedField& field);
 
+/// A list as textbooks write it in another form, with the name of the form; "" if only the order is another.
+struct OtherForm {
+    std::string name;
+    std::vector<std::string> values;
+};
+
+/// Of a circle: d that begins with 3 - 2 r or 5/4 - r, which decides the same; the pixels of the octant where d is told,
+/// from the center or on the canvas; and all pixels in the order in which they are claimed.
+std::vector<OtherForm> other_forms(const Subject& subject, const ClaimedField& field);
+
 /// The same subject where sines and roots have many digits; nothing if the scene has none, or no such step there.
 std::optional<Subject> with_many_digits(const Subject& subject, const TruthIndex& truth);
 

@@ -73,7 +73,9 @@ private:
         case StepKind::primitive: {
             const auto primitive = step.as<PrimitiveStep>();
             primitive_ = primitive.name.text();
-            is_line_ = primitive.kind == PrimitiveKind::line;
+            has_d_ =
+                primitive.kind == PrimitiveKind::line || primitive.kind == PrimitiveKind::circle;
+            is_polygon_ = primitive.kind == PrimitiveKind::polygon;
             has_spans_ = false;
             return;
         }
@@ -85,8 +87,9 @@ private:
         case StepKind::edge: {
             const auto edge = step.as<EdgeStep>();
             if (edge.dx_dy.has_number())
-                add_line(kind, fmt::format("{}edge {}: ?", of_primitive(),
-                                           name_in_table(edge.edge.text())));
+                add_line(kind, fmt::format("{}edge {}: {}", of_primitive(),
+                                           name_in_table(edge.edge.text()),
+                                           is_polygon_ ? "ymin ?, ymax ?, x ?, 1/m ?" : "?"));
             return;
         }
         case StepKind::crossings:
@@ -94,7 +97,7 @@ private:
         case StepKind::scanline:
             return add_row(step.as<ScanlineStep>());
         case StepKind::decide:
-            decisions_ += is_line_ ? 1 : 0;
+            decisions_ += has_d_ ? 1 : 0;
             return;
         case StepKind::depth:
             return add_depth(step.as<DepthStep>());
@@ -183,7 +186,8 @@ private:
     std::size_t primitives_ = 0;
     std::map<std::pair<Index, Index>, std::size_t> tests_; ///< depth tests of each pixel
     std::string primitive_;                                ///< the name of the current one
-    bool is_line_ = false;                                 ///< and if it is a line
+    bool has_d_ = false;                                   ///< it is a line or a circle
+    bool is_polygon_ = false;
     bool has_spans_ = false;    ///< the row has more than one, which are claimed by its ends
     std::size_t decisions_ = 0; ///< of the current line
     std::string text_;

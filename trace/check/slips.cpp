@@ -94,6 +94,23 @@ std::vector<SlipResult> color_by_other_share(const Formula& formula) {
     return results.take();
 }
 
+/// T4 has the whole distance over that to the end.
+std::vector<SlipResult> share_the_other_way(const Formula& formula) {
+    SlipResults results(formula);
+    const Values& right = results.right();
+    if (as_form<TakenOver>(formula) && right.size() == 1) { // the share itself
+        results.add(Rational(1 - right.front()));
+        results.add(divided(1, right.front()));
+        results.add(divided(1, 1 - right.front()));
+    }
+    if (const auto* mixed = as_form<MixedColor>(formula); mixed && mixed->weights.size() == 2) {
+        MixedColor other = *mixed;
+        std::swap(other.weights[0], other.weights[1]);
+        results.add_formula({other});
+    }
+    return results.take();
+}
+
 std::vector<SlipResult> slope_rounded_first(const Formula& formula) {
     SlipResults results(formula);
     const auto* const lerp = as_form<Lerp>(formula);
@@ -241,7 +258,8 @@ std::vector<SlipResult> integer_division(const Formula& formula) {
 
 /// The coordinates of a point in another order.
 void exchange(SlipResults& results, const Values& values, std::size_t i, std::size_t j) {
-    if (std::max(i, j) >= values.size())
+    constexpr std::size_t most_coordinates = 4; // a matrix is no point
+    if (std::max(i, j) >= values.size() || values.size() > most_coordinates)
         return;
     Values exchanged = values;
     std::swap(exchanged[i], exchanged[j]);
@@ -615,13 +633,15 @@ constexpr Slip other_slips[] = {
      as_mistake, 40, byte_cast},
     {"color-by-distance", "the color by the distance, or by the steps on the screen",
      scenes_own_rule, as_mistake, 20, color_by_other_share},
+    {"share-the-other-way", "the share from the other end, or 1 over it",
+     "the share from the first end", "the colors run the wrong way", 60, share_the_other_way},
     {"z-for-inverse-z", "z itself, or z in a straight line", "1/z in a straight line", as_mistake,
      60, z_for_inverse_z},
     {"start-and-step-exchanged", as_mistake, as_mistake, as_mistake, 20, start_and_step_exchanged},
     {"y-for-z", "z in the place of y", "y", "what points away points up", 20, y_for_z},
     {"view-turned-round", as_mistake, as_mistake, as_mistake, 40, view_turned_round},
     {"cosine-of-dot-only", "the dot product alone", "the dot product divided by both lengths",
-     as_mistake, 30, cosine_of_dot_only},
+     as_mistake, 80, cosine_of_dot_only},
     {"normal-for-view", "the normal once more", "the view", "no face is turned away", 10,
      normal_for_view},
     {"corner-for-center", as_mistake, as_mistake, as_mistake, 40, corner_for_center},

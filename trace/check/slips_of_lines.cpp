@@ -164,7 +164,7 @@ constexpr Slip line_slips[] = {
     {"shifted-list", "a list that begins one step too early or too late", "d before each step",
      "each number stands beside the wrong step", 20, shifted_list},
     {"tie-the-other-way", "d = 0 decided the other way", "the scene's own rule for d = 0",
-     as_mistake, 30, tie_the_other_way},
+     as_mistake, 100, tie_the_other_way},
     {"last-pixel", "the last minus the first", "one more: the first counts, too",
      "a gap at the end of each line", 300, last_pixel_left_out},
     {"middle-row-twice", as_mistake, as_mistake, as_mistake, 100, middle_row_twice},

@@ -20,9 +20,15 @@ namespace {
 
 std::vector<SlipResult> rows_for_columns(const Formula& formula) {
     SlipResults results(formula);
+    if (const Values& rows = results.right(); as_form<TakenOver>(formula) && rows.size() == 16) {
+        Values transposed;
+        for (std::size_t i = 0; i < rows.size(); ++i)
+            transposed.push_back(rows[i % 4 * 4 + i / 4]);
+        results.add(std::move(transposed));
+    }
     const auto* product = as_form<MatrixTimes>(formula);
     if (product == nullptr || product->rows.size() != 4)
-        return {};
+        return results.take();
     MatrixTimes transposed = *product;
     for (std::size_t i = 0; i < 4; ++i)
         for (std::size_t k = 0; k < 4; ++k)

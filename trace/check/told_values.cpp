@@ -16,6 +16,8 @@
 #include <cmath>
 #include <numbers>
 #include <set>
+#include <tuple>
+#include <utility>
 #include <variant>
 
 namespace rastertrace {
@@ -206,6 +208,42 @@ ToldValues told_in(const StepIndex& index, std::size_t step, const ClaimedField&
 
 namespace {
 
+/// x and y of the pixels of a circle's octant, less those of a point; the last lies beyond the diagonal, or on it.
+std::vector<std::string> octant(const StepIndex& index, const std::vector<std::size_t>& decisions,
+                                const Vec2& less) {
+    std::vector<std::string> values;
+    const auto add = [&](const ToldValues& place) {
+        values.push_back(Rational(number_in(place->at(0)).value_or(0) - less.x).get_str());
+        values.push_back(Rational(number_in(place->at(1)).value_or(0) - less.y).get_str());
+    };
+    for (const std::size_t n : decisions)
+        add(told_place(index, n, "place_before"));
+    if (!decisions.empty())
+        add(told_place(index, decisions.back(), "place"));
+    return values;
+}
+
+/// The pixels of a list in the order in which they are claimed; those that are not are in the places of wrong ones.
+std::vector<std::string> in_claimed_order(const std::vector<std::string>& told,
+                                          const std::vector<std::string>& claimed) {
+    std::multiset<std::pair<std::string, std::string>> left;
+    for (std::size_t i = 0; i + 1 < told.size(); i += 2)
+        left.emplace(told[i], told[i + 1]);
+    std::vector<std::string> values(told.size());
+    std::vector<bool> is_put(told.size());
+    for (std::size_t i = 0; i + 1 < std::min(told.size(), claimed.size()); i += 2)
+        if (const auto found = left.find({normal_form(claimed[i]), normal_form(claimed[i + 1])});
+            found != left.end()) {
+            std::tie(values[i], values[i + 1]) = *found;
+            is_put[i] = true;
+            left.erase(found);
+        }
+    for (std::size_t i = 0; i + 1 < told.size(); i += 2)
+        if (!is_put[i])
+            std::tie(values[i], values[i + 1]) = left.extract(left.begin()).value();
+    return values;
+}
+
 const std::string& value_of_key(const Subject& subject, std::string_view field) {
     return std::find_if(subject.keys.begin(), subject.keys.end(),
                         [&](const auto& key) { return key.first == field; })
@@ -220,6 +258,46 @@ Pixel pixel_of(const Subject& subject) {
             number_in(value_of_key(subject, axis)).value_or(0).get_num().get_si());
     };
     return {coordinate("x"), coordinate("y")};
+}
+
+std::vector<OtherForm> other_forms(const Subject& subject, const ClaimedField& field) {
+    const StepIndex& index = *subject.exact;
+    const bool are_pixels = subject.kind == StepKind::primitive && field.name == "pixels";
+    const bool is_d = subject.kind == StepKind::decide && field.name == "d" && field.is_list;
+    const std::size_t primitive = subject.step == 0 || (!are_pixels && !is_d) ? 0
+                                  : are_pixels                                ? subject.step
+                                               : index.primitive_of(subject.step);
+    if (primitive == 0 ||
+        index.trace().step(primitive).as<PrimitiveStep>().kind != PrimitiveKind::circle)
+        return {};
+    const auto decisions =
+        index.find(StepKind::decide, {{"in", name_in(index.trace().step(primitive)).text()}});
+    std::vector<OtherForm> forms;
+    if (is_d) {
+        for (const auto& [name, factor, more] :
+             {std::tuple("d = 3 - 2 r", Rational(2), Rational(1)),
+              std::tuple("d = 5/4 - r", Rational(1), Rational(1, 4))}) {
+            OtherForm& form = forms.emplace_back(OtherForm{said("in the form {}", name), {}});
+            for (const std::size_t n : decisions)
+                if (const auto d = index.trace().step(n).as<DecideStep>().d.exact())
+                    form.values.push_back(Rational(factor * *d + more).get_str());
+        }
+        return forms;
+    }
+    const PrimitiveText circle = primitive_of(index.steps().at(primitive));
+    const auto center = center_of(circle, index.trace());
+    for (const Vec2& less : {Vec2{0, 0}, center.value_or(Vec2{0, 0})}) {
+        auto values = octant(index, decisions, less);
+        if (values.size() < 4)
+            return {};
+        auto inside = values; // up to the diagonal
+        inside.resize(values.size() - 2);
+        forms.push_back({said("of one octant"), std::move(inside)});
+        forms.push_back({said("of one octant"), std::move(values)});
+    }
+    if (const ToldValues told = told_in(index, primitive, field))
+        forms.push_back({"", in_claimed_order(*told, field.values)});
+    return forms;
 }
 
 namespace {
@@ -403,6 +481,17 @@ std::vector<Formula> formulas_of(const Subject& subject, const Numbers& numbers,
         return row == 0 ? std::vector<Formula>{}
                         : std::vector{in_row(numbers, row, Rational(pixel_of(subject).x))};
     }
+    if (field == "share")
+        if (const ToldValues share = told_share(*subject.exact, step_of(subject, field)))
+            return {{TakenOver{{number_in(share->front()).value_or(0)}}}};
+    if (subject.kind == StepKind::matrix && field == "rows" && subject.step != 0)
+        if (const auto matrix =
+                exact_matrix_in(numbers.trace().step(subject.step).as<MatrixStep>())) {
+            Values entries;
+            for (const auto& row : matrix->rows)
+                entries.insert(entries.end(), std::begin(row), std::end(row));
+            return {{TakenOver{entries}}};
+        }
     return formulas_of(numbers, step_of(subject, field), field);
 }
 

@@ -53,6 +53,8 @@ struct Truth::State {
     std::map<const Mistake*, std::optional<Trace>> with_mistakes = {};
     std::vector<Problem> remarks = {};
     std::optional<TruthIndex> index = {};
+    bool names_no_ties = false; ///< of its lines, which have some
+    std::vector<std::pair<std::string, Truth>> with_other_ties = {};
 
     /// The scene with more choices than it has. Every stage runs: it changes no picture, and each vertex is told in every
     /// space. Throws a Problem if it cannot be drawn so.
@@ -149,6 +151,9 @@ Truth::Truth(Source scene, MethodOverrides overrides, InputLimits limits, FrameC
     state_->limits = limits;
     state_->frames = std::move(frames);
     PlannedScene asked = state_->planned({});
+    const Method& method = asked.scene.method;
+    state_->names_no_ties = !method.ties && method.snap != Snap::nearest &&
+                            traits_of(method.line).rule == LineRule::rounding;
     state_->decided = state_->drawn(asked);
     state_->remarks = std::move(asked.remarks);
 }
@@ -167,6 +172,22 @@ const Trace& Truth::exact() const {
 
 const Trace* Truth::with_faces() const {
     return state_->drawn_with_faces();
+}
+
+const std::vector<std::pair<std::string, Truth>>& Truth::with_other_ties() const {
+    auto& others = state_->with_other_ties;
+    if (std::exchange(state_->names_no_ties, false))
+        for (const std::string_view ties : {"start", "away", "even", "step"}) {
+            MethodOverrides overrides = state_->overrides;
+            overrides.emplace_back("ties", ties);
+            try {
+                others.emplace_back(ties, Truth(*state_->scene, std::move(overrides),
+                                                state_->limits, state_->frames));
+            } catch (const Problem&) {
+                continue; // what else rounds in the scene does not have this one
+            }
+        }
+    return others;
 }
 
 const TruthIndex& Truth::index() const {

@@ -730,6 +730,11 @@ private:
 
     void check_rows(const JsonValue& blamed) const {
         const Method& method = scene_.method;
+        if (method.rows && method.polygon_vertices == PolygonVertices::turning &&
+            scene_.has(PrimitiveKind::polygon))
+            json_.fail(blamed,
+                       R"(expected no "rows" beside "polygon_vertices": "turning", found both)",
+                       "vertices say which rows a polygon has");
         if (method.rows == RowRule::half_open && scene_.has(PrimitiveKind::triangle) &&
             traits_of(method.fill).rule != PixelRule::row_ends)
             json_.fail(blamed,

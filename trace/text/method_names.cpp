@@ -43,6 +43,8 @@ constexpr std::array starts{Word{LineStart::first, "first"}, Word{LineStart::low
 constexpr std::array end_pixels{Word{EndPixels::both, "both"}, Word{EndPixels::first, "first"}};
 constexpr std::array fill_rules{Word{FillRule::even_odd, "even-odd"},
                                 Word{FillRule::non_zero, "non-zero"}};
+constexpr std::array polygon_vertex_rules{Word{PolygonVertices::half_open, "half-open"},
+                                          Word{PolygonVertices::turning, "turning"}};
 constexpr std::array passes{Word{1, "1"}, Word{2, "2"}, Word{3, "3"}};
 constexpr std::array roundings{Word{Rounding::floor, "floor"}, Word{Rounding::nearest, "nearest"},
                                Word{Rounding::truncate, "truncate"},
@@ -139,16 +141,6 @@ bool has_ties(const Scene& scene) {
     return has_ties_of_bresenham(scene) || scene.method.snap == Snap::nearest ||
            (fills_spans(scene) && span_rounding(scene.method).rounding == Rounding::nearest) ||
            (rounds_lines(scene) && line_rounding(scene.method).rounding == Rounding::nearest);
-}
-
-/// Where nothing was said, the halves of rows and of snapped vertices go up, those of lines to their start.
-std::string default_of_ties(const Scene& scene) {
-    const bool lines_have_ties =
-        rounds_lines(scene) && line_rounding(scene.method).rounding == Rounding::nearest;
-    if (scene.method.snap == Snap::nearest)
-        return lines_have_ties ? "up+start" : "up";
-    return scene.method.rounding == Rounding::nearest ? default_of_two(scene, "up", "start")
-                                                      : std::string("start");
 }
 
 template <typename Member> bool is_value(const Member& member, const Member& value) {
@@ -306,6 +298,12 @@ std::span<const MethodKey> method_keys() {
         key<&Method::fill, fills>("fill", "the algorithm that fills triangles", has_triangles),
         key<&Method::fill_rule, fill_rules>(
             "fill_rule", "what lies inside a polygon that crosses itself", has_polygons),
+        key<&Method::polygon_vertices, polygon_vertex_rules>(
+            "polygon_vertices", "which edges have the row of a polygon's vertex",
+            [](const Scene& scene) {
+                return has_polygons(scene) &&
+                       scene.method.polygon_vertices == PolygonVertices::turning;
+            }),
         key<&Method::fan_passes, passes>(
             "fan_passes", "from how many edges the fan is drawn",
             [](const Scene& scene) { return fills_by(scene, PixelRule::lines); }),
@@ -313,7 +311,7 @@ std::span<const MethodKey> method_keys() {
             "rounding", "how a span's ends, or a line's points, become pixels", rounds,
             [](const Scene& scene) { return default_of_two(scene, "floor", "nearest"); }),
         key<&Method::ties, tie_rules>("ties", "where rounding to nearest sends a half", has_ties,
-                                      default_of_ties),
+                                      [](const Scene&) { return std::string("up"); }),
         key<&Method::sample, samples>(
             "sample", "where in its pixel a fill, or a line, looks", moves_samples,
             [](const Scene& scene) {

@@ -109,7 +109,8 @@ std::string slip_lines(const CheckedClaim& claim) {
     for (const CheckedField& field : claim.fields)
         for (const LikelySlip& slip : field.slips)
             if (named.size() < most_slips && named.insert(slip.name).second)
-                lines += said("    likely slip {}: {}\n", slip.name + place_in_list(slip.place),
+                lines += said("    likely slip {}: {}\n",
+                              slip.name + place_in_list(slip.place, field.name),
                               printable(slip.meaning));
     return lines;
 }
@@ -158,8 +159,8 @@ std::string hints(const CheckedFile& file, const CheckedClaim& claim, CheckTold 
     for (const CheckedField& field : claim.fields) {
         if (!is_wrong(field.verdict) || told == CheckTold::verdicts)
             continue;
-        text +=
-            fmt::format("    {}{}\n", file.claims.in_words(field.name), place_in_list(field.place));
+        text += fmt::format("    {}{}\n", file.claims.in_words(field.name),
+                            place_in_list(field.place, field.name));
         if (field.verdict == ClaimVerdict::follows)
             text += fmt::format("        {}\n",
                                 origin_of(file, field, file.claim_of(claim).line).substr(2));
@@ -185,6 +186,8 @@ std::string text_of_one(const CheckedFile& file, CheckTold told) {
         else if (const std::string remarks = remarks_in(file, claim); !remarks.empty())
             text += place_of(file, claim) + "\n" + remarks;
     }
+    if (!file.checked.remark.empty())
+        text += fmt::format("{}: {}\n", printable(file.name), file.checked.remark);
     if (file.claims.has_decimal_comma)
         text +=
             said("{}: commas are read as those of decimals: 0,25 is 1/4\n", printable(file.name));
@@ -342,6 +345,7 @@ JsonText json_of(const CheckedFile& file, CheckTold told) {
         .add("follow", checked.follow)
         .add("open", checked.open)
         .add("not_understood", checked.not_understood)
+        .add("remark", checked.remark)
         .add("claims", JsonText::lines(checked.claims, [&](const CheckedClaim& claim) {
                  return json_of(file, claim, told);
              }));

@@ -201,7 +201,8 @@ void fill_polygon(const Piece<Scalar>& polygon, const SampleOffset<Scalar>& offs
                             {.fill_rule = method.fill_rule,
                              .rows = {.lerp = method.lerp,
                                       .span = span_rounding(method),
-                                      .rows = method.rows.value_or(RowRule::half_open)}},
+                                      .rows = method.rows.value_or(RowRule::half_open)},
+                             .vertices = method.polygon_vertices},
                             canvas, sink);
 }
 

@@ -46,8 +46,10 @@ void draw_line(const Scene& scene, const ScenePrimitive& line, Colors& picture) 
     }
     const bool begins_at_to = scene.method.from == LineStart::low && to_x < from_x;
     const bool falls = to_y < from_y;
-    const bool stays =
-        line_rules(scene.method).ties != Ties::step; // on the side that it comes from
+    const Ties ties = line_rules(scene.method).ties;
+    const bool goes_up =
+        ties == Ties::up && traits_of(scene.method.line).rule == LineRule::rounding;
+    const bool stays = ties != Ties::step; // on the side that it comes from
 
     // Only what the canvas can have.
     const Canvas& canvas = scene.canvas;
@@ -63,7 +65,7 @@ void draw_line(const Scene& scene, const ScenePrimitive& line, Colors& picture) 
                                     ? Rational(from_y)
                                     : Rational(from_y + Rational(along - from_x) * (to_y - from_y) /
                                                             Rational(to_x - from_x));
-        const mpz_class pixel = nearest_of(across, stays == falls);
+        const mpz_class pixel = nearest_of(across, goes_up || stays == falls);
         if (!pixel.fits_sint_p())
             continue;
         const auto a = static_cast<int>(along.get_si());

@@ -238,19 +238,37 @@ void ModelDrawing::fill_fan(const ModelTriangle& triangle) {
 
 namespace {
 
-/// An edge of a polygon, and what it adds to the winding number right of it: 1 if the polygon runs down along it.
-using TurningEdge = std::pair<ModelEdge, int>;
+/// An edge of a polygon.
+struct TurningEdge {
+    ModelEdge edge;
+    int turn; ///< what it adds to the winding number right of it: 1 if the polygon runs down along it
+    bool has_both_ends; ///< its end at the larger y counts, too
+};
+
+/// True if the neighbors of a corner that are not level with it lie on one side of it.
+bool turns_back(const std::vector<ModelVertex>& corners, std::size_t corner) {
+    const auto side_of_next = [&](std::size_t step) {
+        for (std::size_t i = 1; i < corners.size(); ++i)
+            if (const Rational dy =
+                    corners[(corner + i * step) % corners.size()].at.y - corners[corner].at.y;
+                sgn(dy) != 0)
+                return sgn(dy);
+        return 0;
+    };
+    return side_of_next(1) == side_of_next(corners.size() - 1);
+}
 
 /// The edges that a row meets, from left to right; on one line, in their order. Each has the row at its upper end, or the one at its lower end, so
-/// that a row meets an even number of them.
+/// that a row meets an even number of them; or both.
 std::vector<ModelCrossing> crossings_on(Index row, bool has_upper_end,
                                         const std::vector<TurningEdge>& edges,
                                         const ModelRules& rules) {
     std::vector<ModelCrossing> met;
-    for (const auto& [edge, turn] : edges) {
+    for (const auto& [edge, turn, has_both_ends] : edges) {
         const Rational& upper = edge.from.at.y;
         const Rational& lower = edge.to.at.y;
-        if (has_upper_end ? upper <= row && row < lower : upper < row && row <= lower)
+        const bool is_at_other_end = (has_upper_end ? lower : upper) == row;
+        if (upper <= row && row <= lower && (has_both_ends || !is_at_other_end))
             met.push_back({&edge, rules.x_on(edge, row), turn});
     }
     std::stable_sort(met.begin(), met.end(), [&](const ModelCrossing& a, const ModelCrossing& b) {
@@ -317,14 +335,17 @@ void ModelDrawing::fill_polygon(const ModelPiece& polygon) {
         const bool runs_down = from.at.y < to.at.y;
         const ModelEdge edge =
             edge_between(ModelEdge::Role::of_polygon, runs_down ? from : to, runs_down ? to : from);
+        const std::size_t highest = runs_down == (down_ > 0) ? (i + 1) % polygon.corners.size() : i;
+        const bool has_both_ends = method_.polygon_vertices == PolygonVertices::turning &&
+                                   turns_back(polygon.corners, highest);
         if (from.at.y != to.at.y)
-            edges.emplace_back(edge, runs_down ? 1 : -1);
+            edges.push_back({edge, runs_down ? 1 : -1, has_both_ends});
     }
     if (edges.empty())
         return sink_(PrimitiveSkipped<>{.why = SkipReason::zero_area});
     const bool has_upper_end = down_ > 0;
     const auto first_row = [has_upper_end](const TurningEdge& one) {
-        const Rational& y = one.first.from.at.y;
+        const Rational& y = one.edge.from.at.y;
         return has_upper_end ? ceil_index(y) : floor_index(y) + 1;
     };
     std::stable_sort(edges.begin(), edges.end(), [&](const TurningEdge& a, const TurningEdge& b) {

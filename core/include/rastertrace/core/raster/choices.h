@@ -43,6 +43,13 @@ enum class RowRule {
     half_open, ///< of a triangle, the lowest left out: a row that two share belongs to the lower one
 };
 
+/// Which edges of a polygon have the row of their vertex at the larger y.
+enum class PolygonVertices {
+    half_open, ///< none (Foley and van Dam)
+    turning, ///< those of a vertex where the outline turns back, which counts twice; where it goes
+             ///< on it counts once. Neighbors that are level with it do not count (Hearn and Baker)
+};
+
 /// Which points lie inside a polygon that crosses itself, by its winding number there: how often it
 /// runs around the point.
 enum class FillRule {

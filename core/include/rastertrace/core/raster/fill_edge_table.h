@@ -7,11 +7,13 @@
 // An edge between y1 < y2 has the rows y1 <= y < y2, in the scene's own y. So a row through a vertex
 // meets one edge where the outline goes on, and two or none where it turns back: every row meets an
 // even number of edges. A horizontal edge has no rows. With RowRule::closed, a row that ends an edge
-// is also drawn with the edges y1 < y <= y2, which come up to it from smaller y.
+// is also drawn with the edges y1 < y <= y2, which come up to it from smaller y. With
+// PolygonVertices::turning, edges whose larger y is a turning point have that row, too.
 //
 // Source: Foley, van Dam, Feiner and Hughes, Computer Graphics: Principles and Practice, 1990,
 // section 3.6 (edge table and active-edge table); Adobe, PostScript Language Reference, 1999,
-// section 4.5 (insideness: even-odd, non-zero winding number).
+// section 4.5 (insideness: even-odd, non-zero winding number); Hearn and Baker, Computer Graphics,
+// 1994, section 3-11 (vertices where the outline turns back count twice).
 //
 //     fill_edge_table<double>(corners, {}, {.fill_rule = FillRule::non_zero}, canvas,
 //                             FlatPainter(image, color));
@@ -47,6 +49,7 @@ constexpr bool is_inside(int winding, FillRule rule) {
 struct EdgeTableRules {
     FillRule fill_rule = FillRule::even_odd;
     ScanlineRules rows{.rows = RowRule::half_open};
+    PolygonVertices vertices = PolygonVertices::half_open;
 };
 
 /// An edge in the table, and where it meets the row at hand.
@@ -65,11 +68,25 @@ template <typename Scalar> struct TableEdge {
     }
 };
 
+/// True if the outline turns back at a corner: its neighbors that are not level with it lie on one side.
+template <typename Scalar>
+bool turns_back(std::span<const Vec<Scalar, 2>> corners, std::size_t corner) {
+    const Scalar& y = corners[corner].y;
+    const auto is_above = [&](std::size_t step) {
+        std::size_t at = corner;
+        do
+            at = (at + step) % corners.size();
+        while (corners[at].y == y && at != corner);
+        return corners[at].y < y;
+    };
+    return is_above(1) == is_above(corners.size() - 1);
+}
+
 /// The edges of a polygon that are not horizontal, from the first row of each. Emits all edges.
 template <typename Scalar, typename Sink>
 std::vector<TableEdge<Scalar>>
 edge_table(std::span<const Vec<Scalar, 2>> corners, const SampleOffset<Scalar>& offset,
-           const ScanlineRules& rules, const Canvas& canvas, Sink&& sink) {
+           const EdgeTableRules& rules, const Canvas& canvas, Sink&& sink) {
     const int down = canvas.down();
     std::vector<TableEdge<Scalar>> table;
     for (std::size_t i = 0; i < corners.size(); ++i) {
@@ -87,8 +104,12 @@ edge_table(std::span<const Vec<Scalar, 2>> corners, const SampleOffset<Scalar>& 
         const Scalar low = offset.in_rows((down > 0 ? upper : lower).position.y);
         const Scalar high = offset.in_rows((down > 0 ? lower : upper).position.y);
         const Index first = ceil_index(low);
-        const Index end = rules.rows == RowRule::closed ? floor_index(high) + 1 : ceil_index(high);
-        table.push_back({.walk = {edge, rules.lerp, down},
+        const Vertex<Scalar>& highest = down > 0 ? lower : upper;
+        const bool has_high =
+            rules.rows.rows == RowRule::closed || (rules.vertices == PolygonVertices::turning &&
+                                                   turns_back<Scalar>(corners, highest.index));
+        const Index end = has_high ? floor_index(high) + 1 : ceil_index(high);
+        table.push_back({.walk = {edge, rules.rows.lerp, down},
                          .low = low,
                          .high = high,
                          .first_row = canvas.row_of(down > 0 ? first : end - 1),
@@ -199,7 +220,7 @@ requires SinkFor<Sink, EdgeSetUp<Scalar>, RowCrossed<Scalar>, ScanlineSpanned<Sc
                  PixelsRejected<>, PrimitiveSkipped<>>
 void fill_edge_table(std::span<const Vec<Scalar, 2>> corners, const SampleOffset<Scalar>& offset,
                      const EdgeTableRules& rules, const Canvas& canvas, Sink&& sink) {
-    auto table = edge_table<Scalar>(corners, offset, rules.rows, canvas, sink);
+    auto table = edge_table<Scalar>(corners, offset, rules, canvas, sink);
     if (table.empty()) {
         sink(PrimitiveSkipped<>{.why = SkipReason::zero_area});
         return;

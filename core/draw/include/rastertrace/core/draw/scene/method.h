@@ -92,9 +92,10 @@ struct Method {
     Fill fill = Fill::scanline;
     HorizontalEdge horizontal_edge = HorizontalEdge::top; ///< of top-left
     FillRule fill_rule = FillRule::even_odd;              ///< of polygons
+    PolygonVertices polygon_vertices = PolygonVertices::half_open;
     int fan_passes = 1;
     std::optional<Rounding> rounding = {}; ///< floor for spans, nearest for lines
-    std::optional<Ties> ties = {};         ///< up for spans, start for lines
+    std::optional<Ties> ties = {};         ///< up, of Bresenham's lines start
     std::optional<Sample> sample = {};     ///< center for top-left, else integer
     std::optional<RowRule> rows = {};      ///< closed for triangles by rows, half-open for polygons
     LerpForm lerp = LerpForm::direct;
@@ -125,15 +126,21 @@ inline RowRule rows_of_triangles(const Method& method) {
     return method.rows.value_or(RowRule::closed);
 }
 
+/// Where lines go halfway between two pixels: those that round up, as textbooks' floor(v + 1/2).
+inline Ties ties_of_lines(const Method& method) {
+    const bool rounds = traits_of(method.line).rule == LineRule::rounding;
+    return method.ties.value_or(rounds ? Ties::up : Ties::start);
+}
+
 /// How the coordinates across naive and dda lines become pixels.
 inline SpanRounding line_rounding(const Method& method) {
-    return {method.rounding.value_or(Rounding::nearest), method.ties.value_or(Ties::start)};
+    return {method.rounding.value_or(Rounding::nearest), ties_of_lines(method)};
 }
 
 /// What lines and their colors go by; those in space have their own (GridLine::colors).
 inline LineRules line_rules(const Method& method) {
     return {method.color_lerp.value_or(ColorLerp::axis), method.color_rounding,
-            method.ties.value_or(Ties::start), method.ends};
+            ties_of_lines(method), method.ends};
 }
 
 /// The samples that triangles are filled by.
