@@ -151,7 +151,7 @@ function check_questions(module) {
 
 async function main() {
   const size = zlib.deflateSync(fs.readFileSync(module_file.replace(/js$/, 'wasm')), {level: 9}).length;
-  if (size > 1e6) throw new Error(`expected a module of at most 1,000,000 bytes deflated, found ${size}`);
+  if (size > 2 ** 20) throw new Error(`expected a module of at most 1,048,576 bytes deflated, found ${size}`);
   const module = await require(path.resolve(module_file))();
   const folder = fs.mkdtempSync(path.join(os.tmpdir(), 'rastertrace-'));
   execFileSync(random_scenes, [count, folder]);
