@@ -297,6 +297,21 @@ TEST_F(CheckTest, AListThatEndsEarlyHasAnOpenPoint) {
     EXPECT_EQ(run("check line.json sheet.txt").status, 0);
 }
 
+TEST_F(CheckTest, TheTablesThatShowPrintsAreRight) {
+    const std::string examples = RASTERTRACE_EXAMPLES;
+    for (const std::string scene : {"t0-fill/first-triangle.json", "t2-lines/worked-lines.json",
+                                    "t4-pipeline/camera-points.json", "polygon/concave.json"})
+        for (const std::string kind :
+             {"scanline", "edge", "decide", "vertex", "face", "pixel", "crossings"}) {
+            const std::string path = examples + "/" + scene;
+            const Outcome told = run("show '" + path + "' --every " + kind + " --format csv");
+            if (told.status != 0 || std::count(told.out.begin(), told.out.end(), '\n') < 2)
+                continue;
+            write("table.csv", told.out);
+            EXPECT_EQ(run("check '" + path + "' table.csv").status, 0) << scene << " " << kind;
+        }
+}
+
 TEST_F(CheckTest, WithoutAnswersNoFormatHasOne) {
     EXPECT_EQ(run("check ben.txt --no-answers").out, "ben.txt:2: edge AB: 4/3: wrong\n"
                                                      "ben.txt:3: y=4: 1.4, 2.38: wrong\n"

@@ -396,8 +396,21 @@ private:
             put(field.name, line_.next());
         else if (field.type == FieldType::boolean)
             read_verdict(field.name, field.name == "culled" ? "culled or drawn" : "on or off");
+        else if (field.is_list)
+            put_list(field.name, names_in_brackets());
         else
             put(field.name, line_.next());
+    }
+
+    /// (AB, CD), as `show` prints a list of names
+    std::vector<ClaimWord> names_in_brackets() {
+        line_.expect("(", "`(`");
+        std::vector<ClaimWord> names;
+        do
+            names.push_back(line_.next());
+        while (line_.take(","));
+        line_.expect(")", "`)`");
+        return names;
     }
 
     static bool is_number(const ClaimWord& one) {

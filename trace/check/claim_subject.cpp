@@ -250,7 +250,7 @@ private:
     /// The step that has these keys; 0 if none has.
     std::size_t step_in(const StepIndex& index, const StepIndex::Keys& keys) const {
         const auto& steps = index.find(kind_, keys);
-        if (kind_ == StepKind::matrix && steps.size() > 1)
+        if ((kind_ == StepKind::matrix || claim_.is_printed) && steps.size() > 1)
             if (const std::size_t nearest = step_that_says_most(index, steps); nearest != 0)
                 return nearest;
         if (kind_ == StepKind::decide && (is_whole_line() || index_in_line_)) {

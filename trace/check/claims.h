@@ -42,6 +42,8 @@ struct Claim {
     std::vector<ClaimedField> fields;    ///< in the order in which they were written
     std::vector<std::string> picture;    ///< of "picture": rows from the top, `.` for empty
     std::optional<Problem> problem = {}; ///< why it cannot be read; then the rest is empty
+    bool is_printed =
+        false; ///< a row of a table that `show` prints, which does not name the primitive
 
     /// The field of that name, or nullptr.
     const ClaimedField* find(std::string_view field) const;

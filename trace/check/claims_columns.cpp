@@ -409,6 +409,7 @@ void ClaimColumns::read_cells(const Source& source, const std::vector<Cell>& cel
                                     .is_list = true,
                                     .offset = offset_of_row});
     };
+    claim.is_printed = is_printed_;
     put_two("xy", point);
     put_two("place", place);
     if (step_ == "decide" && !is_printed_)
