@@ -231,8 +231,7 @@ private:
             (first.is("pixels") && second.is("("));
         const bool is_bare_pixel =
             is_number(first) && second.is(",") && is_number(line_.peek(2)) && line_.peek(3).is(":");
-        if (const auto line = line_equation(line_.remaining());
-            line && line_.has("=") && has_both_axes())
+        if (const auto line = line_equation(line_.remaining()); line && has_both_axes())
             read_equation({}, *line);
         else if (first.is("(") || names_pixel || is_bare_pixel)
             read_pixel();
@@ -295,7 +294,7 @@ private:
         put_list("d", line_.numbers(0));
     }
 
-    /// True of d0, p_1, d[2].
+    /// True of d0 and p_1.
     static bool is_indexed(const ClaimWord& word) { return index_of(word).has_value(); }
 
     static std::optional<std::size_t> index_of(const ClaimWord& word) {

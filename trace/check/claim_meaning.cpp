@@ -166,26 +166,20 @@ Claim line_as_meant(Claim claim, const StepIndex& told) {
     return claim;
 }
 
-} // namespace
-
-namespace {
-
 /// Puts the name of the only one in a claim that names none.
 void name_only_one(Claim& claim, const TruthIndex& truth) {
-    const auto put_only = [&](const StepIndex& index, StepKind kind, std::string_view key,
-                              std::string_view named_by) {
+    const auto put_only = [&](const StepIndex& index, StepKind kind, std::string_view key) {
         if (claim.step != name_of(kind) || claim.find(key) != nullptr)
             return;
-        const auto names = index.values_of(
-            named_by == "edge" || kind == StepKind::face ? kind : StepKind::primitive,
-            std::string(named_by));
+        const auto names = index.values_of(kind == StepKind::face ? kind : StepKind::primitive,
+                                           "name"); // a line is an edge, too
         if (names.size() == 1)
             claim.fields.insert(claim.fields.begin(),
                                 {.name = std::string(key), .values = {names.front()}});
     };
-    put_only(truth.exact(), StepKind::primitive, "name", "name");
-    put_only(truth.exact(), StepKind::edge, "edge", "name");
-    put_only(truth.faces(), StepKind::face, "name", "name");
+    put_only(truth.exact(), StepKind::primitive, "name");
+    put_only(truth.exact(), StepKind::edge, "edge");
+    put_only(truth.faces(), StepKind::face, "name");
 }
 
 /// A' is A behind its object space: in a space with so many numbers, of several the last in which that is right.
@@ -219,9 +213,8 @@ std::optional<Claim> image_as_meant(const Claim& claim, const std::string& name,
 }
 
 /// d0 = 2 counts from 0, d1 = 2, d2 = -4 from 1 if these are right so.
-void count_from_1(ClaimedField& d, const std::string& line, const StepIndex& told) {
-    const auto& steps = told.find(StepKind::decide,
-                                  line.empty() ? StepIndex::Keys{} : StepIndex::Keys{{"in", line}});
+void count_from_1(ClaimedField& d, const StepIndex& told) {
+    const auto& steps = told.find(StepKind::decide, {});
     if (steps.empty() || !d.goes_on || d.values.size() < 2 || d.values.front() != open_value)
         return;
     ClaimedField moved = d;
@@ -312,7 +305,7 @@ Claim as_meant(Claim claim, const Claims& claims, const TruthIndex& truth) {
     }
     if (name == nullptr) {
         for (ClaimedField& field : claim.fields)
-            count_from_1(field, "", told);
+            count_from_1(field, told);
         return claim;
     }
     if (auto image = image_as_meant(claim, name->values.front(), told))

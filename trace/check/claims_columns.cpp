@@ -138,7 +138,7 @@ bool is_rule(std::string_view line) {
     return line.starts_with('\\') || line.find_first_not_of("|-:+ ") == std::string_view::npos;
 }
 
-/// True of heads that are the names of all fields of a kind of step, as `show` prints them.
+/// The kind of step whose fields are these heads, all of them, as `show` prints them; "" if there is none.
 std::string_view printed_step(const std::vector<std::string>& heads) {
     for (const std::string_view kind : claim_kinds()) {
         std::vector<std::string> names{"step"};
