@@ -717,6 +717,16 @@ TEST(Check, NumbersOfAListAreMarkedOneByOne) {
     EXPECT_EQ(ten.claims[0].fields[0].claimed_numbers, 10U);
 }
 
+TEST(Check, ATableMayHaveThePixelBeforeEachStep) {
+    // d is 4 0 12 8 4 0 12 8, from (2, 5) down to (-4, -3): the first pixel stands beside an open d.
+    const std::string line =
+        R"({"canvas":{"width":17,"height":14},"vertices":{"A":[2,5],"B":[-4,-3]},
+        "lines":["AB"],"method":{"line":"bresenham"}})";
+    EXPECT_EQ(verdicts(line, "k,p_k,x,y\n0,?,2,5\n1,0,1,4\n"), "rr");
+    EXPECT_EQ(verdicts(line, "k,p_k,x,y\n0,4,2,5\n1,0,1,4\n8,,-4,-3\n"), "rrr");
+    EXPECT_EQ(verdicts(line, "k,p_k,x,y\n0,4,2,5\n1,0,2,4\n"), "rw");
+}
+
 TEST(Check, ACircleInTheFormsOfTextbooks) {
     // r = 8: d = 1 - 8 = -7, then + 2 x + 3 or + 2 (x - y) + 5; 2 d + 1 and d + 1/4 decide the same.
     const std::string circle = example_text("../tests/claims/circle8.json");

@@ -244,14 +244,13 @@ Claim step_of_table_as_meant(Claim claim, const Claims& claims, const StepIndex&
         std::none_of(claim.fields.begin(), claim.fields.end(), [](const ClaimedField& field) {
             return field.name == "d" && field.values.front() != open_value;
         });
-    for (ClaimedField& field : claim.fields) {
-        const auto own = field.name == "k" ? number_in(field.values.front()) : std::nullopt;
-        if (is_only_place && own && *own >= 1) // the pixel behind the last step
-            field.values.front() = Rational(*own - 1).get_str();
-        else if (field.name == "place" &&
-                 (!is_only_place || *number_in(claim.find("k")->values.front()) < 0))
+    const Rational step = number_in(claim.find("k")->values.front()).value_or(0);
+    const bool is_behind_last = is_only_place && step >= 1; // the pixel behind the step before
+    for (ClaimedField& field : claim.fields)
+        if (field.name == "k" && is_behind_last)
+            field.values.front() = Rational(step - 1).get_str();
+        else if (field.name == "place" && !is_behind_last)
             field.name = "place_before";
-    }
     return claim;
 }
 
